@@ -1,0 +1,49 @@
+// Axis-aligned boxes and the exact test of a triangle against one.
+#pragma once
+
+#include <limits>
+
+#include "geometry/vec.h"
+
+namespace pectin {
+
+// A closed axis-aligned box; empty (min > max) until something is included.
+struct Box {
+    Vec3 min{std::numeric_limits<double>::infinity()};
+    Vec3 max{-std::numeric_limits<double>::infinity()};
+
+    bool is_empty() const { return min.x > max.x; }
+    Vec3 centre() const { return 0.5 * min + 0.5 * max; }
+    Vec3 extent() const { return is_empty() ? Vec3{0.0} : max - min; }
+    double diagonal() const { return glm::length(extent()); }
+
+    void include(const Vec3& point) {
+        min = glm::min(min, point);
+        max = glm::max(max, point);
+    }
+    void include(const Box& other) {
+        min = glm::min(min, other.min);
+        max = glm::max(max, other.max);
+    }
+    bool meets(const Box& other) const {
+        return min.x <= other.max.x && other.min.x <= max.x && min.y <= other.max.y &&
+               other.min.y <= max.y && min.z <= other.max.z && other.min.z <= max.z;
+    }
+    bool contains(const Box& other) const {
+        return min.x <= other.min.x && other.max.x <= max.x && min.y <= other.min.y &&
+               other.max.y <= max.y && min.z <= other.min.z && other.max.z <= max.z;
+    }
+    // Strictly inside: the border of the influenced zone does not move, so it is outside.
+    bool contains_strictly(const Vec3& p) const {
+        return min.x < p.x && p.x < max.x && min.y < p.y && p.y < max.y && min.z < p.z &&
+               p.z < max.z;
+    }
+    bool operator==(const Box&) const = default;
+};
+
+// Whether the closed triangle abc and the closed box have a point in common.
+// Separating axes: 3 of the box, the triangle's normal, 9 cross products (Akenine-Möller,
+// Fast 3D Triangle-Box Overlap Testing, 2001).
+bool triangle_meets_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& box);
+
+}  // namespace pectin
