@@ -12,9 +12,9 @@ namespace pectin {
 
 // What a run of faces belongs to; one entry for each distinct combination.
 struct Part {
-    std::string object;    // OBJ `o`, empty if none
-    std::string group;     // OBJ `g`, names separated by one space, empty if none
-    std::string material;  // OBJ `usemtl`, empty if none
+    std::string object;                 // OBJ `o`, empty if none
+    std::string group;                  // OBJ `g`, names separated by one space, empty if none
+    std::string material;               // OBJ `usemtl`, empty if none
     std::uint32_t smoothing_group = 0;  // OBJ `s`; 0 is off
 
     bool operator==(const Part&) const = default;
@@ -24,7 +24,7 @@ struct IndexedFaceSet {
     static constexpr std::uint32_t kNoIndex = 0xffffffffu;
 
     struct Corner {
-        std::uint32_t position = 0;      // < positions.size()
+        std::uint32_t position = 0;       // < positions.size()
         std::uint32_t normal = kNoIndex;  // < normals.size(), or kNoIndex
         std::uint32_t uv = kNoIndex;      // < uvs.size(), or kNoIndex
     };
@@ -32,11 +32,11 @@ struct IndexedFaceSet {
     std::vector<Vec3> positions;
     std::vector<Vec3f> normals;  // unit, or zero where undefined
     std::vector<Vec2f> uvs;
-    std::vector<Corner> corners;  // of all polygons, one after the other
-    std::vector<std::uint32_t> polygon_end;   // n_polygons; polygon p has the corners
-                                              // [polygon_end[p - 1], polygon_end[p])
-    std::vector<std::uint32_t> polygon_part;  // n_polygons; index into parts
-    std::vector<Part> parts;                  // at least one where there are polygons
+    std::vector<Corner> corners;                  // of all polygons, one after the other
+    std::vector<std::uint32_t> polygon_end;       // n_polygons; polygon p has the corners
+                                                  // [polygon_end[p - 1], polygon_end[p])
+    std::vector<std::uint32_t> polygon_part;      // n_polygons; index into parts
+    std::vector<Part> parts;                      // at least one where there are polygons
     std::vector<std::string> material_libraries;  // OBJ `mtllib`, as read
 
     std::uint32_t polygon_begin(std::size_t polygon) const {

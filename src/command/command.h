@@ -1,0 +1,122 @@
+// Everything a person can do to the object: mouse, script and tests send these to a Session.
+//
+// Angles are in degrees, lengths in the model's units. An empty optional leaves the present
+// setting as it is.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry/vec.h"
+
+namespace pectin {
+
+// A setting that may be a number, off (`null`) or derived from others (`"auto"`).
+struct Setting {
+    enum class Kind { automatic, off, value };
+    Kind kind = Kind::automatic;
+    double value = 0.0;
+
+    static Setting automatic() { return {Kind::automatic, 0.0}; }
+    static Setting off() { return {Kind::off, 0.0}; }
+    static Setting of(double number) { return {Kind::value, number}; }
+    bool is_automatic() const { return kind == Kind::automatic; }
+    bool is_off() const { return kind == Kind::off; }
+    bool operator==(const Setting&) const = default;
+};
+
+namespace command {
+
+struct Open {
+    std::string path;
+    double crease_angle = 45.0;  // where the file has neither normals nor smoothing groups
+    bool operator==(const Open&) const = default;
+};
+
+enum class Kind { sphere, cube, plane, torus, cylinder };
+
+struct Shape {
+    Kind kind = Kind::sphere;
+    int resolution = 0;
+    bool operator==(const Shape&) const = default;
+};
+
+struct Adapt {
+    std::optional<bool> enabled;
+    std::optional<Setting> theta_max;     // number or off
+    std::optional<Setting> theta_min;     // automatic: 7/9 of theta_max; number
+    std::optional<Setting> l_max;         // automatic: smallest cell extent; number or off
+    std::optional<Setting> flatness;      // automatic: tan(theta_max / 4) / 2; number or off
+    std::optional<Setting> floor;         // automatic: 1e-4 of the box diagonal; number
+    std::optional<std::uint64_t> budget;  // triangles
+    std::optional<double> propagation;    // rho, in [1, 1.5)
+    bool operator==(const Adapt&) const = default;
+};
+
+struct Brush {
+    std::optional<double> radius;
+    std::optional<int> span;  // deformable control points an axis
+    bool operator==(const Brush&) const = default;
+};
+
+struct Cage {
+    struct Grid {
+        Vec3 origin{0.0}, cell{0.0};
+        IVec3 deformable{0};
+        bool operator==(const Grid&) const = default;
+    };
+    struct Fit {
+        IVec3 deformable{0};  // about the object's box
+        bool operator==(const Fit&) const = default;
+    };
+    std::variant<Grid, Fit> lattice;
+    bool operator==(const Cage&) const = default;
+};
+
+struct Drag {
+    struct Move {
+        Vec3 from{0.0}, to{0.0};
+        bool operator==(const Move&) const = default;
+    };
+    std::vector<Move> moves;
+    std::vector<Vec3> pins;
+    bool operator==(const Drag&) const = default;
+};
+
+struct Undo {
+    int count = 1;
+    bool operator==(const Undo&) const = default;
+};
+
+struct Redo {
+    int count = 1;
+    bool operator==(const Redo&) const = default;
+};
+
+struct Readapt {
+    bool operator==(const Readapt&) const = default;
+};
+
+struct Save {
+    std::string path;
+    bool operator==(const Save&) const = default;
+};
+
+struct Stats {
+    std::string path;
+    bool operator==(const Stats&) const = default;
+};
+
+}  // namespace command
+
+using Command = std::variant<command::Open, command::Shape, command::Adapt, command::Brush,
+                             command::Cage, command::Drag, command::Undo, command::Redo,
+                             command::Readapt, command::Save, command::Stats>;
+
+// The name a script calls it by.
+const char* name(const Command& command);
+
+}  // namespace pectin

@@ -1,0 +1,33 @@
+// What the `stats` command reports of the object and of the last edit.
+#pragma once
+
+#include <cstdint>
+
+namespace pectin {
+
+struct Statistics {
+    std::uint64_t vertices = 0, faces = 0;  // live
+    std::uint64_t base_vertices = 0, base_faces = 0;
+    int max_level = 0;
+
+    struct Seconds {
+        double begin = 0.0, solve = 0.0, deform = 0.0, refine = 0.0, decimate = 0.0, commit = 0.0;
+    };
+    struct Last {  // of the last drag or readapt
+        std::uint64_t splits = 0, unsplits = 0;
+        std::uint64_t influenced_vertices = 0;  // in the zone at its start
+        Seconds seconds;
+    } last;
+
+    double edge_max = 0.0;                 // longest edge
+    double angle_min_deg = 0.0;            // smallest triangle angle
+    double divergence_max_deg = 0.0;       // largest same-side normal divergence over edges
+                                           // with a deformed end
+    std::uint64_t needing_refinement = 0;  // edges that need it and may be split
+    std::uint64_t held_back = 0;           // edges that need it but floor or budget forbid
+    bool floor_hit = false, budget_hit = false;
+    std::uint64_t folded_vertices = 0;  // det J <= 0 in the last drag
+    std::uint64_t memory_bytes = 0;
+};
+
+}  // namespace pectin

@@ -1,0 +1,240 @@
+// A triangle mesh whose edges split at their midpoint and whose splits undo exactly.
+//
+// Half-edges live in fixed slots of their face: face f has the half-edges 3f, 3f+1, 3f+2, in
+// order round the face, counter-clockwise seen from outside. Positions belong to vertices;
+// normals and texture coordinates belong to wedges (a vertex as one face corner sees it).
+//
+// Invariants (validate() checks exactly these):
+//  1. A dead slot is cleared and stands once in its free list; every other slot is live.
+//  2. A live face has three live, pairwise different vertices.
+//  3. Twins are mutual, run in opposite directions and share their edge; no twin is a boundary.
+//  4. A live edge's half-edge is live and carries the edge; it has one or two half-edges.
+//  5. A live vertex that has a face names an outgoing half-edge of its own; only base vertices
+//     may be without.
+//  6. All corners of a wedge are at one vertex.
+//  7. Base vertices and faces come first: ids below base_vertex_count() have level 0, ids from
+//     there on a level above 0. Base faces stay live: splits cut them, but keep their slots.
+//  8. Every position and texture coordinate that was given is finite; normals are unit or zero.
+//  9. The half-edge of an inserted vertex m that unsplit would accept is m->c, in the face that
+//     m's split made.
+//
+// Non-manifold input is cut by build_mesh: the edges along a cut are boundaries, and a vertex
+// where several sheets meet is shared by them, so no crack opens at it.
+//
+// Source: Gain & Dodgson 1999, section 4 and figure 3.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/box.h"
+#include "geometry/vec.h"
+#include "mesh/ids.h"
+#include "mesh/indexed_face_set.h"
+
+namespace pectin {
+
+struct HalfEdge {
+    VertexId origin = kNone<VertexId>;
+    HalfEdgeId twin = kNone<HalfEdgeId>;  // none on a boundary
+    WedgeId wedge = kNone<WedgeId>;       // the corner at `origin`
+    EdgeId edge = kNone<EdgeId>;
+
+    bool operator==(const HalfEdge&) const = default;
+};
+
+// Slots in use or free; a mesh cut back to these has the slots it had then.
+struct SlotCounts {
+    std::uint32_t vertices = 0, wedges = 0, edges = 0, faces = 0;
+    bool operator==(const SlotCounts&) const = default;
+};
+
+// What split(bc) made. On a boundary there is no d, no second side, no dm.
+struct Split {
+    VertexId m = kNone<VertexId>;
+    VertexId a = kNone<VertexId>, b = kNone<VertexId>, c = kNone<VertexId>, d = kNone<VertexId>;
+    EdgeId bm = kNone<EdgeId>, mc = kNone<EdgeId>;  // bm is the id that bc had
+    EdgeId am = kNone<EdgeId>, dm = kNone<EdgeId>;
+    // Corners of the two sides: at m, and at the two ends whose attributes m's are made from.
+    struct Side {
+        WedgeId m = kNone<WedgeId>, b = kNone<WedgeId>, c = kNone<WedgeId>;
+    };
+    Side left;                  // the side of a
+    std::optional<Side> right;  // the side of d; its m is left.m where the edge is smooth
+};
+
+// The surroundings of an inserted vertex that unsplit may remove (figure 3, after the split).
+struct Star {
+    VertexId m = kNone<VertexId>;
+    VertexId a = kNone<VertexId>, b = kNone<VertexId>, c = kNone<VertexId>, d = kNone<VertexId>;
+    HalfEdgeId mc = kNone<HalfEdgeId>;  // in face mca
+    HalfEdgeId bm = kNone<HalfEdgeId>;  // in face bma
+    HalfEdgeId mb = kNone<HalfEdgeId>;  // in face mbd, none on a boundary
+    HalfEdgeId cm = kNone<HalfEdgeId>;  // in face cmd, none on a boundary
+    bool on_boundary() const { return mb == kNone<HalfEdgeId>; }
+};
+
+class TriMesh {
+  public:
+    // --- Slots. Loops run over [0, *_slots()) and skip what is not live.
+    std::uint32_t vertex_slots() const { return static_cast<std::uint32_t>(positions_.size()); }
+    std::uint32_t wedge_slots() const { return static_cast<std::uint32_t>(normals_.size()); }
+    std::uint32_t edge_slots() const { return static_cast<std::uint32_t>(edge_half_edges_.size()); }
+    std::uint32_t face_slots() const { return static_cast<std::uint32_t>(face_bases_.size()); }
+    SlotCounts slot_counts() const {
+        return {vertex_slots(), wedge_slots(), edge_slots(), face_slots()};
+    }
+    std::uint32_t vertex_count() const;  // live ones
+    std::uint32_t edge_count() const;
+    std::uint32_t face_count() const;
+    std::uint32_t base_vertex_count() const { return base_vertices_; }
+    std::uint32_t base_face_count() const { return static_cast<std::uint32_t>(base_faces_.size()); }
+
+    bool is_live(VertexId v) const {
+        return index(v) < base_vertices_ || exists(vertex_half_edges_[index(v)]);
+    }
+    bool is_live(EdgeId e) const { return exists(edge_half_edges_[index(e)]); }
+    bool is_live(FaceId f) const { return exists(half_edges_[3 * index(f)].origin); }
+    bool is_base(VertexId v) const { return index(v) < base_vertices_; }
+
+    // --- Connectivity. O(1).
+    const HalfEdge& half_edge(HalfEdgeId h) const { return half_edges_[index(h)]; }
+    VertexId origin(HalfEdgeId h) const { return half_edges_[index(h)].origin; }
+    VertexId target(HalfEdgeId h) const { return origin(next(h)); }
+    HalfEdgeId twin(HalfEdgeId h) const { return half_edges_[index(h)].twin; }
+    WedgeId wedge(HalfEdgeId h) const { return half_edges_[index(h)].wedge; }
+    EdgeId edge(HalfEdgeId h) const { return half_edges_[index(h)].edge; }
+    static HalfEdgeId next(HalfEdgeId h) {
+        const std::uint32_t i = index(h);
+        return HalfEdgeId{i % 3 == 2 ? i - 2 : i + 1};
+    }
+    static HalfEdgeId prev(HalfEdgeId h) {
+        const std::uint32_t i = index(h);
+        return HalfEdgeId{i % 3 == 0 ? i + 2 : i - 1};
+    }
+    static FaceId face(HalfEdgeId h) { return FaceId{index(h) / 3}; }
+    static HalfEdgeId half_edge(FaceId f, int corner) {
+        return HalfEdgeId{3 * index(f) + static_cast<std::uint32_t>(corner)};
+    }
+    HalfEdgeId half_edge(EdgeId e) const { return edge_half_edges_[index(e)]; }
+    // An outgoing half-edge; none for an isolated base vertex.
+    HalfEdgeId half_edge(VertexId v) const { return vertex_half_edges_[index(v)]; }
+
+    // --- Attributes. O(1). Writing them changes no connectivity.
+    const Vec3& position(VertexId v) const { return positions_[index(v)]; }
+    void set_position(VertexId v, const Vec3& p) { positions_[index(v)] = p; }
+    const Vec3f& normal(WedgeId w) const { return normals_[index(w)]; }  // unit, or 0: undefined
+    void set_normal(WedgeId w, const Vec3f& n) { normals_[index(w)] = n; }
+    bool has_uvs() const { return !uvs_.empty(); }
+    const Vec2f& uv(WedgeId w) const { return uvs_[index(w)]; }  // NaN where a corner has none
+    // Whether a committed gesture has ever moved it; midpoints inherit it from either end.
+    bool is_deformed(VertexId v) const { return deformed_[index(v)] != 0; }
+    void set_deformed(VertexId v, bool deformed) { deformed_[index(v)] = deformed ? 1 : 0; }
+    std::uint16_t level(VertexId v) const { return vertex_levels_[index(v)]; }
+    std::uint16_t level(EdgeId e) const { return edge_levels_[index(e)]; }
+
+    // The base face that f is a piece of; f itself where it is a base face.
+    FaceId base_face(FaceId f) const { return face_bases_[index(f)]; }
+    const Part& part(FaceId f) const { return parts_[part_index(f)]; }
+    std::uint32_t part_index(FaceId f) const { return base_faces_[index(base_face(f))].part; }
+    std::uint32_t polygon(FaceId f) const { return base_faces_[index(base_face(f))].polygon; }
+    const std::vector<Part>& parts() const { return parts_; }
+    const std::vector<std::string>& material_libraries() const { return material_libraries_; }
+
+    double length(EdgeId e) const {
+        const HalfEdgeId h = half_edge(e);
+        return glm::distance(position(origin(h)), position(target(h)));
+    }
+    Box bounding_box() const;  // of the live vertices that have faces; O(n)
+    // (b - a) x (c - a) of a face's corners, or of the given points: twice the area long.
+    Vec3 area_normal(FaceId f) const;
+
+    // --- Edits. O(1), touching the one or two faces at the edge.
+    //
+    //          a                    a
+    //         / \                  /|\.
+    //        /   \     split      / | \.
+    //       b-----c   ------->   b--m--c
+    //        \   /    unsplit     \ | /
+    //         \ /     <------      \|/
+    //          d                    d
+    //
+    // The midpoint gets the mean of its ends' positions and, per wedge on each side, the mean of
+    // their texture coordinates and the normalised sum of their normals (with the face normal
+    // added where that sum is shorter than 0.1). Its level, and that of am and dm, is one above
+    // the highest of a, b, c, d; bm and cm keep bc's.
+    // Precondition: may_split(e).
+    Split split(EdgeId e);
+    // Whether the level of the midpoint would still fit in 16 bits.
+    bool may_split(EdgeId e) const;
+
+    // m's surroundings, if it may go: not a base vertex, exactly four edges (three on a
+    // boundary), and all neighbours at its level or lower.
+    std::optional<Star> removable(VertexId m) const;
+    // The exact inverse of the split that made star.m: same ids, same bytes. Returns bc.
+    EdgeId unsplit(const Star& star);
+    // Cuts the slots back to `counts` where all edits made since then have been undone in
+    // reverse order: the slots they had added are then free, below all others in the free lists.
+    void truncate(const SlotCounts& counts);
+
+    // Every violated invariant in one line each, empty if all hold. O(n).
+    std::vector<std::string> validate() const;
+
+    // Same slots, same bytes, same free lists.
+    bool operator==(const TriMesh&) const;
+    std::size_t memory_bytes() const;
+
+  private:
+    friend class MeshBuilder;
+
+    struct BaseFace {
+        std::uint32_t part = 0;     // into parts_
+        std::uint32_t polygon = 0;  // of the input
+        bool operator==(const BaseFace&) const = default;
+    };
+
+    VertexId allocate_vertex();
+    WedgeId allocate_wedge();
+    EdgeId allocate_edge();
+    FaceId allocate_face(FaceId base);
+    void release(VertexId v);
+    void release(WedgeId w);
+    void release(EdgeId e);
+    void release(FaceId f);
+
+    void move_half_edge(HalfEdgeId from, HalfEdgeId to);
+    void link(HalfEdgeId h, HalfEdgeId twin);
+    Split split_connectivity(EdgeId e);
+    void interpolate(const Split& split);
+
+    std::vector<Vec3> positions_;                // n_vertex_slots, world
+    std::vector<HalfEdgeId> vertex_half_edges_;  // n_vertex_slots
+    std::vector<std::uint16_t> vertex_levels_;   // n_vertex_slots
+    std::vector<std::uint8_t> deformed_;         // n_vertex_slots
+    std::vector<Vec3f> normals_;                 // n_wedge_slots
+    std::vector<Vec2f> uvs_;                     // n_wedge_slots, or empty
+    std::vector<HalfEdgeId> edge_half_edges_;    // n_edge_slots
+    std::vector<std::uint16_t> edge_levels_;     // n_edge_slots
+    std::vector<HalfEdge> half_edges_;           // 3 n_face_slots
+    std::vector<FaceId> face_bases_;             // n_face_slots
+    std::vector<BaseFace> base_faces_;           // n_base_faces
+    std::vector<Part> parts_;
+    std::vector<std::string> material_libraries_;
+    std::uint32_t base_vertices_ = 0;
+
+    std::vector<VertexId> free_vertices_;
+    std::vector<WedgeId> free_wedges_;
+    std::vector<EdgeId> free_edges_;
+    std::vector<FaceId> free_faces_;
+};
+
+// The rule for a midpoint's normal on one side: normalise(nb + nc), with the side's face normal
+// added where that sum is shorter than 0.1 (ends that oppose each other); 0 if all vanish.
+// `area_normal`: any positive multiple of the face normal, or 0.
+Vec3f midpoint_normal(const Vec3f& nb, const Vec3f& nc, const Vec3& area_normal);
+
+}  // namespace pectin
