@@ -36,9 +36,8 @@ struct Open {
     bool operator==(const Open&) const = default;
 };
 
-enum class Kind { sphere, cube, plane, torus, cylinder };
-
 struct Shape {
+    enum class Kind { sphere, cube, plane, torus, cylinder };
     Kind kind = Kind::sphere;
     int resolution = 0;
     bool operator==(const Shape&) const = default;
