@@ -59,6 +59,7 @@ struct Split {
     VertexId a = kNone<VertexId>, b = kNone<VertexId>, c = kNone<VertexId>, d = kNone<VertexId>;
     EdgeId bm = kNone<EdgeId>, mc = kNone<EdgeId>;  // bm is the id that bc had
     EdgeId am = kNone<EdgeId>, dm = kNone<EdgeId>;
+    FaceId face3 = kNone<FaceId>, face4 = kNone<FaceId>;  // mca and cmd, the new ones
     // Corners of the two sides: at m, and at the two ends whose attributes m's are made from.
     struct Side {
         WedgeId m = kNone<WedgeId>, b = kNone<WedgeId>, c = kNone<WedgeId>;
@@ -169,6 +170,8 @@ class TriMesh {
     // the highest of a, b, c, d; bm and cm keep bc's.
     // Precondition: may_split(e).
     Split split(EdgeId e);
+    // The same, but leaves the midpoint's position and normals 0 for the caller to set.
+    Split insert_midpoint(EdgeId e);
     // Whether the level of the midpoint would still fit in 16 bits.
     bool may_split(EdgeId e) const;
 
@@ -208,8 +211,9 @@ class TriMesh {
 
     void move_half_edge(HalfEdgeId from, HalfEdgeId to);
     void link(HalfEdgeId h, HalfEdgeId twin);
-    Split split_connectivity(EdgeId e);
-    void interpolate(const Split& split);
+    Split allocate_midpoint(EdgeId e);
+    void connect_left(const Split& split);
+    void connect_right(const Split& split);
 
     std::vector<Vec3> positions_;                // n_vertex_slots, world
     std::vector<HalfEdgeId> vertex_half_edges_;  // n_vertex_slots

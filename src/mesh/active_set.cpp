@@ -1,0 +1,328 @@
+#include "mesh/active_set.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <type_traits>
+#include <utility>
+
+namespace pectin {
+namespace {
+
+constexpr float kUnmeasured = -1.0f;
+
+template <typename T>
+bool same_bytes(const T& x, const T& y) {
+    return std::memcmp(&x, &y, sizeof(T)) == 0;
+}
+
+template <typename T, typename Id>
+T& grown(std::vector<T>& values, Id id, T fill) {
+    if (index(id) >= values.size()) values.resize(index(id) + index(id) / 2 + 1, fill);
+    return values[index(id)];
+}
+
+template <typename T>
+std::size_t capacity_bytes(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+}  // namespace
+
+void ActiveSet::begin(std::span<const FaceId> faces, const Box& zone) {
+    assert(!begun_);
+    begun_ = true;
+    zone_ = zone;
+    slots_at_begin_ = mesh_.slot_counts();
+    fit_to_mesh();
+    faces_.assign(faces.begin(), faces.end());
+    original_faces_ = faces_.size();
+    collect(faces);
+    original_vertices_ = vertex_entries();
+    original_wedges_ = wedge_entries();
+    original_edges_ = static_cast<std::uint32_t>(edges_.size());
+    original_ids_ = vertices_;
+    original_wedge_ids_ = wedges_;
+}
+
+void ActiveSet::fit_to_mesh() {
+    const auto fit = [](auto& values, std::uint32_t slots, auto fill) {
+        if (values.size() < slots) values.resize(slots, fill);
+    };
+    fit(vertex_entry_, mesh_.vertex_slots(), kNoEntry);
+    fit(wedge_entry_, mesh_.wedge_slots(), kNoEntry);
+    fit(edge_entry_, mesh_.edge_slots(), kNoEntry);
+    fit(rest_lengths_, mesh_.edge_slots(), kUnmeasured);
+}
+
+void ActiveSet::collect(std::span<const FaceId> faces) {
+    std::vector<VertexId> corners;
+    std::vector<WedgeId> wedges;
+    for (FaceId f : faces) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const HalfEdge& h = mesh_.half_edge(TriMesh::half_edge(f, corner));
+            if (vertex_entry_[index(h.origin)] == kNoEntry) {
+                vertex_entry_[index(h.origin)] = 0;
+                corners.push_back(h.origin);
+            }
+            if (wedge_entry_[index(h.wedge)] == kNoEntry) {
+                wedge_entry_[index(h.wedge)] = index(h.origin);  // its vertex, until it is entered
+                wedges.push_back(h.wedge);
+            }
+            add_edge(h.edge);
+        }
+    }
+    std::sort(edges_.begin(), edges_.end());
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) edge_entry_[index(edges_[i])] = i;
+
+    std::sort(corners.begin(), corners.end());
+    const auto first_still = std::stable_partition(corners.begin(), corners.end(), [&](VertexId v) {
+        return zone_.contains_strictly(mesh_.position(v));
+    });
+    influenced_ = static_cast<std::uint32_t>(first_still - corners.begin());
+    for (VertexId v : corners) add_vertex(v, mesh_.position(v), mesh_.is_deformed(v));
+
+    std::sort(wedges.begin(), wedges.end());
+    const auto owner = [&](WedgeId w) { return vertex_entry_[wedge_entry_[index(w)]]; };
+    const auto first_still_wedge = std::stable_partition(
+        wedges.begin(), wedges.end(), [&](WedgeId w) { return owner(w) < influenced_; });
+    influenced_wedges_ = static_cast<std::uint32_t>(first_still_wedge - wedges.begin());
+    for (WedgeId w : wedges) add_wedge(w, mesh_.normal(w), owner(w));
+}
+
+std::uint32_t ActiveSet::add_vertex(VertexId v, const Vec3& rest, bool was_deformed) {
+    std::uint32_t entry = vertex_entries();
+    if (!free_vertex_entries_.empty()) {
+        entry = free_vertex_entries_.back();
+        free_vertex_entries_.pop_back();
+    } else {
+        vertices_.emplace_back();
+        rest_positions_.emplace_back();
+        was_deformed_.emplace_back();
+    }
+    vertices_[entry] = v;
+    rest_positions_[entry] = rest;
+    was_deformed_[entry] = was_deformed ? 1 : 0;
+    grown(vertex_entry_, v, kNoEntry) = entry;
+    return entry;
+}
+
+std::uint32_t ActiveSet::add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner) {
+    std::uint32_t entry = wedge_entries();
+    if (!free_wedge_entries_.empty()) {
+        entry = free_wedge_entries_.back();
+        free_wedge_entries_.pop_back();
+    } else {
+        wedges_.emplace_back();
+        rest_normals_.emplace_back();
+        wedge_owners_.emplace_back();
+    }
+    wedges_[entry] = w;
+    rest_normals_[entry] = rest;
+    wedge_owners_[entry] = owner;
+    grown(wedge_entry_, w, kNoEntry) = entry;
+    return entry;
+}
+
+void ActiveSet::add_edge(EdgeId e) {
+    std::uint32_t& entry = grown(edge_entry_, e, kNoEntry);
+    if (entry != kNoEntry) return;
+    entry = static_cast<std::uint32_t>(edges_.size());
+    edges_.push_back(e);
+}
+
+// Edges of the beginning keep their place in the list, so that roll_back finds them.
+void ActiveSet::drop_edge(EdgeId e) {
+    const std::uint32_t entry = std::exchange(edge_entry_[index(e)], kNoEntry);
+    if (index(e) < rest_lengths_.size()) rest_lengths_[index(e)] = kUnmeasured;
+    if (entry == kNoEntry || entry < original_edges_) return;
+    edges_[entry] = edges_.back();
+    edges_.pop_back();
+    if (entry < edges_.size()) edge_entry_[index(edges_[entry])] = entry;
+}
+
+float ActiveSet::rest_length(EdgeId e) {
+    float& length = grown(rest_lengths_, e, kUnmeasured);
+    if (length == kUnmeasured) {
+        const HalfEdgeId h = mesh_.half_edge(e);
+        length = static_cast<float>(
+            glm::distance(rest_position(mesh_.origin(h)), rest_position(mesh_.target(h))));
+        measured_edges_.push_back(e);
+    }
+    return length;
+}
+
+ActiveSet::Inserted ActiveSet::split(EdgeId e) {
+    const HalfEdgeId bc = mesh_.half_edge(e), cb = mesh_.twin(bc);
+    const Vec3 a = rest_position(mesh_.origin(TriMesh::prev(bc)));
+    const Vec3 b = rest_position(mesh_.origin(bc)), c = rest_position(mesh_.target(bc));
+    const float half_length = 0.5f * rest_length(e);
+    faces_.push_back(TriMesh::face(bc));
+    if (exists(cb)) faces_.push_back(TriMesh::face(cb));
+
+    Inserted inserted;
+    const Split& s = inserted.split = mesh_.insert_midpoint(e);
+    edits_.push_back(TopologyEdit::split(e));
+    ++splits_;
+    faces_.push_back(s.face3);
+    if (s.right) faces_.push_back(s.face4);
+
+    const Vec3 rest = 0.5 * b + 0.5 * c;
+    mesh_.set_position(s.m, rest);
+    inserted.vertex_entry = add_vertex(s.m, rest, mesh_.is_deformed(s.m));
+    const auto add_side = [&](const Split::Side& side, const Vec3& area_normal) {
+        const Vec3f normal = midpoint_normal(rest_normal(side.b), rest_normal(side.c), area_normal);
+        mesh_.set_normal(side.m, normal);
+        return add_wedge(side.m, normal, inserted.vertex_entry);
+    };
+    inserted.left_wedge_entry = add_side(s.left, glm::cross(c - b, a - b));
+    inserted.right_wedge_entry = inserted.left_wedge_entry;
+    if (s.right && s.right->m != s.left.m) {
+        inserted.right_wedge_entry = add_side(*s.right, glm::cross(rest_position(s.d) - b, c - b));
+    }
+    for (EdgeId edge : {s.bm, s.mc, s.am}) add_edge(edge);
+    if (s.right) add_edge(s.dm);
+    for (EdgeId half : {s.bm, s.mc}) {
+        grown(rest_lengths_, half, kUnmeasured) = half_length;
+        measured_edges_.push_back(half);
+    }
+    return inserted;
+}
+
+void ActiveSet::unsplit(const Star& star) {
+    const EdgeId mc = mesh_.edge(star.mc), am = mesh_.edge(TriMesh::prev(star.mc));
+    const WedgeId left = mesh_.wedge(star.mc);
+    const WedgeId right = star.on_boundary() ? left : mesh_.wedge(star.mb);
+    for (HalfEdgeId h : {star.mc, star.bm}) faces_.push_back(TriMesh::face(h));
+    drop_edge(mc);
+    drop_edge(am);
+    if (!star.on_boundary()) {
+        drop_edge(mesh_.edge(TriMesh::prev(star.mb)));
+        for (HalfEdgeId h : {star.mb, star.cm}) faces_.push_back(TriMesh::face(h));
+    }
+    const auto drop = [](std::uint32_t& entry, auto& ids, auto& free, std::uint32_t originals) {
+        if (entry == kNoEntry) return;
+        ids[entry] = kNone<std::decay_t<decltype(ids[entry])>>;
+        if (entry >= originals) free.push_back(entry);
+        entry = kNoEntry;
+    };
+    drop(vertex_entry_[index(star.m)], vertices_, free_vertex_entries_, original_vertices_);
+    drop(wedge_entry_[index(left)], wedges_, free_wedge_entries_, original_wedges_);
+    if (right != left) {
+        drop(wedge_entry_[index(right)], wedges_, free_wedge_entries_, original_wedges_);
+    }
+    const EdgeId bc = mesh_.unsplit(star);
+    edits_.push_back(TopologyEdit::unsplit(bc));
+    add_edge(bc);
+    rest_lengths_[index(bc)] = kUnmeasured;
+}
+
+void ActiveSet::roll_back() {
+    take_back(edits_, mesh_);
+    mesh_.truncate(slots_at_begin_);
+    drop_inserted();
+    for (std::uint32_t i = 0; i < original_vertices_; ++i) {
+        const VertexId v = vertices_[i] = original_ids_[i];
+        vertex_entry_[index(v)] = i;
+        mesh_.set_position(v, rest_positions_[i]);
+        mesh_.set_deformed(v, was_deformed_[i] != 0);
+    }
+    for (std::uint32_t i = 0; i < original_wedges_; ++i) {
+        const WedgeId w = wedges_[i] = original_wedge_ids_[i];
+        wedge_entry_[index(w)] = i;
+        mesh_.set_normal(w, rest_normals_[i]);
+    }
+    for (std::uint32_t i = 0; i < original_edges_; ++i) edge_entry_[index(edges_[i])] = i;
+}
+
+// Cuts the entries back to those of the beginning.
+void ActiveSet::drop_inserted() {
+    for (std::uint32_t i = original_vertices_; i < vertex_entries(); ++i) {
+        if (exists(vertices_[i])) vertex_entry_[index(vertices_[i])] = kNoEntry;
+    }
+    for (std::uint32_t i = original_wedges_; i < wedge_entries(); ++i) {
+        if (exists(wedges_[i])) wedge_entry_[index(wedges_[i])] = kNoEntry;
+    }
+    for (EdgeId e : edges_) edge_entry_[index(e)] = kNoEntry;
+    for (EdgeId e : measured_edges_) rest_lengths_[index(e)] = kUnmeasured;
+    measured_edges_.clear();
+    vertices_.resize(original_vertices_);
+    rest_positions_.resize(original_vertices_);
+    was_deformed_.resize(original_vertices_);
+    wedges_.resize(original_wedges_);
+    rest_normals_.resize(original_wedges_);
+    wedge_owners_.resize(original_wedges_);
+    edges_.resize(original_edges_);
+    free_vertex_entries_.clear();
+    free_wedge_entries_.clear();
+    faces_.resize(original_faces_);
+    edits_.clear();
+    splits_ = 0;
+}
+
+MeshChange ActiveSet::finish() {
+    MeshChange change;
+    change.slots_before = slots_at_begin_;
+    record_states(change);
+    change.edits = edits_;
+    change.faces = faces_;
+    std::sort(change.faces.begin(), change.faces.end());
+    change.faces.erase(std::unique(change.faces.begin(), change.faces.end()), change.faces.end());
+    change.faces.shrink_to_fit();
+    forget();
+    return change;
+}
+
+void ActiveSet::record_states(MeshChange& change) const {
+    for (std::uint32_t i = 0; i < vertex_entries(); ++i) {
+        const VertexId v = vertices_[i];
+        const bool original = i < original_vertices_;
+        if (original && exists(v) && same_bytes(mesh_.position(v), rest_positions_[i]) &&
+            mesh_.is_deformed(v) == was_deformed_at(i)) {
+            continue;
+        }
+        if (original) {
+            change.before.vertices.push_back(original_ids_[i]);
+            change.before.positions.push_back(rest_positions_[i]);
+            change.before.deformed.push_back(was_deformed_[i]);
+        }
+        if (exists(v)) change.after.add(mesh_, v);
+    }
+    for (std::uint32_t i = 0; i < wedge_entries(); ++i) {
+        const WedgeId w = wedges_[i];
+        const bool original = i < original_wedges_;
+        if (original && exists(w) && same_bytes(mesh_.normal(w), rest_normals_[i])) continue;
+        if (original) {
+            change.before.wedges.push_back(original_wedge_ids_[i]);
+            change.before.normals.push_back(rest_normals_[i]);
+        }
+        if (exists(w)) change.after.add(mesh_, w);
+    }
+    change.before.shrink_to_fit();
+    change.after.shrink_to_fit();
+}
+
+// Everything back to nothing active, at the cost of what was.
+void ActiveSet::forget() {
+    for (VertexId v : original_ids_) vertex_entry_[index(v)] = kNoEntry;
+    for (WedgeId w : original_wedge_ids_) wedge_entry_[index(w)] = kNoEntry;
+    original_vertices_ = original_wedges_ = original_edges_ = 0;
+    original_faces_ = 0;
+    drop_inserted();
+    original_ids_.clear();
+    original_wedge_ids_.clear();
+    influenced_ = influenced_wedges_ = 0;
+    begun_ = false;
+}
+
+std::size_t ActiveSet::memory_bytes() const {
+    return capacity_bytes(faces_) + capacity_bytes(vertices_) + capacity_bytes(original_ids_) +
+           capacity_bytes(rest_positions_) + capacity_bytes(was_deformed_) +
+           capacity_bytes(wedges_) + capacity_bytes(original_wedge_ids_) +
+           capacity_bytes(rest_normals_) + capacity_bytes(wedge_owners_) + capacity_bytes(edges_) +
+           capacity_bytes(measured_edges_) + capacity_bytes(edits_) +
+           capacity_bytes(vertex_entry_) + capacity_bytes(wedge_entry_) +
+           capacity_bytes(edge_entry_) + capacity_bytes(rest_lengths_);
+}
+
+}  // namespace pectin

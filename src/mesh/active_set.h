@@ -1,0 +1,135 @@
+// The part of a mesh that a gesture may change: its rest state, and the log of what was done.
+//
+// Rest means as it was when the gesture began. A vertex that a split inserts rests at the
+// midpoint of its ends' rest positions, its normals follow from theirs. Outside the active set
+// rest and present are the same.
+//
+// Elements have entries (dense indices) in the order: vertices strictly inside the influenced
+// zone by id, the other corners of the active faces by id, then inserted ones as they come.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/box.h"
+#include "mesh/mesh_change.h"
+#include "mesh/tri_mesh.h"
+
+namespace pectin {
+
+// Keeps arrays as large as the mesh across gestures, so that beginning one costs only what it
+// touches. Holds a reference to the mesh; both stay where they are.
+class ActiveSet {
+  public:
+    explicit ActiveSet(TriMesh& mesh) : mesh_(mesh) {}
+    ActiveSet(const ActiveSet&) = delete;
+    ActiveSet& operator=(const ActiveSet&) = delete;
+
+    // `faces`: live, sorted, each once. `zone`: only vertices strictly inside it will move.
+    // Cost: O(faces); the first time, and when the mesh has grown, O(mesh).
+    void begin(std::span<const FaceId> faces, const Box& zone);
+    // Takes back all edits and gives every element its rest state. Cost: O(touched).
+    void roll_back();
+    // What was done since begin, as one change, and the end of the gesture. Cost: O(touched).
+    MeshChange finish();
+    bool is_begun() const { return begun_; }
+
+    TriMesh& mesh() { return mesh_; }
+    const TriMesh& mesh() const { return mesh_; }
+    const Box& zone() const { return zone_; }
+
+    // --- Entries. vertex(i) is none where unsplit removed it.
+    std::uint32_t vertex_entries() const { return static_cast<std::uint32_t>(vertices_.size()); }
+    std::uint32_t influenced_at_begin() const { return influenced_; }
+    VertexId vertex(std::uint32_t entry) const { return vertices_[entry]; }
+    const Vec3& rest_position_at(std::uint32_t entry) const { return rest_positions_[entry]; }
+    bool was_deformed_at(std::uint32_t entry) const { return was_deformed_[entry] != 0; }
+    bool is_influenced_at(std::uint32_t entry) const {
+        return entry < influenced_ ||
+               (entry >= original_vertices_ && zone_.contains_strictly(rest_positions_[entry]));
+    }
+    std::uint32_t wedge_entries() const { return static_cast<std::uint32_t>(wedges_.size()); }
+    // Wedges of influenced vertices come first, as the vertices do.
+    std::uint32_t influenced_wedges_at_begin() const { return influenced_wedges_; }
+    WedgeId wedge(std::uint32_t entry) const { return wedges_[entry]; }
+    const Vec3f& rest_normal_at(std::uint32_t entry) const { return rest_normals_[entry]; }
+    std::uint32_t wedge_owner(std::uint32_t entry) const { return wedge_owners_[entry]; }
+    // Edges of the active faces and of inserted vertices; may name dead ones.
+    std::span<const EdgeId> edges() const { return edges_; }
+
+    // --- Rest state of anything in the mesh. O(1).
+    const Vec3& rest_position(VertexId v) const {
+        const std::uint32_t entry = slot(vertex_entry_, v);
+        return entry == kNoEntry ? mesh_.position(v) : rest_positions_[entry];
+    }
+    const Vec3f& rest_normal(WedgeId w) const {
+        const std::uint32_t entry = slot(wedge_entry_, w);
+        return entry == kNoEntry ? mesh_.normal(w) : rest_normals_[entry];
+    }
+    // Rounded to float and remembered, so that an edge has one rest length for a gesture; the
+    // halves of a split have exactly half of it.
+    float rest_length(EdgeId e);
+
+    // --- Edits, logged.
+    // The inserted vertex and its wedges are at rest; their entries are the returned ones.
+    struct Inserted {
+        Split split;
+        std::uint32_t vertex_entry = 0;
+        std::uint32_t left_wedge_entry = 0, right_wedge_entry = 0;  // equal on a smooth edge
+    };
+    Inserted split(EdgeId e);
+    void unsplit(const Star& star);
+    std::uint64_t splits() const { return splits_; }
+    std::uint64_t unsplits() const { return edits_.size() - splits_; }
+
+    std::size_t memory_bytes() const;
+
+  private:
+    static constexpr std::uint32_t kNoEntry = 0xffffffffu;
+
+    template <typename Id>
+    static std::uint32_t slot(const std::vector<std::uint32_t>& entries, Id id) {
+        return index(id) < entries.size() ? entries[index(id)] : kNoEntry;
+    }
+    void fit_to_mesh();
+    void collect(std::span<const FaceId> faces);
+    std::uint32_t add_vertex(VertexId v, const Vec3& rest, bool was_deformed);
+    std::uint32_t add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner);
+    void add_edge(EdgeId e);
+    void drop_edge(EdgeId e);
+    void drop_inserted();
+    void forget();
+    void record_states(MeshChange& change) const;
+
+    TriMesh& mesh_;
+    Box zone_;
+    bool begun_ = false;
+    SlotCounts slots_at_begin_;
+    std::uint32_t influenced_ = 0, influenced_wedges_ = 0;
+    std::uint32_t original_vertices_ = 0, original_wedges_ = 0, original_edges_ = 0;
+
+    std::vector<FaceId> faces_;  // at begin, then those that splits made
+    std::size_t original_faces_ = 0;
+    std::vector<VertexId> vertices_;          // entries
+    std::vector<VertexId> original_ids_;      // entries at begin, whatever became of them
+    std::vector<Vec3> rest_positions_;        // entries, world
+    std::vector<std::uint8_t> was_deformed_;  // entries
+    std::vector<WedgeId> wedges_;             // entries
+    std::vector<WedgeId> original_wedge_ids_;
+    std::vector<Vec3f> rest_normals_;
+    std::vector<std::uint32_t> wedge_owners_;  // vertex entries
+    std::vector<EdgeId> edges_;
+    std::vector<EdgeId> measured_edges_;  // whose rest length is remembered
+    std::vector<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone
+
+    std::vector<TopologyEdit> edits_;
+    std::uint64_t splits_ = 0;
+
+    // As large as the mesh; kNoEntry (0 for lengths) but for what the gesture has touched.
+    std::vector<std::uint32_t> vertex_entry_, wedge_entry_, edge_entry_;
+    std::vector<float> rest_lengths_;
+};
+
+}  // namespace pectin

@@ -1,0 +1,234 @@
+#include "mesh/face_tree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace pectin {
+namespace {
+
+Box face_box(FaceId f, const TriMesh& mesh) {
+    Box box;
+    for (int corner = 0; corner < 3; ++corner) {
+        box.include(mesh.position(mesh.origin(TriMesh::half_edge(f, corner))));
+    }
+    return box;
+}
+
+int longest_axis(const Box& box) {
+    const Vec3 extent = box.extent();
+    if (extent.x >= extent.y && extent.x >= extent.z) return 0;
+    return extent.y >= extent.z ? 1 : 2;
+}
+
+// How much a box grows by taking in another, as half the surface area it gains.
+double growth(const Box& box, const Box& added) {
+    const auto half_area = [](const Box& b) {
+        const Vec3 e = b.extent();
+        return e.x * e.y + e.y * e.z + e.z * e.x;
+    };
+    Box grown = box;
+    grown.include(added);
+    return half_area(grown) - half_area(box);
+}
+
+}  // namespace
+
+FaceTree::FaceTree(const TriMesh& mesh) { build(mesh); }
+
+void FaceTree::build(const TriMesh& mesh) {
+    nodes_.clear();
+    leaves_.clear();
+    node_of_face_.assign(mesh.face_slots(), kNoNode);
+    built_for_ = mesh.face_count();
+    std::vector<FaceId> faces;
+    std::vector<Vec3> centroids(mesh.face_slots());
+    faces.reserve(built_for_);
+    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+        if (!mesh.is_live(FaceId{i})) continue;
+        faces.push_back(FaceId{i});
+        centroids[i] = face_box(FaceId{i}, mesh).centre();
+    }
+    build_node(faces, centroids, kNoNode, mesh);
+}
+
+std::uint32_t FaceTree::build_node(std::span<FaceId> faces, std::span<const Vec3> centroids,
+                                   std::uint32_t parent, const TriMesh& mesh) {
+    // Three quarters full, so that refinement does not divide every leaf at once.
+    if (faces.size() <= kLeafFaces * 3 / 4) return make_leaf(faces, parent, mesh);
+    Box spread;
+    for (FaceId f : faces) spread.include(centroids[index(f)]);
+    const int axis = longest_axis(spread);
+    const std::size_t middle = faces.size() / 2;
+    std::nth_element(
+        faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(middle), faces.end(),
+        [&](FaceId x, FaceId y) { return centroids[index(x)][axis] < centroids[index(y)][axis]; });
+    const auto node = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.emplace_back();
+    nodes_[node].parent = parent;
+    const std::uint32_t left = build_node(faces.first(middle), centroids, node, mesh);
+    const std::uint32_t right = build_node(faces.subspan(middle), centroids, node, mesh);
+    nodes_[node].left = left;
+    nodes_[node].right = right;
+    nodes_[node].box = fitted_box(nodes_[node], mesh);
+    return node;
+}
+
+std::uint32_t FaceTree::make_leaf(std::span<const FaceId> faces, std::uint32_t parent,
+                                  const TriMesh& mesh) {
+    const auto node = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.emplace_back();
+    nodes_[node].parent = parent;
+    nodes_[node].leaf = static_cast<std::uint32_t>(leaves_.size());
+    Leaf& leaf = leaves_.emplace_back();
+    for (FaceId f : faces) {
+        leaf.faces[leaf.count++] = f;
+        node_of_face_[index(f)] = node;
+    }
+    nodes_[node].box = fitted_box(nodes_[node], mesh);
+    return node;
+}
+
+Box FaceTree::fitted_box(const Node& node, const TriMesh& mesh) const {
+    Box box;
+    if (node.is_leaf()) {
+        const Leaf& leaf = leaves_[node.leaf];
+        for (std::uint32_t i = 0; i < leaf.count; ++i) box.include(face_box(leaf.faces[i], mesh));
+    } else {
+        box.include(nodes_[node.left].box);
+        box.include(nodes_[node.right].box);
+    }
+    return box;
+}
+
+std::vector<FaceId> FaceTree::faces_meeting(const Box& box, const TriMesh& mesh) const {
+    std::vector<FaceId> answer;
+    std::vector<std::uint32_t> stack{0};
+    while (!stack.empty()) {
+        const Node& node = nodes_[stack.back()];
+        stack.pop_back();
+        if (node.box.is_empty() || !node.box.meets(box)) continue;
+        if (!node.is_leaf()) {
+            stack.push_back(node.right);
+            stack.push_back(node.left);
+            continue;
+        }
+        const Leaf& leaf = leaves_[node.leaf];
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+            const HalfEdgeId h = TriMesh::half_edge(leaf.faces[i], 0);
+            if (triangle_meets_box(mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)),
+                                   mesh.position(mesh.origin(TriMesh::prev(h))), box)) {
+                answer.push_back(leaf.faces[i]);
+            }
+        }
+    }
+    std::sort(answer.begin(), answer.end());
+    return answer;
+}
+
+void FaceTree::update(std::span<const FaceId> changed, const TriMesh& mesh) {
+    if (mesh.face_count() > 2 * built_for_) {
+        build(mesh);
+        return;
+    }
+    // Slots cut off by an undo: their faces leave the tree before the slots do.
+    for (FaceId f : changed) {
+        if (index(f) >= mesh.face_slots() || !mesh.is_live(f)) remove(f);
+    }
+    node_of_face_.resize(mesh.face_slots(), kNoNode);
+    // Refitting a leaf costs its way to the root: past a quarter of the mesh all at once is less.
+    const bool all = changed.size() > mesh.face_count() / 4;
+    std::vector<std::uint32_t> leaves;
+    for (FaceId f : changed) {
+        if (index(f) < mesh.face_slots() && mesh.is_live(f) && node_of_face_[index(f)] != kNoNode) {
+            leaves.push_back(node_of_face_[index(f)]);
+        }
+    }
+    std::sort(leaves.begin(), leaves.end());
+    leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
+    if (all) {
+        refit_all(mesh);
+    } else {
+        for (std::uint32_t node : leaves) refit_upwards(node, mesh);
+    }
+    for (FaceId f : changed) {
+        if (index(f) < mesh.face_slots() && mesh.is_live(f) && node_of_face_[index(f)] == kNoNode) {
+            insert(f, mesh);
+        }
+    }
+}
+
+void FaceTree::insert(FaceId f, const TriMesh& mesh) {
+    const Box box = face_box(f, mesh);
+    std::uint32_t node = 0;
+    nodes_[node].box.include(box);
+    while (!nodes_[node].is_leaf()) {
+        const Node& n = nodes_[node];
+        const bool go_left = growth(nodes_[n.left].box, box) <= growth(nodes_[n.right].box, box);
+        node = go_left ? n.left : n.right;
+        nodes_[node].box.include(box);
+    }
+    Leaf& leaf = leaves_[nodes_[node].leaf];
+    if (leaf.count == kLeafFaces) {
+        divide_leaf(node, f, mesh);
+    } else {
+        leaf.faces[leaf.count++] = f;
+        node_of_face_[index(f)] = node;
+    }
+}
+
+// Boxes stay as they are, a little too large, until a refit.
+void FaceTree::remove(FaceId f) {
+    if (index(f) >= node_of_face_.size() || node_of_face_[index(f)] == kNoNode) return;
+    Leaf& leaf = leaves_[nodes_[node_of_face_[index(f)]].leaf];
+    FaceId* const found = std::find(leaf.faces, leaf.faces + leaf.count, f);
+    *found = leaf.faces[--leaf.count];
+    node_of_face_[index(f)] = kNoNode;
+}
+
+void FaceTree::divide_leaf(std::uint32_t node, FaceId extra, const TriMesh& mesh) {
+    const std::uint32_t old_leaf = nodes_[node].leaf;
+    std::array<FaceId, kLeafFaces + 1> faces;
+    std::copy_n(leaves_[old_leaf].faces, kLeafFaces, faces.begin());
+    faces.back() = extra;
+    const int axis = longest_axis(nodes_[node].box);
+    std::sort(faces.begin(), faces.end(), [&](FaceId x, FaceId y) {
+        return face_box(x, mesh).centre()[axis] < face_box(y, mesh).centre()[axis];
+    });
+    const std::span<FaceId> all(faces);
+    const std::size_t middle = faces.size() / 2;
+    const std::uint32_t left = make_leaf(all.first(middle), node, mesh);
+    // The second half takes over the leaf that the node gives up.
+    const auto right = static_cast<std::uint32_t>(nodes_.size());
+    nodes_.emplace_back();
+    nodes_[right].parent = node;
+    nodes_[right].leaf = old_leaf;
+    leaves_[old_leaf].count = 0;
+    for (FaceId f : all.subspan(middle)) {
+        leaves_[old_leaf].faces[leaves_[old_leaf].count++] = f;
+        node_of_face_[index(f)] = right;
+    }
+    nodes_[right].box = fitted_box(nodes_[right], mesh);
+    nodes_[node].leaf = kNoNode;
+    nodes_[node].left = left;
+    nodes_[node].right = right;
+}
+
+void FaceTree::refit_upwards(std::uint32_t node, const TriMesh& mesh) {
+    while (node != kNoNode) {
+        const Box box = fitted_box(nodes_[node], mesh);
+        if (box == nodes_[node].box) return;
+        nodes_[node].box = box;
+        node = nodes_[node].parent;
+    }
+}
+
+void FaceTree::refit_all(const TriMesh& mesh) {
+    for (std::size_t i = nodes_.size(); i-- > 0;) nodes_[i].box = fitted_box(nodes_[i], mesh);
+}
+
+std::size_t FaceTree::memory_bytes() const {
+    return nodes_.capacity() * sizeof(Node) + leaves_.capacity() * sizeof(Leaf) +
+           node_of_face_.capacity() * sizeof(std::uint32_t);
+}
+
+}  // namespace pectin

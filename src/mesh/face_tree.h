@@ -1,0 +1,64 @@
+// A tree of boxes over the faces of a mesh: which faces meet a box, without looking at all.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/box.h"
+#include "mesh/tri_mesh.h"
+
+namespace pectin {
+
+// Leaves hold up to kLeafFaces faces. Built by median cuts; kept up by refitting what changed,
+// and built anew once the mesh has grown to twice the size it was built for. Answers are sorted
+// by id, so they do not depend on the tree's own history.
+class FaceTree {
+  public:
+    explicit FaceTree(const TriMesh& mesh);  // O(n log n)
+
+    // The live faces that have a point in common with `box`, sorted by id.
+    // Cost: O(answer + log n).
+    std::vector<FaceId> faces_meeting(const Box& box, const TriMesh& mesh) const;
+
+    // To be told of every slot whose face moved, came or went. Cost: O(k log n).
+    void update(std::span<const FaceId> changed, const TriMesh& mesh);
+
+    std::size_t memory_bytes() const;
+
+  private:
+    static constexpr std::uint32_t kLeafFaces = 16;
+    static constexpr std::uint32_t kNoNode = 0xffffffffu;
+
+    struct Node {
+        Box box;
+        std::uint32_t parent = kNoNode;
+        std::uint32_t left = kNoNode, right = kNoNode;  // none in a leaf
+        std::uint32_t leaf = kNoNode;                   // into leaves_, none in an inner node
+        bool is_leaf() const { return leaf != kNoNode; }
+    };
+    struct Leaf {
+        std::uint32_t count = 0;
+        FaceId faces[kLeafFaces] = {};
+    };
+
+    void build(const TriMesh& mesh);
+    std::uint32_t build_node(std::span<FaceId> faces, std::span<const Vec3> centroids,
+                             std::uint32_t parent, const TriMesh& mesh);
+    std::uint32_t make_leaf(std::span<const FaceId> faces, std::uint32_t parent,
+                            const TriMesh& mesh);
+    void insert(FaceId f, const TriMesh& mesh);
+    void remove(FaceId f);
+    void divide_leaf(std::uint32_t node, FaceId extra, const TriMesh& mesh);
+    void refit_upwards(std::uint32_t node, const TriMesh& mesh);
+    void refit_all(const TriMesh& mesh);
+    Box fitted_box(const Node& node, const TriMesh& mesh) const;
+
+    std::vector<Node> nodes_;  // children after their parent; the root first
+    std::vector<Leaf> leaves_;
+    std::vector<std::uint32_t> node_of_face_;  // n_face_slots; kNoNode where not in the tree
+    std::uint32_t built_for_ = 0;
+};
+
+}  // namespace pectin

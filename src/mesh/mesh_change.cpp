@@ -1,0 +1,85 @@
+#include "mesh/mesh_change.h"
+
+#include <cassert>
+
+namespace pectin {
+
+void AttributeState::add(const TriMesh& mesh, VertexId v) {
+    vertices.push_back(v);
+    positions.push_back(mesh.position(v));
+    deformed.push_back(mesh.is_deformed(v) ? 1 : 0);
+}
+
+void AttributeState::add(const TriMesh& mesh, WedgeId w) {
+    wedges.push_back(w);
+    normals.push_back(mesh.normal(w));
+}
+
+void AttributeState::write_to(TriMesh& mesh) const {
+    for (std::size_t i = 0; i < vertices.size(); ++i) {
+        mesh.set_position(vertices[i], positions[i]);
+        mesh.set_deformed(vertices[i], deformed[i] != 0);
+    }
+    for (std::size_t i = 0; i < wedges.size(); ++i) mesh.set_normal(wedges[i], normals[i]);
+}
+
+void AttributeState::shrink_to_fit() {
+    vertices.shrink_to_fit();
+    positions.shrink_to_fit();
+    deformed.shrink_to_fit();
+    wedges.shrink_to_fit();
+    normals.shrink_to_fit();
+}
+
+std::size_t AttributeState::memory_bytes() const {
+    return vertices.capacity() * sizeof(VertexId) + positions.capacity() * sizeof(Vec3) +
+           deformed.capacity() + wedges.capacity() * sizeof(WedgeId) +
+           normals.capacity() * sizeof(Vec3f);
+}
+
+std::size_t MeshChange::memory_bytes() const {
+    return edits.capacity() * sizeof(TopologyEdit) + before.memory_bytes() + after.memory_bytes() +
+           faces.capacity() * sizeof(FaceId);
+}
+
+VertexId inserted_vertex(const TriMesh& mesh, EdgeId bc) { return mesh.target(mesh.half_edge(bc)); }
+
+namespace {
+
+void unsplit_edge(TriMesh& mesh, EdgeId bc) {
+    const auto star = mesh.removable(inserted_vertex(mesh, bc));
+    assert(star);
+    [[maybe_unused]] const EdgeId restored = mesh.unsplit(*star);
+    assert(restored == bc);
+}
+
+}  // namespace
+
+void take_back(std::span<const TopologyEdit> edits, TriMesh& mesh) {
+    for (std::size_t i = edits.size(); i-- > 0;) {
+        if (edits[i].is_split()) {
+            unsplit_edge(mesh, edits[i].edge());
+        } else {
+            mesh.insert_midpoint(edits[i].edge());
+        }
+    }
+}
+
+void undo(const MeshChange& change, TriMesh& mesh) {
+    take_back(change.edits, mesh);
+    mesh.truncate(change.slots_before);
+    change.before.write_to(mesh);
+}
+
+void redo(const MeshChange& change, TriMesh& mesh) {
+    for (const TopologyEdit edit : change.edits) {
+        if (edit.is_split()) {
+            mesh.insert_midpoint(edit.edge());
+        } else {
+            unsplit_edge(mesh, edit.edge());
+        }
+    }
+    change.after.write_to(mesh);
+}
+
+}  // namespace pectin

@@ -1,0 +1,65 @@
+// What one committed edit did to a mesh, enough to take it back and to do it again exactly.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "mesh/tri_mesh.h"
+
+namespace pectin {
+
+// A split of an edge, or the unsplit that restored it.
+class TopologyEdit {
+  public:
+    static TopologyEdit split(EdgeId bc) { return TopologyEdit{index(bc)}; }
+    static TopologyEdit unsplit(EdgeId bc) { return TopologyEdit{index(bc) | kUnsplit}; }
+
+    bool is_split() const { return (bits_ & kUnsplit) == 0; }
+    EdgeId edge() const { return EdgeId{bits_ & ~kUnsplit}; }
+
+  private:
+    static constexpr std::uint32_t kUnsplit = 0x80000000u;
+    explicit TopologyEdit(std::uint32_t bits) : bits_(bits) {}
+    std::uint32_t bits_;
+};
+
+// Attributes that a gesture may change, of the elements it changed. Levels and texture
+// coordinates follow from the edits.
+struct AttributeState {
+    std::vector<VertexId> vertices;
+    std::vector<Vec3> positions;         // n_vertices
+    std::vector<std::uint8_t> deformed;  // n_vertices
+    std::vector<WedgeId> wedges;
+    std::vector<Vec3f> normals;  // n_wedges
+
+    void add(const TriMesh& mesh, VertexId v);
+    void add(const TriMesh& mesh, WedgeId w);
+    void write_to(TriMesh& mesh) const;
+    void shrink_to_fit();
+    std::size_t memory_bytes() const;
+};
+
+struct MeshChange {
+    SlotCounts slots_before;
+    std::vector<TopologyEdit> edits;  // in the order they were made
+    AttributeState before;            // of what existed before and moved or went
+    AttributeState after;             // of what exists after and moved or came
+    std::vector<FaceId> faces;        // slots whose face moved, came or went; sorted
+
+    bool is_empty() const { return edits.empty() && before.vertices.empty(); }
+    std::size_t memory_bytes() const;
+};
+
+// Precondition: `mesh` is as the change left it (undo) or found it (redo). Restores ids,
+// attributes and free lists to the byte. Cost: O(size of the change).
+void undo(const MeshChange& change, TriMesh& mesh);
+void redo(const MeshChange& change, TriMesh& mesh);
+
+// The vertex that split(bc) inserted, while it is still removable.
+VertexId inserted_vertex(const TriMesh& mesh, EdgeId bc);
+// Takes back edits, last first; attributes are not restored.
+void take_back(std::span<const TopologyEdit> edits, TriMesh& mesh);
+
+}  // namespace pectin

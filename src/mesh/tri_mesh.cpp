@@ -1,0 +1,180 @@
+#include "mesh/tri_mesh.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cstring>
+#include <numeric>
+
+namespace pectin {
+namespace {
+
+template <typename T>
+std::size_t capacity_bytes(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+// Bitwise: NaN equals itself and -0 differs from 0.
+template <typename T>
+bool same_bytes(const std::vector<T>& x, const std::vector<T>& y) {
+    return x.size() == y.size() &&
+           (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0);
+}
+
+// Drops the ids past `count`. They lie below all others: slots are only added while the free
+// list is empty.
+template <typename Id>
+void drop_past(std::vector<Id>& free, std::uint32_t count) {
+    const auto kept =
+        std::find_if(free.begin(), free.end(), [count](Id id) { return index(id) < count; });
+    assert(std::none_of(kept, free.end(), [count](Id id) { return index(id) >= count; }));
+    free.erase(free.begin(), kept);
+}
+
+}  // namespace
+
+std::uint32_t TriMesh::vertex_count() const {
+    return vertex_slots() - static_cast<std::uint32_t>(free_vertices_.size());
+}
+
+std::uint32_t TriMesh::edge_count() const {
+    return edge_slots() - static_cast<std::uint32_t>(free_edges_.size());
+}
+
+std::uint32_t TriMesh::face_count() const {
+    return face_slots() - static_cast<std::uint32_t>(free_faces_.size());
+}
+
+Box TriMesh::bounding_box() const {
+    Box box;
+    for (std::uint32_t v = 0; v < vertex_slots(); ++v) {
+        if (exists(vertex_half_edges_[v])) box.include(positions_[v]);
+    }
+    return box;
+}
+
+Vec3 TriMesh::area_normal(FaceId f) const {
+    const Vec3& a = position(origin(half_edge(f, 0)));
+    const Vec3& b = position(origin(half_edge(f, 1)));
+    const Vec3& c = position(origin(half_edge(f, 2)));
+    return glm::cross(b - a, c - a);
+}
+
+VertexId TriMesh::allocate_vertex() {
+    if (!free_vertices_.empty()) {
+        const VertexId v = free_vertices_.back();
+        free_vertices_.pop_back();
+        return v;
+    }
+    positions_.emplace_back(0.0);
+    vertex_half_edges_.push_back(kNone<HalfEdgeId>);
+    vertex_levels_.push_back(0);
+    deformed_.push_back(0);
+    return VertexId{vertex_slots() - 1};
+}
+
+WedgeId TriMesh::allocate_wedge() {
+    if (!free_wedges_.empty()) {
+        const WedgeId w = free_wedges_.back();
+        free_wedges_.pop_back();
+        return w;
+    }
+    normals_.emplace_back(0.0f);
+    if (has_uvs()) uvs_.emplace_back(0.0f);
+    return WedgeId{wedge_slots() - 1};
+}
+
+EdgeId TriMesh::allocate_edge() {
+    if (!free_edges_.empty()) {
+        const EdgeId e = free_edges_.back();
+        free_edges_.pop_back();
+        return e;
+    }
+    edge_half_edges_.push_back(kNone<HalfEdgeId>);
+    edge_levels_.push_back(0);
+    return EdgeId{edge_slots() - 1};
+}
+
+FaceId TriMesh::allocate_face(FaceId base) {
+    FaceId f;
+    if (!free_faces_.empty()) {
+        f = free_faces_.back();
+        free_faces_.pop_back();
+    } else {
+        half_edges_.resize(half_edges_.size() + 3);
+        face_bases_.push_back(kNone<FaceId>);
+        f = FaceId{face_slots() - 1};
+    }
+    face_bases_[index(f)] = base;
+    return f;
+}
+
+// Released slots are cleared, so that a slot's bytes do not depend on what it once held.
+void TriMesh::release(VertexId v) {
+    positions_[index(v)] = Vec3{0.0};
+    vertex_half_edges_[index(v)] = kNone<HalfEdgeId>;
+    vertex_levels_[index(v)] = 0;
+    deformed_[index(v)] = 0;
+    free_vertices_.push_back(v);
+}
+
+void TriMesh::release(WedgeId w) {
+    normals_[index(w)] = Vec3f{0.0f};
+    if (has_uvs()) uvs_[index(w)] = Vec2f{0.0f};
+    free_wedges_.push_back(w);
+}
+
+void TriMesh::release(EdgeId e) {
+    edge_half_edges_[index(e)] = kNone<HalfEdgeId>;
+    edge_levels_[index(e)] = 0;
+    free_edges_.push_back(e);
+}
+
+void TriMesh::release(FaceId f) {
+    for (int corner = 0; corner < 3; ++corner) {
+        half_edges_[index(half_edge(f, corner))] = HalfEdge{};
+    }
+    face_bases_[index(f)] = kNone<FaceId>;
+    free_faces_.push_back(f);
+}
+
+void TriMesh::truncate(const SlotCounts& counts) {
+    drop_past(free_vertices_, counts.vertices);
+    drop_past(free_wedges_, counts.wedges);
+    drop_past(free_edges_, counts.edges);
+    drop_past(free_faces_, counts.faces);
+    positions_.resize(counts.vertices);
+    vertex_half_edges_.resize(counts.vertices);
+    vertex_levels_.resize(counts.vertices);
+    deformed_.resize(counts.vertices);
+    normals_.resize(counts.wedges);
+    if (has_uvs()) uvs_.resize(counts.wedges);
+    edge_half_edges_.resize(counts.edges);
+    edge_levels_.resize(counts.edges);
+    half_edges_.resize(3 * std::size_t{counts.faces});
+    face_bases_.resize(counts.faces);
+}
+
+bool TriMesh::operator==(const TriMesh& o) const {
+    return base_vertices_ == o.base_vertices_ && base_faces_ == o.base_faces_ &&
+           parts_ == o.parts_ && material_libraries_ == o.material_libraries_ &&
+           same_bytes(positions_, o.positions_) &&
+           same_bytes(vertex_half_edges_, o.vertex_half_edges_) &&
+           same_bytes(vertex_levels_, o.vertex_levels_) && same_bytes(deformed_, o.deformed_) &&
+           same_bytes(normals_, o.normals_) && same_bytes(uvs_, o.uvs_) &&
+           same_bytes(edge_half_edges_, o.edge_half_edges_) &&
+           same_bytes(edge_levels_, o.edge_levels_) && half_edges_ == o.half_edges_ &&
+           same_bytes(face_bases_, o.face_bases_) && free_vertices_ == o.free_vertices_ &&
+           free_wedges_ == o.free_wedges_ && free_edges_ == o.free_edges_ &&
+           free_faces_ == o.free_faces_;
+}
+
+std::size_t TriMesh::memory_bytes() const {
+    return capacity_bytes(positions_) + capacity_bytes(vertex_half_edges_) +
+           capacity_bytes(vertex_levels_) + capacity_bytes(deformed_) + capacity_bytes(normals_) +
+           capacity_bytes(uvs_) + capacity_bytes(edge_half_edges_) + capacity_bytes(edge_levels_) +
+           capacity_bytes(half_edges_) + capacity_bytes(face_bases_) + capacity_bytes(base_faces_) +
+           capacity_bytes(free_vertices_) + capacity_bytes(free_wedges_) +
+           capacity_bytes(free_edges_) + capacity_bytes(free_faces_);
+}
+
+}  // namespace pectin

@@ -1,0 +1,21 @@
+// Polygons to triangles.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "geometry/vec.h"
+
+namespace pectin {
+
+// Appends the triangles of the polygon with these corners (in order, at least 3), as indices of
+// corners, each with the polygon's orientation. Quads are cut along 0-2 unless only 1-3 keeps
+// both halves facing the polygon's way. Larger polygons are cut by ears (Meisters 1975) in the
+// plane of their Newell normal; convex ones become fans. Polygons that cross themselves or have no
+// area get some triangulation of n - 2 triangles. Cost: O(n (1 + reflex corners)).
+void triangulate(std::span<const Vec3> corners,
+                 std::vector<std::array<std::uint32_t, 3>>& triangles);
+
+}  // namespace pectin
