@@ -1,7 +1,7 @@
 // Everything a person can do to the object: mouse, script and tests send these to a Session.
 //
 // Angles are in degrees, lengths in the model's units. An empty optional leaves the present
-// setting as it is.
+// setting as it is. Members that start empty say so, so that designated initialisers may omit them.
 #pragma once
 
 #include <cstdint>
@@ -31,7 +31,7 @@ struct Setting {
 namespace command {
 
 struct Open {
-    std::string path;
+    std::string path{};
     double crease_angle = 45.0;  // where the file has neither normals nor smoothing groups
     bool operator==(const Open&) const = default;
 };
@@ -44,20 +44,20 @@ struct Shape {
 };
 
 struct Adapt {
-    std::optional<bool> enabled;
-    std::optional<Setting> theta_max;     // number or off
-    std::optional<Setting> theta_min;     // automatic: 7/9 of theta_max; number
-    std::optional<Setting> l_max;         // automatic: smallest cell extent; number or off
-    std::optional<Setting> flatness;      // automatic: tan(theta_max / 4) / 2; number or off
-    std::optional<Setting> floor;         // automatic: 1e-4 of the box diagonal; number
-    std::optional<std::uint64_t> budget;  // triangles
-    std::optional<double> propagation;    // rho, in [1, 1.5)
+    std::optional<bool> enabled{};
+    std::optional<Setting> theta_max{};     // number or off
+    std::optional<Setting> theta_min{};     // automatic: 7/9 of theta_max; number or off
+    std::optional<Setting> l_max{};         // automatic: smallest cell extent; number or off
+    std::optional<Setting> flatness{};      // automatic: tan(theta_max / 4) / 2; number or off
+    std::optional<Setting> floor{};         // automatic: 1e-4 of the box diagonal; number
+    std::optional<std::uint64_t> budget{};  // triangles
+    std::optional<double> propagation{};    // rho, in [1, 1.5)
     bool operator==(const Adapt&) const = default;
 };
 
 struct Brush {
-    std::optional<double> radius;
-    std::optional<int> span;  // deformable control points an axis
+    std::optional<double> radius{};
+    std::optional<int> span{};  // deformable control points an axis
     bool operator==(const Brush&) const = default;
 };
 
@@ -80,8 +80,8 @@ struct Drag {
         Vec3 from{0.0}, to{0.0};
         bool operator==(const Move&) const = default;
     };
-    std::vector<Move> moves;
-    std::vector<Vec3> pins;
+    std::vector<Move> moves{};
+    std::vector<Vec3> pins{};
     bool operator==(const Drag&) const = default;
 };
 
@@ -100,12 +100,12 @@ struct Readapt {
 };
 
 struct Save {
-    std::string path;
+    std::string path{};
     bool operator==(const Save&) const = default;
 };
 
 struct Stats {
-    std::string path;
+    std::string path{};
     bool operator==(const Stats&) const = default;
 };
 

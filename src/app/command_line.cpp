@@ -1,0 +1,73 @@
+#include "app/command_line.h"
+
+#include <CLI/CLI.hpp>
+
+#include "command/reference.h"
+
+namespace pectin {
+
+namespace {
+
+constexpr const char* kUsage =
+    "usage: pectin replay SCRIPT   does what a script says (- reads it from standard input)\n"
+    "       pectin --help          shows this and the commands of a script\n"
+    "       pectin --version       shows the version\n";
+
+std::string script_help() {
+    std::string text =
+        "A script is UTF-8 text. Its first line is {\"pectin\": 1}; blank lines and lines that\n"
+        "start with # are ignored; each other line is one command with its fields, as in\n"
+        "  {\"cmd\": \"drag\", \"moves\": [{\"from\": [0, 0, 1], \"to\": [0, 0, 1.3]}]}\n"
+        "Relative paths are relative to the script. Angles are in degrees, lengths in the\n"
+        "model's units, +y is up. What stands in (brackets) is the value at start. A setting\n"
+        "that is left out stays as it is. Replay stops at the first command that fails; what\n"
+        "earlier lines wrote stays.\n";
+    for (const CommandReference& command : command_reference()) {
+        text += std::string("\n  ") + command.name + "  " + command.meaning + "\n";
+        for (const FieldReference& field : command.fields) {
+            std::string name = field.name;
+            name.resize(std::max<std::size_t>(name.size(), 12), ' ');
+            text += "      " + name + "  " + field.meaning + "\n";
+        }
+    }
+    return text;
+}
+
+std::string help() {
+    return std::string("pectin sculpts: it drags points of an object that is set in jelly.\n\n") +
+           kUsage + "\n" + script_help() +
+           "\nExit status: 0 done; 1 a command failed, with SCRIPT:LINE: command: what is wrong\n"
+           "and what would be right on standard error; 2 bad usage.\n";
+}
+
+CommandLine refuse(const std::string& why) {
+    return {.action = CommandLine::Action::refuse,
+            .script = {},
+            .text = "pectin: " + why + "\n" + kUsage};
+}
+
+}  // namespace
+
+CommandLine read_command_line(int argc, char** argv) {
+    CLI::App parser;
+    parser.set_help_flag();  // this page's own text is shown instead
+    bool wants_help = false, wants_version = false;
+    std::string script;
+    parser.add_flag("-h,--help", wants_help);
+    parser.add_flag("--version", wants_version);
+    CLI::App* replay = parser.add_subcommand("replay");
+    replay->add_flag("-h,--help", wants_help);
+    CLI::Option* script_option = replay->add_option("SCRIPT", script);
+    try {
+        parser.parse(argc, argv);
+    } catch (const CLI::ParseError& error) {
+        return refuse(error.what());
+    }
+    if (wants_help) return {CommandLine::Action::show, {}, help()};
+    if (wants_version) return {CommandLine::Action::show, {}, "pectin " PECTIN_VERSION "\n"};
+    if (!replay->parsed()) return refuse("there is no window yet; a script must be replayed");
+    if (script_option->empty()) return refuse("replay needs the path of a script");
+    return {CommandLine::Action::replay, script, {}};
+}
+
+}  // namespace pectin

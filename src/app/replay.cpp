@@ -1,0 +1,62 @@
+#include "app/replay.h"
+
+#include <cerrno>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <iostream>
+#include <new>
+
+#include "command/script.h"
+#include "session/session.h"
+
+namespace pectin {
+
+namespace {
+
+// What is wrong with the command; nothing if it was done.
+std::optional<std::string> execute(Session& session, const Command& command) {
+    try {
+        return session.execute(command);
+    } catch (const std::bad_alloc&) {
+        return "there is not enough memory; use a lower resolution, budget or model";
+    } catch (const std::exception& error) {
+        return error.what();
+    }
+}
+
+bool replay_lines(std::istream& text, const std::string& title, const std::string& folder,
+                  std::ostream& errors) {
+    Session session;
+    ScriptReader reader(text);
+    while (std::optional<ScriptLine> line = reader.next()) {
+        const auto refuse = [&](const std::string& command, const std::string& what) {
+            errors << title << ':' << line->number << ": " << command << ": " << what << '\n';
+            return false;
+        };
+        if (const auto* error = std::get_if<CommandError>(&line->command))
+            return refuse(error->command, error->what);
+        auto& command = std::get<Command>(line->command);
+        resolve_paths(command, folder);
+        if (const auto what = execute(session, command)) return refuse(name(command), *what);
+    }
+    return true;
+}
+
+}  // namespace
+
+bool replay(const std::string& script_path, std::ostream& errors) {
+    if (script_path == "-") return replay_lines(std::cin, "standard input", "", errors);
+    const auto refuse = [&](const std::string& why) {
+        errors << script_path << ": cannot be read: " << why << "; give the path of a script\n";
+        return false;
+    };
+    if (std::error_code ignored; std::filesystem::is_directory(script_path, ignored))
+        return refuse("it is a folder");
+    std::ifstream text(script_path, std::ios::binary);
+    if (!text) return refuse(std::strerror(errno));
+    return replay_lines(text, script_path,
+                        std::filesystem::path(script_path).parent_path().string(), errors);
+}
+
+}  // namespace pectin

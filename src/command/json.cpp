@@ -1,0 +1,411 @@
+#include "command/json.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <limits>
+#include <nlohmann/json.hpp>
+#include <numeric>
+#include <set>
+#include <stdexcept>
+#include <utility>
+
+#include "command/reference.h"
+
+namespace pectin {
+
+namespace {
+
+using nlohmann::json;
+
+// Thrown and caught in this file only.
+struct Problem : std::runtime_error {
+    using std::runtime_error::runtime_error;
+};
+
+constexpr int kMaxInt = std::numeric_limits<int>::max();
+constexpr int kMaxSpan = 16, kMaxDeformable = 64;
+constexpr double kMaxBudget = 9007199254740992.0;  // 2^53: a double counts no further
+constexpr std::size_t kMostShown = 40;             // of a text that is quoted in an error
+constexpr const char* kPathIsRight = "a file's path in quotes";
+constexpr const char* kPointIsRight = "a point: an array of three numbers";
+
+std::string in_quotes(std::string_view text) {
+    std::string shown(text.substr(0, kMostShown));
+    if (text.size() > kMostShown) shown += "...";
+    // Control characters would break the message's line, a cut character its encoding.
+    return json(shown).dump(-1, ' ', false, json::error_handler_t::replace);
+}
+
+// Never more than a few words, however large the value.
+std::string describe(const json& value) {
+    if (value == "") return "an empty string";
+    if (value.is_string())
+        return "a string (" + in_quotes(value.get_ref<const std::string&>()) + ")";
+    if (value.is_array() && value.empty()) return "an empty array";
+    if (value.is_array()) return "an array of length " + std::to_string(value.size());
+    if (value.is_object()) return "an object";
+    return value.dump();
+}
+
+[[noreturn]] void wrong(const std::string& where, const std::string& right, const json& given) {
+    throw Problem(where + " must be " + right + ", not " + describe(given));
+}
+
+// ---- Text to JSON
+
+// From nlohmann's "[json.exception.…] parse error at line 1, column 9: syntax error while parsing
+// X - unexpected Y; last read: '…'; expected Z" to "unexpected Y; expected Z".
+std::string reason(std::string text) {
+    if (const auto dash = text.find(" - "); dash != text.npos) text.erase(0, dash + 3);
+    if (const auto read = text.find("; last read: '"); read != text.npos) {
+        const auto expected = text.rfind("'; expected ");
+        text.erase(read,
+                   expected == text.npos || expected < read ? text.npos : expected + 1 - read);
+    }
+    return text;
+}
+
+json parse_strictly(std::string_view text) {
+    std::vector<std::set<std::string>> keys;  // of the objects that are open
+    const auto refuse_repeated_keys = [&keys](int, json::parse_event_t event, json& parsed) {
+        if (event == json::parse_event_t::object_start) keys.emplace_back();
+        if (event == json::parse_event_t::object_end) keys.pop_back();
+        if (event == json::parse_event_t::key && !keys.back().insert(parsed).second)
+            throw Problem("the field " + in_quotes(parsed.get_ref<const std::string&>()) +
+                          " is given twice; give it once");
+        return true;
+    };
+    try {
+        return json::parse(text.begin(), text.end(), refuse_repeated_keys);
+    } catch (const json::parse_error& error) {
+        throw Problem("not valid JSON at column " + std::to_string(error.byte) + ": " +
+                      reason(error.what()));
+    } catch (const json::out_of_range& error) {
+        // nlohmann's text ends in the number between single quotes.
+        std::string digits = error.what();
+        digits.erase(0, digits.find('\'') + 1);
+        digits.erase(std::min(digits.find('\''), kMostShown));
+        throw Problem("the number " + digits + " is too large; the largest is 1.797e308");
+    }
+}
+
+// ---- JSON to values: `where` names the field, `right` says what it must be
+
+double number(const json& value, const std::string& where, const std::string& right,
+              bool (*accepted)(double)) {
+    if (!value.is_number() || !accepted(value.get<double>())) wrong(where, right, value);
+    return value.get<double>();
+}
+
+bool positive(double x) { return x > 0.0; }
+bool not_negative(double x) { return x >= 0.0; }
+bool any(double) { return true; }
+
+// 5, 5.0 and 5e0 are the same number.
+double whole(const json& value, const std::string& where, double least, double most) {
+    const double x = value.is_number() ? value.get<double>() : least - 1.0;
+    if (x == std::floor(x) && x >= least && x <= most) return x;
+    wrong(where,
+          "a whole number from " + json(static_cast<std::int64_t>(least)).dump() + " to " +
+              json(static_cast<std::int64_t>(most)).dump(),
+          value);
+}
+
+int integer(const json& value, const std::string& where, int least, int most) {
+    return static_cast<int>(whole(value, where, least, most));
+}
+
+bool boolean(const json& value, const std::string& where) {
+    if (!value.is_boolean()) wrong(where, "true or false", value);
+    return value.get<bool>();
+}
+
+std::string path(const json& value, const std::string& where) {
+    if (!value.is_string() || value.get_ref<const std::string&>().empty())
+        wrong(where, kPathIsRight, value);
+    const std::string text = value;
+    if (text.find('\0') != text.npos)
+        throw Problem(where + " must be a path without a NUL character");
+    return text;
+}
+
+Vec3 point(const json& value, const std::string& where, const char* right = kPointIsRight,
+           bool (*accepted)(double) = any) {
+    if (!value.is_array() || value.size() != 3) wrong(where, right, value);
+    Vec3 result(0.0);
+    for (int axis = 0; axis < 3; ++axis)
+        result[axis] =
+            number(value[static_cast<std::size_t>(axis)], where + "[" + std::to_string(axis) + "]",
+                   accepted == positive ? "a number above 0" : "a number", accepted);
+    return result;
+}
+
+IVec3 deformable_counts(const json& value, const std::string& where) {
+    if (!value.is_array() || value.size() != 3)
+        wrong(where, "an array of three whole numbers", value);
+    IVec3 result(0);
+    for (int axis = 0; axis < 3; ++axis)
+        result[axis] = integer(value[static_cast<std::size_t>(axis)],
+                               where + "[" + std::to_string(axis) + "]", 1, kMaxDeformable);
+    return result;
+}
+
+enum : unsigned { kAllowAuto = 1, kAllowOff = 2 };
+
+Setting setting(const json& value, const std::string& where, const std::string& right,
+                bool (*accepted)(double), unsigned allowed) {
+    if ((allowed & kAllowOff) && value.is_null()) return Setting::off();
+    if ((allowed & kAllowAuto) && value == "auto") return Setting::automatic();
+    return Setting::of(number(value, where, right, accepted));
+}
+
+// ---- Objects to commands
+
+const json* find(const json& object, const char* key) {
+    const auto found = object.find(key);
+    return found == object.end() ? nullptr : &*found;
+}
+
+const json& require(const json& object, const std::string& key, const std::string& right,
+                    const std::string& prefix = "") {
+    if (const json* value = find(object, key.c_str())) return *value;
+    throw Problem(prefix + key + " is missing; it must be " + right);
+}
+
+template <class Range>
+std::string listed(const Range& names) {
+    return std::accumulate(std::begin(names), std::end(names), std::string(),
+                           [](const std::string& text, const auto& entry) {
+                               return text.empty() ? std::string(entry.name)
+                                                   : text + ", " + entry.name;
+                           });
+}
+
+Command read_open(const json& object) {
+    command::Open open{.path = path(require(object, "path", kPathIsRight), "path")};
+    if (const json* value = find(object, "crease_angle"))
+        open.crease_angle = number(*value, "crease_angle", "an angle from 0 to 180",
+                                   [](double x) { return x >= 0.0 && x <= 180.0; });
+    return open;
+}
+
+Command read_shape(const json& object) {
+    const std::string right = "sphere, cube, plane, torus or cylinder";
+    const json& kind = require(object, "kind", right);
+    constexpr std::array kNames{"sphere", "cube", "plane", "torus", "cylinder"};
+    const auto found = std::find_if(kNames.begin(), kNames.end(),
+                                    [&kind](const char* known) { return kind == known; });
+    if (found == kNames.end()) wrong("kind", right, kind);
+    const json& resolution = require(object, "resolution", "a whole number");
+    return command::Shape{.kind = static_cast<command::Shape::Kind>(found - kNames.begin()),
+                          .resolution = integer(resolution, "resolution", 0, kMaxInt)};
+}
+
+Command read_adapt(const json& object) {
+    command::Adapt adapt;
+    const auto read = [&object](const char* key, const char* right, bool (*accepted)(double),
+                                unsigned allowed, std::optional<Setting>& to) {
+        if (const json* value = find(object, key))
+            to = setting(*value, key, right, accepted, allowed);
+    };
+    if (const json* value = find(object, "enabled")) adapt.enabled = boolean(*value, "enabled");
+    read("theta_max", "an angle above 0 or null", positive, kAllowOff, adapt.theta_max);
+    read("theta_min", "an angle of at least 0, \"auto\" or null", not_negative,
+         kAllowAuto | kAllowOff, adapt.theta_min);
+    read("l_max", "a length above 0, \"auto\" or null", positive, kAllowAuto | kAllowOff,
+         adapt.l_max);
+    read("flatness", "a ratio of at least 0, \"auto\" or null", not_negative,
+         kAllowAuto | kAllowOff, adapt.flatness);
+    read("floor", "a length above 0 or \"auto\"", positive, kAllowAuto, adapt.floor);
+    if (const json* value = find(object, "budget"))
+        adapt.budget = static_cast<std::uint64_t>(whole(*value, "budget", 1.0, kMaxBudget));
+    if (const json* value = find(object, "propagation"))
+        adapt.propagation = number(*value, "propagation", "a number of at least 1 and below 1.5",
+                                   [](double x) { return x >= 1.0 && x < 1.5; });
+    const auto is_number = [](const std::optional<Setting>& s) {
+        return s && s->kind == Setting::Kind::value;
+    };
+    if (is_number(adapt.theta_max) && is_number(adapt.theta_min) &&
+        adapt.theta_min->value >= adapt.theta_max->value)
+        throw Problem("theta_min must be below theta_max, but is " + object["theta_min"].dump() +
+                      " against " + object["theta_max"].dump());
+    return adapt;
+}
+
+Command read_brush(const json& object) {
+    command::Brush brush;
+    if (const json* value = find(object, "radius"))
+        brush.radius = number(*value, "radius", "a number above 0", positive);
+    if (const json* value = find(object, "span")) brush.span = integer(*value, "span", 1, kMaxSpan);
+    return brush;
+}
+
+Command read_cage(const json& object) {
+    const bool is_grid =
+        object.contains("origin") || object.contains("cell") || object.contains("deformable");
+    if (is_grid == object.contains("fit"))
+        throw Problem(std::string(is_grid ? "has both a lattice and fit" : "has no lattice") +
+                      "; give either origin, cell and deformable, or fit");
+    if (!is_grid) return command::Cage{command::Cage::Fit{deformable_counts(object["fit"], "fit")}};
+    const char* cell_is_right = "an array of three numbers above 0";
+    return command::Cage{command::Cage::Grid{
+        .origin = point(require(object, "origin", kPointIsRight), "origin"),
+        .cell = point(require(object, "cell", cell_is_right), "cell", cell_is_right, positive),
+        .deformable = deformable_counts(
+            require(object, "deformable", "an array of three whole numbers"), "deformable")}};
+}
+
+command::Drag::Move read_move(const json& value, const std::string& where) {
+    if (!value.is_object()) wrong(where, "an object with the fields from and to", value);
+    for (const auto& [key, unused] : value.items())
+        if (key != "from" && key != "to")
+            throw Problem(where + " has the unknown field " + in_quotes(key) +
+                          "; the fields of a move are from, to");
+    return {.from = point(require(value, "from", kPointIsRight, where + "."), where + ".from"),
+            .to = point(require(value, "to", kPointIsRight, where + "."), where + ".to")};
+}
+
+Command read_drag(const json& object) {
+    const std::string right = "an array of at least one {\"from\": point, \"to\": point}";
+    const json& moves = require(object, "moves", right);
+    if (!moves.is_array() || moves.empty()) wrong("moves", right, moves);
+    command::Drag drag;
+    for (std::size_t i = 0; i < moves.size(); ++i)
+        drag.moves.push_back(read_move(moves[i], "moves[" + std::to_string(i) + "]"));
+    if (const json* pins = find(object, "pins")) {
+        if (!pins->is_array()) wrong("pins", "an array of points", *pins);
+        for (std::size_t i = 0; i < pins->size(); ++i)
+            drag.pins.push_back(point((*pins)[i], "pins[" + std::to_string(i) + "]"));
+    }
+    return drag;
+}
+
+template <class UndoOrRedo>
+Command read_count(const json& object) {
+    UndoOrRedo result;
+    if (const json* value = find(object, "count"))
+        result.count = integer(*value, "count", 1, kMaxInt);
+    return result;
+}
+
+template <class SaveOrStats>
+Command read_path(const json& object) {
+    return SaveOrStats{path(require(object, "path", kPathIsRight), "path")};
+}
+
+using Reader = Command (*)(const json&);
+
+// In the order of Command, as the reference is.
+constexpr std::array<Reader, std::variant_size_v<Command>> kReaders{
+    read_open,
+    read_shape,
+    read_adapt,
+    read_brush,
+    read_cage,
+    read_drag,
+    read_count<command::Undo>,
+    read_count<command::Redo>,
+    [](const json&) -> Command { return command::Readapt{}; },
+    read_path<command::Save>,
+    read_path<command::Stats>};
+
+// ---- Names
+
+// Levenshtein, Doklady 1965, one row at a time.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, changed}));
+        }
+    }
+    return row.back();
+}
+
+std::string unknown_command(std::string_view given) {
+    const auto known = command_reference();
+    std::string text = "unknown command";
+    constexpr std::size_t kLongestWorthComparing = 20, kLargestSlip = 2;
+    if (given.size() <= kLongestWorthComparing) {
+        const auto distance = [given](const CommandReference& entry) {
+            return edit_distance(given, entry.name);
+        };
+        const auto nearest = std::min_element(
+            known.begin(), known.end(),
+            [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+        if (distance(*nearest) <= kLargestSlip)
+            text += std::string("; did you mean ") + nearest->name + "?";
+    }
+    return text + "; known are " + listed(known);
+}
+
+void refuse_unknown_fields(const json& object, const CommandReference& reference) {
+    for (const auto& [key, value] : object.items()) {
+        const auto is_key = [&k = key](const FieldReference& field) { return k == field.name; };
+        if (key == "cmd" || std::any_of(reference.fields.begin(), reference.fields.end(), is_key))
+            continue;
+        throw Problem(
+            "unknown field " + in_quotes(key) + "; " + reference.name +
+            (reference.fields.empty() ? " has no fields" : " has " + listed(reference.fields)));
+    }
+}
+
+bool is_plain_name(std::string_view text) {
+    return !text.empty() && text.size() <= kMostShown &&
+           std::all_of(text.begin(), text.end(), [](char c) {
+               return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') ||
+                      c == '_' || c == '-';
+           });
+}
+
+// The command's name; `command` is what an error is to be headed with.
+std::size_t command_index(const json& object, std::string& command) {
+    const json& given = require(object, "cmd", "a command's name, as in {\"cmd\": \"undo\"}");
+    if (!given.is_string()) wrong("cmd", "a command's name in quotes", given);
+    const std::string text = given;
+    const auto known = command_reference();
+    const auto found = std::find_if(known.begin(), known.end(),
+                                    [&text](const auto& entry) { return text == entry.name; });
+    if (is_plain_name(text)) command = text;
+    if (found == known.end())
+        throw Problem((command == text ? "" : in_quotes(text) + " is an ") + unknown_command(text));
+    return static_cast<std::size_t>(found - known.begin());
+}
+
+}  // namespace
+
+std::variant<Command, CommandError> parse_command(std::string_view json_line) {
+    std::string command = "script";
+    try {
+        const json object = parse_strictly(json_line);
+        if (!object.is_object()) wrong("a line", "an object, {\"cmd\": ...}", object);
+        const std::size_t index = command_index(object, command);
+        refuse_unknown_fields(object, command_reference()[index]);
+        return kReaders[index](object);
+    } catch (const Problem& problem) {
+        return CommandError{command, problem.what()};
+    }
+}
+
+std::optional<std::string> check_header(std::string_view json_line) {
+    const std::string right = "the first line of a script must be {\"pectin\": 1}";
+    try {
+        const json header = parse_strictly(json_line);
+        if (!header.is_object() || header.size() != 1 || !header.contains("pectin")) return right;
+        const json& version = header["pectin"];
+        if (version == 1) return std::nullopt;
+        if (version.is_number() && version > 1)
+            return "the script is of version " + version.dump() +
+                   ", but this pectin reads version 1, {\"pectin\": 1}";
+        return right + ", not " + describe(version) + " for a version";
+    } catch (const Problem&) {
+        return right;
+    }
+}
+
+}  // namespace pectin

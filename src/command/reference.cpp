@@ -1,0 +1,56 @@
+#include "command/reference.h"
+
+namespace pectin {
+
+namespace {
+
+std::vector<CommandReference> make_reference() {
+    return {
+        {"open",
+         "reads a model",
+         {{"path", "an OBJ file"},
+          {"crease_angle", "0 to 180 (45); where the file has no normals or smoothing groups"}}},
+        {"shape",
+         "makes a model",
+         {{"kind", "sphere, cube, plane, torus or cylinder"},
+          {"resolution", "a whole number; the sphere has 20 * 4^resolution faces"}}},
+        {"adapt",
+         "sets when the mesh is refined and thinned",
+         {{"enabled", "true or false"},
+          {"theta_max", "angle above which an edge is refined (180/7), or null: off"},
+          {"theta_min", "angle below which it may be thinned, \"auto\" (7/9 of theta_max) or null"},
+          {"l_max", "longest edge, \"auto\" (smallest cell extent) or null: off"},
+          {"flatness", "bump that thinning may take, to its edge, \"auto\" or null: off"},
+          {"floor", "shortest edge, or \"auto\" (1e-4 of the box diagonal)"},
+          {"budget", "most triangles (4000000)"},
+          {"propagation", "1 to below 1.5 (1): how much longer an edge may be that waits"}}},
+        {"brush",
+         "drags use a lattice about the grabbed point",
+         {{"radius", "its reach (a quarter of the box diagonal)"},
+          {"span", "1 to 16 (3): deformable control points an axis"}}},
+        {"cage",
+         "drags use this lattice: origin, cell, deformable; or fit",
+         {{"origin", "[x, y, z] of its first deformable control point"},
+          {"cell", "[x, y, z]: its cell extents"},
+          {"deformable", "[l, m, n], each 1 to 64: its deformable control points"},
+          {"fit", "[l, m, n]: as many, about the object's box"}}},
+        {"drag",
+         "drags points; the object follows",
+         {{"moves", "[{\"from\": [x, y, z], \"to\": [x, y, z]}, ...]"},
+          {"pins", "[[x, y, z], ...]: points that stay"}}},
+        {"undo", "takes edits back", {{"count", "how many (1)"}}},
+        {"redo", "does undone edits again", {{"count", "how many (1)"}}},
+        {"readapt", "refines and thins the whole object once", {}},
+        {"save", "writes the model", {{"path", "an OBJ file"}}},
+        {"stats", "writes figures of the object and the last edit", {{"path", "a JSON file"}}},
+    };
+}
+
+}  // namespace
+
+std::span<const CommandReference> command_reference() {
+    static const std::vector<CommandReference> kReference = make_reference();
+    return kReference;
+}
+
+}  // namespace pectin

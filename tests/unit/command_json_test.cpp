@@ -1,0 +1,358 @@
+#include "command/json.h"
+
+#include <gtest/gtest.h>
+
+#include <bit>
+#include <cmath>
+#include <cstdint>
+#include <cstdlib>
+#include <limits>
+#include <random>
+
+#include "command/reference.h"
+
+namespace pectin {
+namespace {
+
+Command parsed(const std::string& line) {
+    const auto result = parse_command(line);
+    if (const auto* error = std::get_if<CommandError>(&result)) {
+        ADD_FAILURE() << line << ": " << error->what;
+        return command::Readapt{};
+    }
+    return std::get<Command>(result);
+}
+
+// ---- Round trip
+
+class RandomCommand {
+  public:
+    explicit RandomCommand(std::uint64_t seed) : bits_(seed) {}
+
+    Command operator()() {
+        switch (below(11)) {
+            case 0:
+                return command::Open{text(), from(0.0, 180.0)};
+            case 1:
+                return command::Shape{static_cast<command::Shape::Kind>(below(5)), below(1 << 30)};
+            case 2:
+                return adapt();
+            case 3:
+                return command::Brush{maybe(positive()), maybe(1 + below(16))};
+            case 4:
+                return cage();
+            case 5:
+                return drag();
+            case 6:
+                return command::Undo{1 + below(1 << 30)};
+            case 7:
+                return command::Redo{std::numeric_limits<int>::max() - below(9)};
+            case 8:
+                return command::Readapt{};
+            case 9:
+                return command::Save{text()};
+            default:
+                return command::Stats{text()};
+        }
+    }
+
+  private:
+    int below(int count) { return static_cast<int>(bits_() % static_cast<std::uint64_t>(count)); }
+    template <class T>
+    std::optional<T> maybe(T value) {
+        return below(2) ? std::optional<T>(value) : std::nullopt;
+    }
+    double from(double low, double high) {
+        return std::uniform_real_distribution<double>(low, high)(bits_);
+    }
+    // Any finite number, whatever its size: most are written with 17 digits.
+    double number() {
+        if (below(4) == 0) return below(2001) - 1000;
+        const double x = std::bit_cast<double>(bits_());
+        return std::isfinite(x) ? x : -0.0;
+    }
+    double positive() {
+        const double x = std::abs(number());
+        return x > 0.0 ? x : std::numeric_limits<double>::denorm_min();
+    }
+    Vec3 point() { return {number(), number(), number()}; }
+    IVec3 counts() { return {1 + below(64), 1 + below(64), 1 + below(64)}; }
+    std::string text() {
+        const std::array<std::string, 8> pieces{"a",  "\"",   "\\",       "/",
+                                                "\n", "\x01", "\xC3\xA9", " "};
+        std::string result = "x";
+        for (int i = below(8); i > 0; --i) result += pieces[static_cast<std::size_t>(below(8))];
+        return result;
+    }
+    Command adapt() {
+        command::Adapt result;
+        result.enabled = maybe(below(2) == 0);
+        result.theta_max = maybe(below(2) ? Setting::off() : Setting::of(from(90.0, 400.0)));
+        result.theta_min = maybe(below(2) ? Setting::automatic() : Setting::of(from(0.0, 90.0)));
+        result.l_max = maybe(below(2) ? Setting::automatic() : Setting::of(positive()));
+        result.flatness = maybe(below(2) ? Setting::off() : Setting::of(std::abs(number())));
+        result.floor = maybe(below(2) ? Setting::automatic() : Setting::of(positive()));
+        result.budget = maybe(1 + bits_() % (std::uint64_t{1} << 53));
+        result.propagation = maybe(from(1.0, 1.49));
+        return result;
+    }
+    Command cage() {
+        if (below(2)) return command::Cage{command::Cage::Fit{counts()}};
+        const Vec3 cell{positive(), positive(), positive()};
+        return command::Cage{command::Cage::Grid{point(), cell, counts()}};
+    }
+    Command drag() {
+        command::Drag result;
+        for (int i = 1 + below(3); i > 0; --i) result.moves.push_back({point(), point()});
+        for (int i = below(3); i > 0; --i) result.pins.push_back(point());
+        return result;
+    }
+
+    std::mt19937_64 bits_;
+};
+
+TEST(CommandJson, ParsesBackToAnEqualCommandWhatItFormats) {
+    const std::uint64_t seed = std::random_device{}();
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    RecordProperty("seed", std::to_string(seed));
+    RandomCommand random_command(seed);
+    const int count = std::getenv("PECTIN_TEST_LONG") ? 200'000 : 5'000;
+    for (int i = 0; i < count; ++i) {
+        const Command command = random_command();
+        const std::string line = format_command(command);
+        ASSERT_EQ(line.find('\n'), line.npos) << line;
+        ASSERT_TRUE(parsed(line) == command) << line;
+        ASSERT_EQ(format_command(parsed(line)), line);
+    }
+}
+
+TEST(CommandJson, WritesTheShortestNumbersAndLeavesOutWhatIsEmpty) {
+    const command::Drag drag{.moves = {{.from = Vec3(0, 0, 1), .to = Vec3(0.1, 0, -1.3)}},
+                             .pins = {}};
+    EXPECT_EQ(format_command(drag),
+              R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0.1, 0, -1.3]}]})");
+    EXPECT_EQ(format_command(command::Readapt{}), R"({"cmd": "readapt"})");
+    EXPECT_EQ(format_command(command::Adapt{.theta_max = Setting::off()}),
+              R"({"cmd": "adapt", "theta_max": null})");
+}
+
+TEST(CommandJson, KeepsTheSignOfZero) {
+    const Command command =
+        command::Drag{.moves = {{.from = Vec3(-0.0), .to = Vec3(1)}}, .pins = {}};
+    const Command back = parsed(format_command(command));
+    EXPECT_TRUE(std::signbit(std::get<command::Drag>(back).moves[0].from.x));
+}
+
+TEST(CommandJson, NamesEveryCommandAsTheReferenceDoes) {
+    EXPECT_EQ(command_reference().size(), std::variant_size_v<Command>);
+    EXPECT_STREQ(name(command::Open{}), "open");
+    EXPECT_STREQ(name(command::Brush{}), "brush");
+    EXPECT_STREQ(name(command::Readapt{}), "readapt");
+    EXPECT_STREQ(name(command::Stats{}), "stats");
+}
+
+TEST(CommandJson, FillsOmittedFieldsWithTheirDefaults) {
+    EXPECT_TRUE(parsed(R"({"cmd": "undo"})") == Command(command::Undo{.count = 1}));
+    EXPECT_TRUE(parsed(R"({"path": "a.obj", "cmd": "open"})") ==
+                Command(command::Open{.path = "a.obj", .crease_angle = 45.0}));
+    EXPECT_TRUE(parsed(R"({"cmd": "adapt"})") == Command(command::Adapt{}));
+}
+
+TEST(CommandJson, TakesWholeNumbersHoweverTheyAreWritten) {
+    EXPECT_TRUE(parsed(R"({"cmd": "adapt", "budget": 1e6})") ==
+                Command(command::Adapt{.budget = 1'000'000}));
+    EXPECT_TRUE(parsed(R"({"cmd": "brush", "span": 5.0, "radius": 1})") ==
+                Command(command::Brush{.radius = 1.0, .span = 5}));
+}
+
+TEST(CommandJson, TellsAutomaticFromOffFromANumber) {
+    EXPECT_TRUE(parsed(R"({"cmd": "adapt", "theta_min": null, "l_max": "auto", "flatness": 0})") ==
+                Command(command::Adapt{.theta_min = Setting::off(),
+                                       .l_max = Setting::automatic(),
+                                       .flatness = Setting::of(0.0)}));
+    EXPECT_TRUE(parsed(R"({"cmd": "adapt", "theta_max": 180})") ==
+                Command(command::Adapt{.theta_max = Setting::of(180.0)}));
+}
+
+// ---- Errors
+
+struct BadLine {
+    std::string line, command;
+    std::vector<std::string> said;  // what is wrong and what would be right
+};
+
+class CommandErrors : public testing::TestWithParam<BadLine> {};
+
+TEST_P(CommandErrors, NameTheFieldWhatIsWrongAndWhatWouldBeRight) {
+    const BadLine& bad = GetParam();
+    const auto result = parse_command(bad.line);
+    ASSERT_TRUE(std::holds_alternative<CommandError>(result)) << bad.line;
+    const CommandError& error = std::get<CommandError>(result);
+    EXPECT_EQ(error.command, bad.command) << bad.line;
+    for (const std::string& words : bad.said)
+        EXPECT_NE(error.what.find(words), error.what.npos)
+            << bad.line << "\nsays: " << error.what << "\nnot: " << words;
+    EXPECT_EQ(error.what.find_first_of("\n\r"), error.what.npos);
+    EXPECT_EQ(error.what.find("json.exception"), error.what.npos);
+    EXPECT_LT(error.what.size(), 250u);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Lines, CommandErrors,
+    testing::Values(
+        BadLine{"", "script", {"not valid JSON", "unexpected end of input"}},
+        BadLine{"hello", "script", {"not valid JSON at column 1"}},
+        BadLine{R"({"cmd": "undo")", "script", {"not valid JSON at column 15", "expected"}},
+        BadLine{R"({"cmd": "undo"} x)", "script", {"not valid JSON", "expected end of input"}},
+        BadLine{R"({"cmd": "undo"} {})", "script", {"not valid JSON", "expected end of input"}},
+        BadLine{R"({"cmd": "brush", "radius": NaN})", "script", {"not valid JSON"}},
+        BadLine{R"({"cmd": "brush", "radius": Infinity})", "script", {"not valid JSON"}},
+        BadLine{"{\"cmd\": \"save\", \"path\": \"\xFF\"}", "script", {"UTF-8"}},
+        BadLine{R"({"cmd": "brush", "radius": 1e400})", "script", {"1e400", "too large"}},
+        BadLine{"{\"cmd\": \"brush\", \"radius\": 1" + std::string(999, '0') + "}",
+                "script",
+                {"too large"}},
+        BadLine{std::string(100'000, '['), "script", {"not valid JSON"}},
+        BadLine{"[1]", "script", {"must be an object", "not an array of length 1"}},
+        BadLine{"3", "script", {"must be an object", "not 3"}},
+        BadLine{"{}", "script", {"cmd is missing", "a command's name"}},
+        BadLine{R"({"cmd": null})", "script", {"cmd must be a command's name", "not null"}},
+        BadLine{R"({"cmd": "undo", "cmd": "redo"})", "script", {"\"cmd\" is given twice"}},
+        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "from": [0,0,0]}]})",
+                "script",
+                {"\"from\" is given twice"}},
+        BadLine{R"({"cmd": "redu"})", "redu", {"unknown command", "did you mean redo?", "known"}},
+        BadLine{R"({"cmd": "Save"})", "Save", {"did you mean save?"}},
+        BadLine{R"({"cmd": "screenshot"})", "screenshot", {"unknown command", "open, shape"}},
+        BadLine{R"({"cmd": "a\nb"})", "script", {R"("a\nb" is an unknown command)"}}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Fields, CommandErrors,
+    testing::Values(
+        BadLine{R"({"cmd": "undo", "times": 2})", "undo", {"unknown field \"times\"", "count"}},
+        BadLine{R"({"cmd": "readapt", "count": 2})", "readapt", {"has no fields"}},
+        BadLine{R"({"cmd": "open"})", "open", {"path is missing", "path in quotes"}},
+        BadLine{R"({"cmd": "open", "path": ""})", "open", {"path must be", "an empty string"}},
+        BadLine{R"({"cmd": "open", "path": 3})", "open", {"path must be", "not 3"}},
+        BadLine{R"({"cmd": "save", "path": "a\u0000b"})", "save", {"NUL"}},
+        BadLine{R"({"cmd": "stats", "path": []})", "stats", {"not an empty array"}},
+        BadLine{R"({"cmd": "open", "path": "a", "crease_angle": 181})", "open", {"0 to 180"}},
+        BadLine{R"({"cmd": "shape", "resolution": 1})", "shape", {"kind is missing", "sphere"}},
+        BadLine{R"({"cmd": "shape", "kind": "cone", "resolution": 1})", "shape", {"\"cone\""}},
+        BadLine{R"({"cmd": "shape", "kind": "cube"})", "shape", {"resolution is missing"}},
+        BadLine{R"({"cmd": "shape", "kind": "cube", "resolution": -1})", "shape", {"not -1"}},
+        BadLine{R"({"cmd": "shape", "kind": "cube", "resolution": 1.5})", "shape", {"whole"}},
+        BadLine{R"({"cmd": "shape", "kind": "cube", "resolution": 3e9})", "shape", {"2147483647"}},
+        BadLine{R"({"cmd": "brush", "radius": "1"})", "brush", {"radius", "not a string (\"1\")"}},
+        BadLine{R"({"cmd": "brush", "radius": null})", "brush", {"a number above 0, not null"}},
+        BadLine{R"({"cmd": "brush", "radius": 0})", "brush", {"a number above 0, not 0"}},
+        BadLine{R"({"cmd": "brush", "span": 17})", "brush", {"span", "from 1 to 16, not 17"}},
+        BadLine{R"({"cmd": "undo", "count": 0})", "undo", {"count", "from 1"}},
+        BadLine{R"({"cmd": "redo", "count": true})", "redo", {"count", "not true"}}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Adapt, CommandErrors,
+    testing::Values(
+        BadLine{R"({"cmd": "adapt", "enabled": 1})", "adapt", {"enabled must be true or false"}},
+        BadLine{R"({"cmd": "adapt", "theta_max": 0})", "adapt", {"theta_max", "above 0 or null"}},
+        BadLine{R"({"cmd": "adapt", "theta_max": "auto"})", "adapt", {"theta_max", "\"auto\""}},
+        BadLine{R"({"cmd": "adapt", "theta_min": -1})", "adapt", {"theta_min", "at least 0"}},
+        BadLine{R"({"cmd": "adapt", "theta_min": "off"})", "adapt", {"\"auto\" or null"}},
+        BadLine{R"({"cmd": "adapt", "theta_max": 9, "theta_min": 9})",
+                "adapt",
+                {"theta_min must be below theta_max", "9 against 9"}},
+        BadLine{R"({"cmd": "adapt", "l_max": 0})", "adapt", {"l_max", "above 0"}},
+        BadLine{R"({"cmd": "adapt", "flatness": -0.1})", "adapt", {"flatness", "at least 0"}},
+        BadLine{R"({"cmd": "adapt", "floor": null})", "adapt", {"floor", "\"auto\", not null"}},
+        BadLine{R"({"cmd": "adapt", "budget": 0})", "adapt", {"budget", "whole number from 1"}},
+        BadLine{R"({"cmd": "adapt", "budget": 1e300})", "adapt", {"9007199254740992"}},
+        BadLine{R"({"cmd": "adapt", "propagation": 1.5})", "adapt", {"below 1.5"}},
+        BadLine{R"({"cmd": "adapt", "propagation": 0.99})", "adapt", {"at least 1"}}));
+
+INSTANTIATE_TEST_SUITE_P(
+    LatticesAndPoints, CommandErrors,
+    testing::Values(
+        BadLine{R"({"cmd": "cage"})", "cage", {"no lattice", "either", "fit"}},
+        BadLine{R"({"cmd": "cage", "fit": [1,1,1], "cell": [1,1,1]})", "cage", {"both"}},
+        BadLine{R"({"cmd": "cage", "fit": [1,1]})", "cage", {"three whole", "length 2"}},
+        BadLine{R"({"cmd": "cage", "fit": [1,1,65]})", "cage", {"fit[2]", "1 to 64"}},
+        BadLine{R"({"cmd": "cage", "origin": [0,0,0], "cell": [1,1,1]})", "cage", {"deformable"}},
+        BadLine{R"({"cmd": "cage", "origin": [0,0,0], "cell": [1,0,1], "deformable": [1,1,1]})",
+                "cage",
+                {"cell[1] must be a number above 0"}},
+        BadLine{R"({"cmd": "drag"})", "drag", {"moves is missing"}},
+        BadLine{R"({"cmd": "drag", "moves": []})", "drag", {"at least one", "empty array"}},
+        BadLine{R"({"cmd": "drag", "moves": [[0,0,0]]})", "drag", {"moves[0] must be an object"}},
+        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0]}]})", "drag", {"moves[0].to is mis"}},
+        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0]}]})",
+                "drag",
+                {"moves[0].to", "three numbers", "length 2"}},
+        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,"1"]}]})",
+                "drag",
+                {"moves[0].to[2] must be a number"}},
+        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0], "via": 1}]})",
+                "drag",
+                {"moves[0]", "unknown field \"via\"", "from, to"}},
+        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0]}], "pins": 1})",
+                "drag",
+                {"pins must be an array of points"}},
+        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0]}], "pins": [[1]]})",
+                "drag",
+                {"pins[0]"}}));
+
+// ---- Header and statistics
+
+TEST(ScriptHeader, IsVersionOneAndNothingElse) {
+    EXPECT_FALSE(check_header(R"({"pectin": 1})"));
+    EXPECT_FALSE(check_header(R"(  {"pectin":1}  )"));
+    for (const char* line : {"", "{}", "1", R"({"cmd": "undo"})", R"({"pectin": 1, "a": 2})",
+                             R"({"pectin": "1"})", R"({"pectin": 0})", R"({"pectin": 1)"}) {
+        const auto what = check_header(line);
+        ASSERT_TRUE(what) << line;
+        EXPECT_NE(what->find("must be {\"pectin\": 1}"), what->npos) << *what;
+    }
+    EXPECT_NE(check_header(R"({"pectin": 2})")->find("version 2"), std::string::npos);
+}
+
+TEST(StatisticsJson, HasItsFieldsInOrderAndEndsWithANewline) {
+    Statistics statistics;
+    statistics.vertices = 12;
+    statistics.last.seconds.refine = 0.25;
+    statistics.angle_min_deg = std::numeric_limits<double>::quiet_NaN();
+    const std::string text = format_statistics(statistics);
+    std::size_t at = 0;
+    for (const char* field : {"{\n",
+                              "  \"vertices\": 12,\n",
+                              "\"faces\"",
+                              "\"base_vertices\"",
+                              "\"base_faces\"",
+                              "\"max_level\"",
+                              "\"last\": {\n",
+                              "\"splits\"",
+                              "\"unsplits\"",
+                              "\"influenced_vertices\"",
+                              "\"seconds\": {\n",
+                              "\"begin\"",
+                              "\"solve\"",
+                              "\"deform\"",
+                              "\"refine\": 0.25,\n",
+                              "\"decimate\"",
+                              "\"commit\": 0\n",
+                              "\"edge_max\"",
+                              "\"angle_min_deg\": null",
+                              "\"divergence_max_deg\"",
+                              "\"needing_refinement\"",
+                              "\"held_back\"",
+                              "\"floor_hit\": false",
+                              "\"budget_hit\"",
+                              "\"folded_vertices\"",
+                              "\"memory_bytes\": 0\n}\n"}) {
+        const std::size_t found = text.find(field, at);
+        ASSERT_NE(found, text.npos) << field << " after " << at << " in\n" << text;
+        at = found;
+    }
+    EXPECT_TRUE(text.ends_with("}\n"));
+}
+
+}  // namespace
+}  // namespace pectin
