@@ -1,0 +1,30 @@
+// One row of the constraint matrix: the basis values of the control points at a constrained point.
+// Source: Hsu, Hughes & Kaufman 1992, section 3.
+#pragma once
+
+#include <array>
+
+#include "ffd/lattice.h"
+
+namespace pectin {
+
+// The row b of a constraint, scaled to unit length. A tensor product, so three short sequences:
+// b_ijk / |b| = coefficient[0][i − first[0]] · coefficient[1][j − first[1]] · coefficient[2][…].
+// Coefficients of control points that are not deformable are zero.
+struct BasisRow {
+    std::array<int, 3> first{};
+    std::array<std::array<double, 4>, 3> coefficient{};
+    double length = 0.0;  // |b|; 0 where no deformable control point reaches the point
+};
+
+// Precondition: the lattice influences x.
+BasisRow basis_row(const Lattice& lattice, const Vec3& x);
+
+// The scalar product of two rows of unit length: an entry of the normalised Gram matrix.
+double dot(const BasisRow& a, const BasisRow& b);
+
+// The largest displacement of a control point when the point of this row alone moves by a unit
+// vector: max b / |b|².
+double control_gain(const BasisRow& row);
+
+}  // namespace pectin

@@ -1,0 +1,133 @@
+#include "ffd/drag_field.h"
+
+#include <algorithm>
+#include <cassert>
+#include <utility>
+
+namespace pectin {
+namespace {
+
+// How many moves are summed at a time, on the stack. Each move's sum is the same whatever it is.
+constexpr std::size_t kMovesAtATime = 8;
+
+// The four pieces of β in powers of t in [0, 1): what control point i gives in cell i − 2 + piece.
+constexpr std::array<std::array<double, 4>, 4> kBasisPieces{{{0.0, 0.0, 0.0, 1.0 / 6.0},
+                                                             {1.0 / 6.0, 0.5, 0.5, -0.5},
+                                                             {4.0 / 6.0, 0.0, -1.0, 0.5},
+                                                             {1.0 / 6.0, -0.5, 0.5, -1.0 / 6.0}}};
+
+}  // namespace
+
+DragField::DragField(const Lattice& lattice, std::vector<BasisRow> constraints,
+                     std::vector<double> inverse)
+    : lattice_(lattice),
+      zone_(lattice.influenced_zone()),
+      inverse_cell_(1.0 / lattice.cell),
+      constraints_(std::move(constraints)),
+      inverse_(std::move(inverse)) {
+    assert(!constraints_.empty() && inverse_.size() % constraints_.size() == 0);
+    move_count_ = inverse_.size() / constraints_.size();
+    products_.reserve(constraints_.size());
+    for (const BasisRow& row : constraints_) {
+        products_.push_back({axis_cubics(row, 0), axis_cubics(row, 1), axis_cubics(row, 2)});
+    }
+}
+
+DragField::AxisCubics DragField::axis_cubics(const BasisRow& row, std::size_t axis) {
+    AxisCubics cubics{.first_cell = row.first[axis] - 2};
+    for (std::size_t k = 0; k < 4; ++k) {
+        for (std::size_t piece = 0; piece < 4; ++piece) {
+            for (std::size_t p = 0; p < 4; ++p) {
+                cubics.power[k + piece][p] += row.coefficient[axis][k] * kBasisPieces[piece][p];
+            }
+        }
+    }
+    return cubics;
+}
+
+// Truncation after a shift by the two influenced cells is a floor: parameters exceed −2. Rounding
+// may put a point an ulp into the neighbouring cell, where the cubics continue each other.
+DragField::Location DragField::locate(const Vec3& x) const {
+    const Vec3 u = lattice_.parameter(x);
+    const IVec3 cell = IVec3{u + 2.0} - 2;
+    return {.cell = cell, .inside = u - Vec3{cell}};
+}
+
+DragField::Value DragField::evaluate(const Product& product, const Location& at) {
+    double f[3], df[3];
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+        const int i = static_cast<int>(axis);
+        const auto piece = static_cast<unsigned>(at.cell[i] - product[axis].first_cell);
+        if (piece >= product[axis].power.size()) return {};
+        const auto& p = product[axis].power[piece];
+        const double t = at.inside[i];
+        f[axis] = ((p[3] * t + p[2]) * t + p[1]) * t + p[0];
+        df[axis] = (3.0 * p[3] * t + 2.0 * p[2]) * t + p[1];
+    }
+    const double fg = f[0] * f[1];
+    return {.value = fg * f[2],
+            .derivative = {df[0] * f[1] * f[2], f[0] * df[1] * f[2], fg * df[2]}};
+}
+
+DragWeight DragField::rounded(const Value& sum) const {
+    return {.w = static_cast<float>(sum.value), .gradient = Vec3f{sum.derivative * inverse_cell_}};
+}
+
+void DragField::weights_inside(const Location& at, std::span<DragWeight> out) const {
+    for (std::size_t first = 0; first < move_count_; first += kMovesAtATime) {
+        const std::size_t count = std::min(kMovesAtATime, move_count_ - first);
+        std::array<Value, kMovesAtATime> sums{};
+        for (std::size_t a = 0; a < products_.size(); ++a) {
+            const Value term = evaluate(products_[a], at);
+            for (std::size_t m = 0; m < count; ++m) {
+                const double factor = inverse_[(first + m) * products_.size() + a];
+                sums[m].value += factor * term.value;
+                sums[m].derivative += factor * term.derivative;
+            }
+        }
+        for (std::size_t m = 0; m < count; ++m) out[first + m] = rounded(sums[m]);
+    }
+}
+
+void DragField::weights(const Vec3& x, std::span<DragWeight> out) const {
+    assert(out.size() == move_count_);
+    if (!zone_.contains_strictly(x)) {
+        std::fill(out.begin(), out.end(), DragWeight{});
+    } else if (products_.size() == 1 && move_count_ == 1) {
+        const Value term = evaluate(products_[0], locate(x));
+        out[0] = rounded({inverse_[0] * term.value, inverse_[0] * term.derivative});
+    } else {
+        weights_inside(locate(x), out);
+    }
+}
+
+void DragField::weights(std::span<const Vec3> points, std::span<DragWeight> out) const {
+    assert(out.size() == points.size() * move_count_);
+    for (std::size_t p = 0; p < points.size(); ++p) {
+        weights(points[p], out.subspan(p * move_count_, move_count_));
+    }
+}
+
+std::vector<Vec3> DragField::control_displacements(std::span<const Vec3> displacements) const {
+    assert(displacements.size() == move_count_);
+    std::vector<Vec3> controls(lattice_.control_count(), Vec3{0.0});
+    for (std::size_t a = 0; a < constraints_.size(); ++a) {
+        Vec3 force{0.0};
+        for (std::size_t m = 0; m < move_count_; ++m) {
+            force += inverse_[m * constraints_.size() + a] * displacements[m];
+        }
+        const auto& [first, coefficient, length] = constraints_[a];
+        for (std::size_t flat = 0; flat < 64; ++flat) {
+            const std::size_t i = flat % 4, j = flat / 4 % 4, k = flat / 16;
+            const double b = coefficient[0][i] * coefficient[1][j] * coefficient[2][k];
+            if (b == 0.0) continue;
+            const IVec3 control =
+                IVec3{first[0], first[1], first[2]} +
+                IVec3{static_cast<int>(i), static_cast<int>(j), static_cast<int>(k)};
+            controls[lattice_.control_index(control)] += b * force;
+        }
+    }
+    return controls;
+}
+
+}  // namespace pectin

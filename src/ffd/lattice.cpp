@@ -1,0 +1,63 @@
+#include "ffd/lattice.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+namespace pectin {
+namespace {
+
+// A box thinner than this share of its longest side is flat: its thickness is rounding, and a cell
+// of that size would leave the influenced zone at the first touch.
+constexpr double kFlatShare = 1e-6;
+
+bool is_finite(const Vec3& x) {
+    return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
+}
+
+bool counts_are_valid(const IVec3& deformable) {
+    const auto [least, most] = std::minmax({deformable.x, deformable.y, deformable.z});
+    return least >= kMinDeformable && most <= kMaxDeformable;
+}
+
+}  // namespace
+
+bool Lattice::is_valid() const {
+    if (!counts_are_valid(deformable)) return false;
+    if (!is_finite(origin) || !is_finite(cell) || !(smallest_cell_extent() > 0.0)) return false;
+    const Box zone = influenced_zone();
+    return is_finite(zone.min) && is_finite(zone.max);
+}
+
+Lattice brush_lattice(const Vec3& centre, double radius, int span) {
+    assert(radius > 0.0 && counts_are_valid(IVec3{span}));
+    const double half = 0.5 * (span - 1);
+    const double cell = radius / (half + 2.0);
+    return {.origin = centre - half * cell, .cell = Vec3{cell}, .deformable = IVec3{span}};
+}
+
+Lattice fit_lattice(const Box& box, const IVec3& deformable) {
+    assert(!box.is_empty() && counts_are_valid(deformable));
+    const Vec3 extent = box.extent();
+    const double flat = kFlatShare * std::max({extent.x, extent.y, extent.z});
+    const auto is_flat = [&](int axis) { return extent[axis] <= flat; };
+
+    Lattice lattice{.origin = box.min, .cell = Vec3{0.0}, .deformable = deformable};
+    double largest = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (is_flat(axis)) continue;
+        const int gaps = deformable[axis] == 1 ? 2 : deformable[axis] - 1;
+        lattice.cell[axis] = extent[axis] / gaps;
+        largest = std::max(largest, lattice.cell[axis]);
+    }
+    if (largest == 0.0) largest = 1.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        if (is_flat(axis)) lattice.cell[axis] = largest;
+        if (!is_flat(axis) && deformable[axis] > 1) continue;
+        const double half = 0.5 * (deformable[axis] - 1);
+        lattice.origin[axis] = box.centre()[axis] - half * lattice.cell[axis];
+    }
+    return lattice;
+}
+
+}  // namespace pectin
