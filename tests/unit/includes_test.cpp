@@ -1,0 +1,167 @@
+// Who may include whom. Each room of src/ knows only the rooms below it, and each library is known
+// to one room: the whole table stands here and every #include line is read against it.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+#include <map>
+#include <optional>
+#include <regex>
+#include <set>
+#include <string>
+#include <vector>
+
+namespace pectin {
+namespace {
+
+namespace fs = std::filesystem;
+using Rooms = std::set<std::string>;
+
+const std::map<std::string, Rooms>& rooms_known_to() {
+    static const std::map<std::string, Rooms> kTable{
+        {"geometry", {}},
+        {"mesh", {"geometry"}},
+        {"ffd", {"geometry"}},
+        {"command", {"geometry"}},
+        {"adapt", {"geometry", "mesh", "ffd"}},
+        {"io", {"geometry", "mesh"}},
+        {"document", {"geometry", "mesh", "command", "io"}},
+        {"session", {"geometry", "mesh", "ffd", "command", "adapt", "io", "document"}},
+        {"render", {"geometry", "mesh", "ffd"}},
+        {"app",
+         {"geometry", "mesh", "ffd", "command", "adapt", "io", "document", "session", "render"}}};
+    return kTable;
+}
+
+struct Restricted {
+    std::string header;              // how its name begins
+    std::vector<std::string> users;  // how the paths of those who may include it begin
+};
+
+const std::vector<Restricted>& restricted_headers() {
+    static const std::vector<Restricted> kTable{{"tiny_obj_loader", {"io/"}},
+                                                {"png.h", {"io/"}},
+                                                {"nlohmann/", {"command/json.cpp"}},
+                                                {"CLI/", {"app/"}},
+                                                {"Eigen/", {"ffd/"}},
+                                                {"eigen3/", {"ffd/"}},
+                                                {"sqlite3", {"document/"}},
+                                                {"GLFW/", {"app/"}},
+                                                {"GL/", {"render/", "app/"}},
+                                                {"EGL/", {"render/", "app/"}},
+                                                {"GLES", {"render/", "app/"}},
+                                                {"glad/", {"render/", "app/"}},
+                                                {"KHR/", {"render/", "app/"}},
+                                                {"imgui", {"render/", "app/"}},
+                                                {"thread", {"app/"}},
+                                                {"future", {"app/"}}};
+    return kTable;
+}
+
+// What is wrong with a line of the file at `path` (relative to src/); nothing if all is well.
+std::optional<std::string> complaint(const std::string& path, const std::string& line) {
+    static const std::regex kInclude(R"(^\s*#\s*include\s*([<"])([^>"]*)[>"].*)");
+    std::smatch match;
+    if (!std::regex_match(line, match, kInclude)) return std::nullopt;
+    const std::string target = match[2];
+    const std::string room = path.substr(0, path.find('/'));
+    const auto known = rooms_known_to().find(room);
+    if (known == rooms_known_to().end())
+        return path + ": the room " + room + " is not in the table";
+    for (const Restricted& restricted : restricted_headers())
+        if (target.starts_with(restricted.header) &&
+            std::none_of(restricted.users.begin(), restricted.users.end(),
+                         [&path](const std::string& user) { return path.starts_with(user); }))
+            return path + ": <" + target + "> is not for this file";
+    const std::string other = target.substr(0, target.find('/'));
+    if (match[1] == "<") {
+        if (rooms_known_to().contains(other))
+            return path + ": \"" + target + "\" is the project's own and takes quotes";
+        return std::nullopt;
+    }
+    // A library's header in quotes would get round the table of rooms.
+    if (target.find('/') == target.npos || !rooms_known_to().contains(other))
+        return path + ": \"" + target + "\" does not begin with a room of the table";
+    if (target.find("..") != target.npos) return path + ": \"" + target + "\" climbs out";
+    if (other != room && !known->second.contains(other))
+        return path + ": " + room + " may not include " + other + " (" + target + ")";
+    return std::nullopt;
+}
+
+bool is_source(const fs::path& path) {
+    static const Rooms kExtensions{".h", ".cpp", ".hpp", ".cc", ".c", ".inl", ".ipp"};
+    return kExtensions.contains(path.extension().string());
+}
+
+TEST(Includes, PointOnlyWhereTheTableAllows) {
+    const fs::path root = fs::path(PECTIN_SOURCE_DIR) / "src";
+    int files = 0;
+    for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
+        if (!entry.is_regular_file() || !is_source(entry.path())) continue;
+        ++files;
+        const std::string path = entry.path().lexically_relative(root).generic_string();
+        EXPECT_NE(path.find('/'), path.npos) << path << " is in no room";
+        std::ifstream text(entry.path());
+        ASSERT_TRUE(text) << path;
+        for (std::string line; std::getline(text, line);) {
+            const auto wrong = complaint(path, line);
+            EXPECT_FALSE(wrong) << *wrong;
+        }
+    }
+    EXPECT_GT(files, 20) << "under " << root << "; was anything read?";
+}
+
+TEST(Includes, FailWhereALineBreaksTheTable) {
+    const std::vector<std::pair<std::string, std::string>> bad{
+        {"geometry/box.h", "#include \"mesh/tri_mesh.h\""},
+        {"mesh/tri_mesh.h", "#include \"ffd/lattice.h\""},
+        {"ffd/lattice.cpp", "  #  include   \"mesh/ids.h\"  // why"},
+        {"command/json.cpp", "#include \"session/session.h\""},
+        {"adapt/refine.cpp", "#include \"command/command.h\""},
+        {"io/obj.cpp", "#include \"command/command.h\""},
+        {"session/session.cpp", "#include \"app/replay.h\""},
+        {"session/session.cpp", "#include \"render/gpu_mesh.h\""},
+        {"render/gpu_mesh.cpp", "#include \"session/session.h\""},
+        {"kitchen/sink.h", "#include <vector>"},
+        {"mesh/split.cpp", "#include \"kitchen/sink.h\""},
+        {"mesh/split.cpp", "#include \"tri_mesh.h\""},
+        {"mesh/split.cpp", "#include \"mesh/../session/session.h\""},
+        {"mesh/split.cpp", "#include <session/session.h>"},
+        {"mesh/split.cpp", "#include <tiny_obj_loader.h>"},
+        {"mesh/split.cpp", "#include \"tiny_obj_loader.h\""},
+        {"command/json_format.cpp", "#include <nlohmann/json.hpp>"},
+        {"command/json.h", "#include <nlohmann/json_fwd.hpp>"},
+        {"command/command.cpp", "#include <CLI/CLI.hpp>"},
+        {"session/gesture.cpp", "#include <Eigen/Dense>"},
+        {"session/gesture.cpp", "#include <thread>"},
+        {"session/session.cpp", "#include <GL/gl.h>"},
+        {"io/png.cpp", "#include <imgui.h>"},
+        {"render/host.cpp", "#include <GLFW/glfw3.h>"}};
+    for (const auto& [path, line] : bad) EXPECT_TRUE(complaint(path, line)) << path << ": " << line;
+}
+
+TEST(Includes, PassWhereALineKeepsToTheTable) {
+    const std::vector<std::pair<std::string, std::string>> good{
+        {"geometry/box.h", "#include \"geometry/vec.h\""},
+        {"mesh/tri_mesh.h", "#include \"geometry/vec.h\""},
+        {"adapt/refine.cpp", "#include \"ffd/drag_field.h\""},
+        {"session/session.cpp", "#include \"io/obj_reader.h\""},
+        {"app/main.cpp", "#include \"session/session.h\""},
+        {"app/main.cpp", "#include <CLI/CLI.hpp>"},
+        {"app/window.cpp", "#include <GLFW/glfw3.h>"},
+        {"render/pass.cpp", "#include <glad/glad.h>"},
+        {"ffd/drag_solver.cpp", "#include <Eigen/Dense>"},
+        {"io/obj_reader.cpp", "#include <tiny_obj_loader.h>"},
+        {"command/json.cpp", "#include <nlohmann/json.hpp>"},
+        {"mesh/split.cpp", "#include <vector>"},
+        {"mesh/split.cpp", "// #include \"session/session.h\""},
+        {"mesh/split.cpp", "split(edge);"}};
+    for (const auto& [path, line] : good) {
+        const auto wrong = complaint(path, line);
+        EXPECT_FALSE(wrong) << *wrong;
+    }
+}
+
+}  // namespace
+}  // namespace pectin
