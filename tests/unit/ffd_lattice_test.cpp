@@ -1,0 +1,234 @@
+// Lattices, and the plain evaluation of a displaced one.
+#include "ffd/lattice.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <random>
+
+#include "ffd/basis.h"
+#include "ffd/lattice_field.h"
+
+namespace pectin {
+namespace {
+
+class Random {
+  public:
+    explicit Random(unsigned seed) : generator_{seed} {}
+
+    double between(double least, double most) {
+        return std::uniform_real_distribution<double>{least, most}(generator_);
+    }
+    Vec3 vector(double least, double most) {
+        const double x = between(least, most), y = between(least, most);
+        return {x, y, between(least, most)};
+    }
+    int count(int least, int most) {
+        return std::uniform_int_distribution<int>{least, most}(generator_);
+    }
+    Lattice lattice(double far = 5.0) {
+        const Vec3 origin = vector(-far, far);
+        const Vec3 cell = vector(0.2, 3.0);
+        const int l = count(1, 6), m = count(1, 6);
+        return {.origin = origin, .cell = cell, .deformable = {l, m, count(1, 6)}};
+    }
+    LatticeField field() {
+        const Lattice of = lattice();
+        std::vector<Vec3> displacements(of.control_count());
+        for (Vec3& displacement : displacements) displacement = vector(-1.0, 1.0);
+        return {of, displacements};
+    }
+    Vec3 point_in(const Box& box) { return box.min + vector(0.001, 0.999) * box.extent(); }
+
+  private:
+    std::mt19937 generator_;
+};
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+
+TEST(Lattice, InfluencesTwoCellsBeyondItsDeformableZone) {
+    const Lattice lattice{.origin = {1, 2, 3}, .cell = {1, 0.5, 0.25}, .deformable = {1, 3, 5}};
+    const Box zone = lattice.influenced_zone();
+    EXPECT_EQ(zone.min, Vec3(-1, 1, 2.5));
+    EXPECT_EQ(zone.max, Vec3(3, 4, 4.5));
+    EXPECT_EQ(lattice.smallest_cell_extent(), 0.25);
+    EXPECT_EQ(lattice.rest({0, 2, 4}), Vec3(1, 3, 4));
+    EXPECT_EQ(lattice.parameter({2, 3, 4}), Vec3(1, 2, 4));
+    EXPECT_TRUE(lattice.influences({1, 2, 3}));
+    EXPECT_FALSE(lattice.influences({-1, 2, 3}));
+    EXPECT_FALSE(lattice.influences({1, 2, 4.5}));
+    EXPECT_FALSE(lattice.influences(Vec3{std::numeric_limits<double>::quiet_NaN()}));
+}
+
+TEST(Lattice, NumbersItsControlPointsWithoutGapsFirstAxisFastest) {
+    const Lattice lattice{.deformable = {2, 3, 4}};
+    std::size_t expected = 0;
+    for (int k = 0; k < 4; ++k) {
+        for (int j = 0; j < 3; ++j) {
+            for (int i = 0; i < 2; ++i) EXPECT_EQ(lattice.control_index({i, j, k}), expected++);
+        }
+    }
+    EXPECT_EQ(lattice.control_count(), expected);
+}
+
+TEST(Lattice, EmbedsSpaceAsTheIdentityByLinearPrecision) {
+    Random random{3};
+    SCOPED_TRACE("seed 3");
+    for (int trial = 0; trial < 100; ++trial) {
+        const Lattice lattice = random.lattice();
+        const Vec3 x = random.point_in(lattice.influenced_zone());
+        const Vec3 u = lattice.parameter(x);
+        Vec3 sum{0.0};
+        for (int i = -4; i < 11; ++i) {
+            for (int j = -4; j < 11; ++j) {
+                for (int k = -4; k < 11; ++k) {
+                    sum +=
+                        basis(u.x - i) * basis(u.y - j) * basis(u.z - k) * lattice.rest({i, j, k});
+                }
+            }
+        }
+        EXPECT_LT(glm::length(sum - x), 1e-13 * (1.0 + glm::length(x)));
+    }
+}
+
+TEST(Lattice, IsValidOnlyIfFiniteWithPositiveCellsAndSomethingToDeform) {
+    EXPECT_TRUE((Lattice{.deformable = {kMinDeformable, 3, kMaxDeformable}}.is_valid()));
+    EXPECT_FALSE((Lattice{.deformable = {3, 0, 3}}.is_valid()));
+    EXPECT_FALSE((Lattice{.deformable = {3, 3, kMaxDeformable + 1}}.is_valid()));
+    EXPECT_FALSE((Lattice{.cell = {1, 0, 1}}.is_valid()));
+    EXPECT_FALSE((Lattice{.cell = {1, -1, 1}}.is_valid()));
+    EXPECT_FALSE((Lattice{.cell = {1, 1, kInfinity}}.is_valid()));
+    EXPECT_FALSE((Lattice{.origin = {0, 0, -kInfinity}}.is_valid()));
+    EXPECT_FALSE((Lattice{.cell = {1, 1e308, 1}, .deformable = IVec3{9}}.is_valid()));
+}
+
+TEST(BrushLattice, ReachesItsRadiusFromTheGrabbedPoint) {
+    for (const int span : {1, 2, 3, 4, 7}) {
+        const Vec3 centre{3, -4, 5};
+        const Box zone = brush_lattice(centre, 1.5, span).influenced_zone();
+        EXPECT_LT(glm::length(zone.min - (centre - 1.5)), 1e-14) << span;
+        EXPECT_LT(glm::length(zone.max - (centre + 1.5)), 1e-14) << span;
+    }
+    EXPECT_EQ(brush_lattice(Vec3{0.0}, 3.0, 3).cell, Vec3(1.0));
+}
+
+TEST(FitLattice, SpansTheBoxWithItsDeformableControlPoints) {
+    const Box box{.min = {-1, 0, 2}, .max = {1, 3, 10}};
+    const Lattice lattice = fit_lattice(box, {3, 4, 2});
+    EXPECT_EQ(lattice.rest({0, 0, 0}), box.min);
+    EXPECT_EQ(lattice.rest({2, 3, 1}), box.max);
+    EXPECT_TRUE(lattice.is_valid());
+}
+
+TEST(FitLattice, CentresASingleControlPointAndStillHoldsTheBox) {
+    const Box box{.min = {-1, 0, 2}, .max = {1, 3, 10}};
+    const Lattice lattice = fit_lattice(box, {1, 4, 1});
+    EXPECT_EQ(lattice.rest({0, 0, 0}), Vec3(0, 0, 6));
+    EXPECT_EQ(lattice.cell, Vec3(1, 1, 4));
+    EXPECT_TRUE(lattice.influences(box.min));
+    EXPECT_TRUE(lattice.influences(box.max));
+}
+
+TEST(FitLattice, GivesAFlatBoxTheLargestCellOfItsOtherAxes) {
+    const Lattice plane = fit_lattice({.min = {0, 1, 0}, .max = {2, 1, 6}}, {3, 3, 3});
+    EXPECT_EQ(plane.cell, Vec3(1, 3, 3));
+    EXPECT_EQ(plane.rest({1, 1, 1}), Vec3(1, 1, 3));
+    const Lattice rounded = fit_lattice({.min = {0, 1, 0}, .max = {2, 1 + 1e-15, 6}}, {3, 3, 3});
+    EXPECT_EQ(rounded.cell, Vec3(1, 3, 3));
+    const Lattice point = fit_lattice({.min = Vec3{5.0}, .max = Vec3{5.0}}, {1, 2, 3});
+    EXPECT_EQ(point.cell, Vec3(1.0));
+    EXPECT_EQ(point.origin, Vec3(5, 4.5, 4));
+}
+
+TEST(LatticeField, IsExactlyStillOnTheBorderOfItsZoneAndOutside) {
+    Random random{4};
+    SCOPED_TRACE("seed 4");
+    for (int trial = 0; trial < 200; ++trial) {
+        const LatticeField field = random.field();
+        const Box zone = field.lattice().influenced_zone();
+        Vec3 x = random.point_in(zone);
+        const int axis = trial % 3;
+        const double beyond = trial % 2 == 0 ? 0.0 : random.between(0.0, 9.0);
+        x[axis] = trial % 4 < 2 ? zone.min[axis] - beyond : zone.max[axis] + beyond;
+        EXPECT_EQ(field.displacement(x), Vec3(0.0));
+        EXPECT_EQ(field.jacobian(x), Mat3(1.0));
+    }
+}
+
+TEST(LatticeField, MovesEverythingAlikeWhereAllControlPointsMoveAlike) {
+    const Lattice lattice{.cell = {1, 2, 3}, .deformable = {5, 5, 5}};
+    const LatticeField field{lattice, std::vector<Vec3>(125, Vec3{1, -2, 3})};
+    EXPECT_LT(glm::length(field.displacement({2.2, 3.4, 7.3}) - Vec3(1, -2, 3)), 1e-14);
+    EXPECT_EQ(field.displacement({-1.999, 0, 0}).x > 0.0, true);
+}
+
+// Along lines through every kind of cell border, that of the influenced zone included: one-sided
+// first and second differences from both sides agree up to the jump of the third derivative.
+TEST(LatticeField, HasTwoContinuousDerivativesAcrossEveryCellBorder) {
+    Random random{5};
+    SCOPED_TRACE("seed 5");
+    const double h = 1e-3;  // in cells
+    for (int trial = 0; trial < 60; ++trial) {
+        const LatticeField field = random.field();
+        const Lattice& lattice = field.lattice();
+        const int axis = trial % 3;
+        for (int knot = -2; knot <= lattice.deformable[axis] + 1; ++knot) {
+            Vec3 x = random.point_in(lattice.influenced_zone());
+            x[axis] = lattice.origin[axis] + lattice.cell[axis] * knot;
+            Vec3 step{0.0};
+            step[axis] = h * lattice.cell[axis];
+            const auto at = [&](double steps) { return field.displacement(x + steps * step); };
+            const auto first = [&](double side) {
+                return side * (4.0 * at(side) - 3.0 * at(0.0) - at(2.0 * side)) / (2.0 * h);
+            };
+            const auto second = [&](double side) {
+                return (at(0.0) - 2.0 * at(side) + at(2.0 * side)) / (h * h);
+            };
+            EXPECT_LT(glm::length(first(1.0) - first(-1.0)), 20.0 * h * h) << knot;
+            EXPECT_LT(glm::length(second(1.0) - second(-1.0)), 20.0 * h) << knot;
+        }
+    }
+}
+
+TEST(LatticeField, JacobianMatchesCentralDifferencesInWorldUnits) {
+    Random random{6};
+    SCOPED_TRACE("seed 6");
+    const double h = 1e-5;
+    for (int trial = 0; trial < 200; ++trial) {
+        const LatticeField field = random.field();
+        const Vec3 x = random.point_in(field.lattice().influenced_zone());
+        const Mat3 jacobian = field.jacobian(x);
+        for (int axis = 0; axis < 3; ++axis) {
+            Vec3 step{0.0};
+            step[axis] = h;
+            const Vec3 difference =
+                (field.displacement(x + step) - field.displacement(x - step)) / (2.0 * h);
+            Vec3 column = jacobian[axis];
+            column[axis] -= 1.0;
+            EXPECT_LT(glm::length(column - difference), 1e-7);
+        }
+    }
+}
+
+TEST(Covariant, FollowsTheNormalOfADeformedTangentPlane) {
+    Random random{7};
+    SCOPED_TRACE("seed 7");
+    for (int trial = 0; trial < 200; ++trial) {
+        const Mat3 jacobian{random.vector(-2, 2), random.vector(-2, 2), random.vector(-2, 2)};
+        const Vec3 s = random.vector(-1, 1), t = random.vector(-1, 1);
+        const Vec3f n{glm::normalize(glm::cross(s, t))};
+        const Vec3 expected =
+            glm::normalize(glm::cross(contravariant(jacobian, s), contravariant(jacobian, t)));
+        EXPECT_LT(glm::length(Vec3{covariant(jacobian, n)} - expected), 1e-4);
+    }
+}
+
+TEST(Covariant, KeepsNormalsToTheBitUnderTheIdentityAndZeroAsZero) {
+    const Vec3f n{0.1f, -0.7f, -0.0f};
+    EXPECT_EQ(covariant(Mat3{1.0}, n), n);
+    EXPECT_EQ(covariant(Mat3{2.0}, Vec3f{0.0f}), Vec3f(0.0f));
+    EXPECT_EQ(covariant(Mat3{0.0}, n), Vec3f(0.0f));
+}
+
+}  // namespace
+}  // namespace pectin
