@@ -1,0 +1,130 @@
+// The program as a user of scripts meets it: exit status, messages, and the files it leaves.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "replay/program.h"
+
+namespace pectin {
+namespace {
+
+const std::string kSphere = R"({"cmd": "shape", "kind": "sphere", "resolution": 3})";
+const std::string kDrag = R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0.1, 0, 1.3]}]})";
+
+std::string save(const std::string& name) { return R"({"cmd": "save", "path": ")" + name + "\"}"; }
+
+void expect_done(const Outcome& outcome) {
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+}
+
+// ---- What works
+
+TEST(Replay, WritesTheDemoAndItsFigures) {
+    const ScratchFolder folder;
+    folder.write("build/.keep", "");
+    std::filesystem::create_directory(folder.path("assets"));
+    std::filesystem::copy_file(PECTIN_SOURCE_DIR "/assets/demo.jsonl",
+                               folder.path("assets/demo.jsonl"));
+    expect_done(run_program({"replay", folder.path("assets/demo.jsonl")}));
+    const std::string object = folder.read("build/demo.obj");
+    EXPECT_NE(object.find("\nv "), object.npos);
+    EXPECT_NE(object.find("\nf "), object.npos);
+    EXPECT_NE(folder.read("build/demo.json").find("\"angle_min_deg\": "), std::string::npos);
+}
+
+TEST(Replay, GivesTheSameBytesAfterUndoAndAfterRedo) {
+    const ScratchFolder folder;
+    const std::string brush = R"({"cmd": "brush", "radius": 0.5})";
+    const std::string again =
+        R"({"cmd": "drag", "moves": [{"from": [0, 1, 0], "to": [0, 1.2, 0]}], "pins": [[0.2, 0.98, 0]]})";
+    expect_done(run_program(
+        {"replay", folder.write_script("s.jsonl",
+                                       {kSphere, save("0.obj"), kDrag, save("1.obj"), brush, again,
+                                        save("2.obj"), R"({"cmd": "undo"})", save("1 undone.obj"),
+                                        R"({"cmd": "undo"})", save("0 undone.obj"),
+                                        R"({"cmd": "redo", "count": 2})", save("2 redone.obj")})}));
+    EXPECT_EQ(folder.read("0.obj"), folder.read("0 undone.obj"));
+    EXPECT_EQ(folder.read("1.obj"), folder.read("1 undone.obj"));
+    EXPECT_EQ(folder.read("2.obj"), folder.read("2 redone.obj"));
+    EXPECT_NE(folder.read("0.obj"), folder.read("1.obj"));
+    EXPECT_NE(folder.read("1.obj"), folder.read("2.obj"));
+}
+
+TEST(Replay, GivesTheSameBytesEveryTime) {
+    const ScratchFolder folder;
+    for (const char* name : {"a", "b"})
+        expect_done(run_program(
+            {"replay", folder.write_script(std::string(name) + ".jsonl",
+                                           {kSphere, kDrag, save(name + std::string(".obj"))})}));
+    EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
+}
+
+TEST(Replay, OpensWhatItSaved) {
+    const ScratchFolder folder;
+    expect_done(run_program(
+        {"replay",
+         folder.write_script("s.jsonl", {kSphere, kDrag, save("a.obj"),
+                                         R"({"cmd": "open", "path": "a.obj"})", save("b.obj")})}));
+    EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
+}
+
+TEST(Replay, ReadsTheScriptFromStandardInput) {
+    const ScratchFolder folder;
+    const std::string script =
+        "{\"pectin\": 1}\n" + kSphere + "\n" + save(folder.path("a.obj")) + "\n";
+    expect_done(run_program({"replay", "-"}, script));
+    EXPECT_TRUE(folder.holds("a.obj"));
+}
+
+TEST(Replay, LeavesNoFilesButThoseItWasAskedFor) {
+    const ScratchFolder folder;
+    expect_done(run_program(
+        {"replay", folder.write_script("s.jsonl", {kSphere, kDrag, save("a.obj"), save("a.obj"),
+                                                   R"({"cmd": "stats", "path": "a.json"})"})}));
+    EXPECT_EQ(folder.files(), (std::set<std::string>{"a.json", "a.obj", "s.jsonl"}));
+}
+
+// ---- The command line
+
+TEST(CommandLine, ShowsVersionAndHelp) {
+    EXPECT_EQ(run_program({"--version"}).exit_status, 0);
+    EXPECT_EQ(run_program({"--version"}).out.substr(0, 7), "pectin ");
+    const Outcome help = run_program({"--help"});
+    EXPECT_EQ(help.exit_status, 0);
+    for (const char* word :
+         {"pectin replay SCRIPT", "readapt", "theta_max", "deformable", "\"to\""})
+        EXPECT_NE(help.out.find(word), std::string::npos) << word;
+}
+
+TEST(CommandLine, RefusesBadUsageAndSaysWhichIsGood) {
+    const std::vector<std::vector<std::string>> bad{
+        {}, {"replay"}, {"replay", "a", "b"}, {"--frobnicate"}, {"frobnicate"}, {"model.obj"}};
+    for (const auto& arguments : bad) {
+        const Outcome outcome = run_program(arguments);
+        EXPECT_EQ(outcome.exit_status, 2) << testing::PrintToString(arguments);
+        EXPECT_NE(outcome.err.find("usage: pectin replay SCRIPT"), std::string::npos);
+        EXPECT_EQ(outcome.out, "");
+    }
+}
+
+TEST(CommandLine, NamesAScriptThatCannotBeRead) {
+    const ScratchFolder folder;
+    for (const std::string& script : {folder.path("missing.jsonl"), folder.path("")}) {
+        const Outcome outcome = run_program({"replay", script});
+        EXPECT_EQ(outcome.exit_status, 1);
+        EXPECT_TRUE(outcome.err.starts_with(script + ": cannot be read: ")) << outcome.err;
+    }
+}
+
+TEST(CommandLine, RefusesAScriptWithoutItsFirstLine) {
+    const ScratchFolder folder;
+    folder.write("s.jsonl", kSphere + "\n" + save("a.obj") + "\n");
+    const Outcome outcome = run_program({"replay", folder.path("s.jsonl")});
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_TRUE(outcome.err.starts_with(folder.path("s.jsonl") + ":1: script: ")) << outcome.err;
+    EXPECT_FALSE(folder.holds("a.obj"));
+}
+
+}  // namespace
+}  // namespace pectin
