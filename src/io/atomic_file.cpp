@@ -1,0 +1,132 @@
+#include "io/atomic_file.h"
+
+#include <sys/stat.h>
+
+#include <cerrno>
+#include <cstdio>
+#include <filesystem>
+#include <system_error>
+
+#include "io/file_error.h"
+
+namespace pectin {
+namespace {
+
+// The file that writing to `path` would change: symbolic links are followed, also one that
+// points to a file yet to be made.
+std::string behind_links(const std::string& path) {
+    constexpr int kMostLinks = 40;  // as Linux
+    std::filesystem::path target(path);
+    std::error_code error;
+    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i) {
+        const auto link = std::filesystem::read_symlink(target, error);
+        if (error) break;
+        target = target.parent_path() / link;  // an absolute link replaces the folder
+    }
+    return target.string();
+}
+
+std::string folder_of(const std::string& path) {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+}  // namespace
+
+AtomicFile::AtomicFile(const std::string& path)
+    : path_(path), target_(behind_links(path)), folder_(folder_of(target_)) {
+    if (std::filesystem::path(target_).filename().empty()) {
+        throw FileError(path_, "names a folder; give the file a name");
+    }
+    struct stat status {};
+    const bool replaces = ::stat(target_.c_str(), &status) == 0;
+    if (!replaces && errno != ENOENT) fail(errno);
+    if (replaces) {
+        if (S_ISDIR(status.st_mode)) fail(EISDIR);
+        if (!S_ISREG(status.st_mode)) {
+            throw FileError(path_, "is a device or a pipe; save to a file");
+        }
+        // Renaming would get round a file's write protection.
+        if (::access(target_.c_str(), W_OK) != 0) {
+            throw FileError(path_, "is write-protected; allow writing or save under another name");
+        }
+    }
+    open_temporary();
+    if (replaces) {
+        // The owner only where the system lets us; first, for chown clears bits of the mode.
+        if (::fchown(file_.get(), status.st_uid, status.st_gid) != 0) errno = 0;
+        if (::fchmod(file_.get(), status.st_mode & 07777) != 0) errno = 0;
+    }
+}
+
+AtomicFile::~AtomicFile() {
+    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+}
+
+void AtomicFile::open_temporary() {
+    constexpr int kMostTries = 10000;         // past what killed processes may have left behind
+    constexpr mode_t kModeOfNewFiles = 0666;  // less the umask
+    const std::string prefix = folder_ + "/.pectin-" + std::to_string(::getpid()) + "-";
+    for (int i = 0; i < kMostTries; ++i) {
+        std::string name = prefix + std::to_string(i) + ".tmp";
+        file_ = FileDescriptor(name.c_str(), O_WRONLY | O_CREAT | O_EXCL, kModeOfNewFiles);
+        if (file_.is_open()) {
+            temporary_ = std::move(name);
+            return;
+        }
+        if (errno != EEXIST) fail(errno);
+    }
+    fail(EEXIST);
+}
+
+void AtomicFile::write(std::string_view bytes) {
+    while (!bytes.empty()) {
+        const ssize_t written = ::write(file_.get(), bytes.data(), bytes.size());
+        if (written < 0 && errno != EINTR) fail(errno);
+        if (written > 0) bytes.remove_prefix(static_cast<std::size_t>(written));
+    }
+}
+
+void AtomicFile::commit() {
+    while (::fsync(file_.get()) != 0) {
+        if (errno == EINVAL) break;  // a file system that cannot
+        if (errno != EINTR) fail(errno);
+    }
+    if (!file_.close()) fail(errno);
+    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
+    temporary_.clear();
+    // The new file is in place: that its name reaches the disk later is no failure any more.
+    const FileDescriptor folder(folder_.c_str(), O_RDONLY | O_DIRECTORY);
+    if (folder.is_open()) ::fsync(folder.get());
+}
+
+void AtomicFile::fail(int error) const {
+    switch (error) {
+        case ENOENT:
+            throw FileError(path_, "there is no folder " + folder_ + "; make it first");
+        case ENOTDIR:
+            throw FileError(path_, folder_ + " is not a folder; save to another");
+        case EISDIR:
+            throw FileError(path_, "is a folder; give the file another name");
+        case EACCES:
+        case EPERM:
+            throw FileError(path_, "no permission to write in " + folder_ + "; save elsewhere");
+        case EROFS:
+            throw FileError(path_, folder_ + " is read-only; save elsewhere");
+        case ENOSPC:
+        case EDQUOT:
+            throw FileError(path_, "no space left; free some or save elsewhere");
+        case ENAMETOOLONG:
+            throw FileError(path_, "the name is too long; give it a shorter one");
+        default:
+            throw FileError(path_, "cannot be written: " + std::generic_category().message(error));
+    }
+}
+
+void write_file_atomically(const std::string& path, std::string_view contents) {
+    AtomicFile file(path);
+    file.write(contents);
+    file.commit();
+}
+
+}  // namespace pectin

@@ -1,0 +1,49 @@
+// The statements of an OBJ text, one by one, and the tokens and numbers in them.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace pectin {
+
+// Splits a text into statements. Lines end with \n, \r\n or \r; a backslash at the end of a line
+// continues it on the next; lines that are empty or begin with # are none. A byte order mark is
+// skipped.
+class ObjStatements {
+  public:
+    // Precondition: `text` outlives this.
+    explicit ObjStatements(std::string_view text);
+
+    // To the next statement; false at the end.
+    bool next();
+
+    // Of the present statement. Views hold until the next call of next().
+    std::string_view keyword() const { return keyword_; }
+    std::string_view arguments() const { return arguments_; }  // without blanks at the ends
+    std::size_t line() const { return line_; }                 // from 1, of its first line
+
+  private:
+    std::string_view take_line();
+    std::string_view joined_with_continuations(std::string_view line);
+
+    std::string_view rest_;
+    std::size_t lines_taken_ = 0;
+    std::size_t line_ = 0;
+    std::string joined_;
+    std::string_view keyword_, arguments_;
+};
+
+// The next token, cut off the front of `arguments`; none at the end or at a # that begins one.
+std::optional<std::string_view> take_token(std::string_view& arguments);
+
+// The Real nearest to the decimal number that `token` is; a leading + is allowed and what is too
+// small is 0. For anything else, nan and infinities among it, returns none and says why.
+template <typename Real>
+std::optional<Real> parse_number(std::string_view token, std::string& why_not);
+
+extern template std::optional<float> parse_number(std::string_view, std::string&);
+extern template std::optional<double> parse_number(std::string_view, std::string&);
+
+}  // namespace pectin

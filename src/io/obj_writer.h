@@ -1,0 +1,27 @@
+// Meshes to Wavefront OBJ.
+#pragma once
+
+#include <string>
+
+#include "mesh/tri_mesh.h"
+
+namespace pectin {
+
+// The mesh as OBJ. First its material libraries, then all `v`: base vertices in input order, then
+// the inserted ones by id. Then `vt` (where the mesh has any) and `vn`, each value once, in the
+// order in which the faces first use them; a corner without an UV refers to none, an undefined
+// normal is 0 0 0. Then the faces by base face, then id, so that the pieces of a refined face
+// stay in its place; a polygon none of whose faces is split is written as the polygon (from
+// some corner), provided that reading it back gives the same triangles.
+//
+// o, g, usemtl and s stand where they change. Going back to none is a bare o, g or usemtl, which
+// is how such a file must have said it, and s off.
+//
+// All numbers are the shortest that read back the same; the bytes depend on the mesh alone.
+// Cost: O(n), O(n) memory besides the text.
+std::string format_obj(const TriMesh& mesh);
+
+// Writes that to the file, whole or not at all (AtomicFile). Throws FileError.
+void write_obj(const TriMesh& mesh, const std::string& path);
+
+}  // namespace pectin
