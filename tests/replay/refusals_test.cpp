@@ -82,31 +82,33 @@ std::vector<BadInput> bad_lines() {
 }
 
 std::vector<BadInput> bad_drags() {
-    const std::string cage =
-        R"({"cmd": "cage", "origin": [-0.5,-0.5,0.5], "cell": [0.5,0.5,0.5], "deformable": [3,3,3]})";
+    const std::string cage = R"({"cmd": "cage", "origin": [-0.5,-0.5,0.5], "cell": [0.5,0.5,0.5], )"
+                             R"("deformable": [3,3,3]})";
     return {
         {"OnePointToTwoPlaces",
          {},
-         R"({"cmd": "drag", "moves": [{"from": [0,1,0], "to": [0,1.1,0]}, {"from": [0,1,0], "to": [0,1.2,0]}]})",
+         R"({"cmd": "drag", "moves": [{"from": [0,1,0], "to": [0,1.1,0]}, )"
+         R"({"from": [0,1,0], "to": [0,1.2,0]}]})",
          "drag",
-         ""},
+         "(0, 1, 0)"},
         {"MovedPointIsPinned",
          {},
          R"({"cmd": "drag", "moves": [{"from": [0,1,0], "to": [0,1.1,0]}], "pins": [[0,1,0]]})",
          "drag",
-         ""},
+         "(0, 1, 0)"},
         {"PointOutsideTheCage",
          {cage},
          R"({"cmd": "drag", "moves": [{"from": [0,0,-1], "to": [0,0,-1.2]}]})",
          "drag",
-         ""},
+         "(0, 0, -1)"},
         {"SecondPointOutsideTheBrush",
          {R"({"cmd": "brush", "radius": 0.3})"},
-         R"({"cmd": "drag", "moves": [{"from": [0,1,0], "to": [0,1.1,0]}, {"from": [0,-1,0], "to": [0,-1.1,0]}]})",
+         R"({"cmd": "drag", "moves": [{"from": [0,1,0], "to": [0,1.1,0]}, )"
+         R"({"from": [0,-1,0], "to": [0,-1.1,0]}]})",
          "drag",
-         ""},
-        {"NothingToUndo", {R"({"cmd": "undo"})"}, R"({"cmd": "undo"})", "undo", ""},
-        {"NothingToRedo", {}, R"({"cmd": "redo"})", "redo", ""},
+         "(0, -1, 0)"},
+        {"NothingToUndo", {R"({"cmd": "undo"})"}, R"({"cmd": "undo"})", "undo", "undo"},
+        {"NothingToRedo", {}, R"({"cmd": "redo"})", "redo", "redo"},
     };
 }
 

@@ -37,7 +37,8 @@ TEST(Replay, GivesTheSameBytesAfterUndoAndAfterRedo) {
     const ScratchFolder folder;
     const std::string brush = R"({"cmd": "brush", "radius": 0.5})";
     const std::string again =
-        R"({"cmd": "drag", "moves": [{"from": [0, 1, 0], "to": [0, 1.2, 0]}], "pins": [[0.2, 0.98, 0]]})";
+        R"({"cmd": "drag", "moves": [{"from": [0, 1, 0], "to": [0, 1.2, 0]}], )"
+        R"("pins": [[0.2, 0.98, 0]]})";
     expect_done(run_program(
         {"replay", folder.write_script("s.jsonl",
                                        {kSphere, save("0.obj"), kDrag, save("1.obj"), brush, again,
