@@ -8,12 +8,25 @@
 namespace pectin {
 namespace {
 
-constexpr std::string_view kBlanks = " \t";
+// By hand: most of a model is blanks and short tokens, and find_first_of calls memchr for each
+// of their characters.
+bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
+std::string_view without_leading_blanks(std::string_view text) {
+    while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
+    return text;
+}
 
 std::string_view trimmed(std::string_view text) {
-    const std::size_t begin = text.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos) return {};
-    return text.substr(begin, text.find_last_not_of(kBlanks) - begin + 1);
+    while (!text.empty() && is_blank(text.back())) text.remove_suffix(1);
+    return without_leading_blanks(text);
+}
+
+// Up to the first blank.
+std::string_view leading_token(std::string_view text) {
+    std::size_t end = 0;
+    while (end < text.size() && !is_blank(text[end])) ++end;
+    return text.substr(0, end);
 }
 
 // Whether a decimal number that no Real can hold is so because it is tiny, not huge. Coarse:
@@ -65,26 +78,23 @@ bool ObjStatements::next() {
     while (!rest_.empty()) {
         line_ = lines_taken_ + 1;
         std::string_view statement = take_line();
-        const std::size_t begin = statement.find_first_not_of(kBlanks);
-        if (begin == std::string_view::npos || statement[begin] == '#') continue;
+        const std::string_view content = without_leading_blanks(statement);
+        if (content.empty() || content.front() == '#') continue;
         if (statement.ends_with('\\')) statement = joined_with_continuations(statement);
 
         statement = trimmed(statement);
-        const std::size_t end = std::min(statement.find_first_of(kBlanks), statement.size());
-        keyword_ = statement.substr(0, end);
-        arguments_ = trimmed(statement.substr(end));
+        keyword_ = leading_token(statement);
+        arguments_ = trimmed(statement.substr(keyword_.size()));
         if (!keyword_.empty()) return true;
     }
     return false;
 }
 
 std::optional<std::string_view> take_token(std::string_view& arguments) {
-    const std::size_t begin = arguments.find_first_not_of(kBlanks);
-    if (begin == std::string_view::npos || arguments[begin] == '#') return std::nullopt;
-    arguments.remove_prefix(begin);
-    const std::size_t end = std::min(arguments.find_first_of(kBlanks), arguments.size());
-    const std::string_view token = arguments.substr(0, end);
-    arguments.remove_prefix(end);
+    arguments = without_leading_blanks(arguments);
+    if (arguments.empty() || arguments.front() == '#') return std::nullopt;
+    const std::string_view token = leading_token(arguments);
+    arguments.remove_prefix(token.size());
     return token;
 }
 

@@ -21,7 +21,6 @@ using Indices = std::vector<std::uint32_t>;
 IndexedFaceSet parse(const std::string& text) { return parse_obj(text, "t.obj"); }
 
 // The message of the refusal, with its place in front.
-// The message of the refusal, with its place in front.
 std::string refusal(const std::string& text) {
     try {
         parse(text);
