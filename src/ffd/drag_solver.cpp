@@ -50,8 +50,8 @@ DragRefusal refuse_dependent(const Vec3& a, const Vec3& b, std::size_t constrain
                 std::to_string(controls) + " control points of the lattice can meet, " + points +
                 " above all; take fewer of them or a finer lattice"};
     }
-    return {"moves and pins at " + points + " are too close together for the lattice to tell " +
-            "them apart; drop one of them or take a finer lattice"};
+    return {"the lattice cannot tell the moves and pins at " + points +
+            " apart well enough to meet both; drop one of them or take a finer lattice"};
 }
 
 DragRefusal refuse_many() {
@@ -107,10 +107,8 @@ std::optional<DragRefusal> check_moves(const Lattice& lattice, std::span<const V
     const Box zone = lattice.influenced_zone();
     for (const Vec3& point : points) {
         if (!zone.contains_strictly(point)) return refuse_outside(point, zone);
-        const BasisRow row = basis_row(lattice, point);
-        if (!(row.length > 0.0 && control_gain(row) <= kMaxControlGain)) {
-            return refuse_border(point, zone);
-        }
+        const double gain = control_gain(basis_row(lattice, point));  // nan for a row of zeros
+        if (!(gain <= kMaxControlGain)) return refuse_border(point, zone);
     }
     return std::nullopt;
 }
@@ -204,8 +202,9 @@ std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,
     for (const Vec3& pin : pins) {
         if (lattice.influences(pin) && !constraints.add(lattice, pin)) return refuse_many();
     }
-    for (Move& move : moves)
+    for (Move& move : moves) {
         move.pinned = std::find(pins.begin(), pins.end(), move.point) != pins.end();
+    }
 
     auto inverse = invert(constraints, first_there.size(), lattice);
     if (const auto* refusal = std::get_if<DragRefusal>(&inverse)) return *refusal;

@@ -70,6 +70,15 @@ TEST(DragSolver, RefusesPointsTooCloseToTellApartAndNamesThem) {
     EXPECT_NE(refusal(kCube, {{1, 1, 1}}, {{1, 2, 3}, {1, 2, 3.000001}}), "");
 }
 
+// Along an axis with a single control point everything moves in fixed proportion.
+TEST(DragSolver, RefusesDistantPointsThatTheLatticeTiesTogether) {
+    const Lattice slab{.deformable = {1, 4, 4}};
+    const std::string what = refusal(slab, {{-0.5, 1, 1}}, {{0.5, 1, 1}, {0, 2, 2}});
+    EXPECT_NE(what.find("cannot tell the moves and pins at (-0.5, 1, 1) and (0.5, 1, 1)"),
+              std::string::npos)
+        << what;
+}
+
 TEST(DragSolver, MeetsItsDragAtTheClosestPointsItAccepts) {
     const Vec3 move{1, 1, 1};
     int accepted = 0;
