@@ -19,7 +19,7 @@ struct BadInput {
     std::string said;     // and what it must say
 };
 
-std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.line; }
+std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.name; }
 
 std::vector<BadInput> bad_files() {
     return {

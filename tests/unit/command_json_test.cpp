@@ -181,10 +181,7 @@ struct BadLine {
     std::vector<std::string> said;  // what is wrong and what would be right
 };
 
-class CommandErrors : public testing::TestWithParam<BadLine> {};
-
-TEST_P(CommandErrors, NameTheFieldWhatIsWrongAndWhatWouldBeRight) {
-    const BadLine& bad = GetParam();
+void expect_error(const BadLine& bad) {
     const auto result = parse_command(bad.line);
     ASSERT_TRUE(std::holds_alternative<CommandError>(result)) << bad.line;
     const CommandError& error = std::get<CommandError>(result);
@@ -197,108 +194,115 @@ TEST_P(CommandErrors, NameTheFieldWhatIsWrongAndWhatWouldBeRight) {
     EXPECT_LT(error.what.size(), 250u);
 }
 
-INSTANTIATE_TEST_SUITE_P(
-    Lines, CommandErrors,
-    testing::Values(
-        BadLine{"", "script", {"not valid JSON", "unexpected end of input"}},
-        BadLine{"hello", "script", {"not valid JSON at column 1"}},
-        BadLine{R"({"cmd": "undo")", "script", {"not valid JSON at column 15", "expected"}},
-        BadLine{R"({"cmd": "undo"} x)", "script", {"not valid JSON", "expected end of input"}},
-        BadLine{R"({"cmd": "undo"} {})", "script", {"not valid JSON", "expected end of input"}},
-        BadLine{R"({"cmd": "brush", "radius": NaN})", "script", {"not valid JSON"}},
-        BadLine{R"({"cmd": "brush", "radius": Infinity})", "script", {"not valid JSON"}},
-        BadLine{"{\"cmd\": \"save\", \"path\": \"\xFF\"}", "script", {"UTF-8"}},
-        BadLine{R"({"cmd": "brush", "radius": 1e400})", "script", {"1e400", "too large"}},
-        BadLine{"{\"cmd\": \"brush\", \"radius\": 1" + std::string(999, '0') + "}",
-                "script",
-                {"too large"}},
-        BadLine{std::string(100'000, '['), "script", {"not valid JSON"}},
-        BadLine{"[1]", "script", {"must be an object", "not an array of length 1"}},
-        BadLine{"3", "script", {"must be an object", "not 3"}},
-        BadLine{"{}", "script", {"cmd is missing", "a command's name"}},
-        BadLine{R"({"cmd": null})", "script", {"cmd must be a command's name", "not null"}},
-        BadLine{R"({"cmd": "undo", "cmd": "redo"})", "script", {"\"cmd\" is given twice"}},
-        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "from": [0,0,0]}]})",
-                "script",
-                {"\"from\" is given twice"}},
-        BadLine{R"({"cmd": "redu"})", "redu", {"unknown command", "did you mean redo?", "known"}},
-        BadLine{R"({"cmd": "Save"})", "Save", {"did you mean save?"}},
-        BadLine{R"({"cmd": "screenshot"})", "screenshot", {"unknown command", "open, shape"}},
-        BadLine{R"({"cmd": "a\nb"})", "script", {R"("a\nb" is an unknown command)"}}));
+TEST(CommandErrors, SayWhyALineIsNoCommand) {
+    for (const BadLine& bad :
+         {BadLine{"", "script", {"not valid JSON", "unexpected end of input"}},
+          BadLine{"hello", "script", {"not valid JSON at column 1"}},
+          BadLine{R"({"cmd": "undo")", "script", {"not valid JSON at column 15", "expected"}},
+          BadLine{R"({"cmd": "undo"} x)", "script", {"not valid JSON", "expected end of input"}},
+          BadLine{R"({"cmd": "undo"} {})", "script", {"not valid JSON", "expected end of input"}},
+          BadLine{R"({"cmd": "brush", "radius": NaN})", "script", {"not valid JSON"}},
+          BadLine{R"({"cmd": "brush", "radius": Infinity})", "script", {"not valid JSON"}},
+          BadLine{"{\"cmd\": \"save\", \"path\": \"\xFF\"}", "script", {"UTF-8"}},
+          BadLine{R"({"cmd": "brush", "radius": 1e400})", "script", {"1e400", "too large"}},
+          BadLine{"{\"cmd\": \"brush\", \"radius\": 1" + std::string(999, '0') + "}",
+                  "script",
+                  {"too large"}},
+          BadLine{std::string(100'000, '['), "script", {"not valid JSON"}},
+          BadLine{"[1]", "script", {"must be an object", "not an array of length 1"}},
+          BadLine{"3", "script", {"must be an object", "not 3"}},
+          BadLine{"{}", "script", {"cmd is missing", "a command's name"}},
+          BadLine{R"({"cmd": null})", "script", {"cmd must be a command's name", "not null"}},
+          BadLine{R"({"cmd": "undo", "cmd": "redo"})", "script", {"\"cmd\" is given twice"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "from": [0,0,0]}]})",
+                  "script",
+                  {"\"from\" is given twice"}},
+          BadLine{R"({"cmd": "redu"})", "redu", {"unknown command", "did you mean redo?", "known"}},
+          BadLine{R"({"cmd": "Save"})", "Save", {"did you mean save?"}},
+          BadLine{R"({"cmd": "screenshot"})", "screenshot", {"unknown command", "open, shape"}},
+          BadLine{R"({"cmd": "a\nb"})", "script", {R"("a\nb" is an unknown command)"}}})
+        expect_error(bad);
+}
 
-INSTANTIATE_TEST_SUITE_P(
-    Fields, CommandErrors,
-    testing::Values(
-        BadLine{R"({"cmd": "undo", "times": 2})", "undo", {"unknown field \"times\"", "count"}},
-        BadLine{R"({"cmd": "readapt", "count": 2})", "readapt", {"has no fields"}},
-        BadLine{R"({"cmd": "open"})", "open", {"path is missing", "path in quotes"}},
-        BadLine{R"({"cmd": "open", "path": ""})", "open", {"path must be", "an empty string"}},
-        BadLine{R"({"cmd": "open", "path": 3})", "open", {"path must be", "not 3"}},
-        BadLine{R"({"cmd": "save", "path": "a\u0000b"})", "save", {"NUL"}},
-        BadLine{R"({"cmd": "stats", "path": []})", "stats", {"not an empty array"}},
-        BadLine{R"({"cmd": "open", "path": "a", "crease_angle": 181})", "open", {"0 to 180"}},
-        BadLine{R"({"cmd": "shape", "resolution": 1})", "shape", {"kind is missing", "sphere"}},
-        BadLine{R"({"cmd": "shape", "kind": "cone", "resolution": 1})", "shape", {"\"cone\""}},
-        BadLine{R"({"cmd": "shape", "kind": "cube"})", "shape", {"resolution is missing"}},
-        BadLine{R"({"cmd": "shape", "kind": "cube", "resolution": -1})", "shape", {"not -1"}},
-        BadLine{R"({"cmd": "shape", "kind": "cube", "resolution": 1.5})", "shape", {"whole"}},
-        BadLine{R"({"cmd": "shape", "kind": "cube", "resolution": 3e9})", "shape", {"2147483647"}},
-        BadLine{R"({"cmd": "brush", "radius": "1"})", "brush", {"radius", "not a string (\"1\")"}},
-        BadLine{R"({"cmd": "brush", "radius": null})", "brush", {"a number above 0, not null"}},
-        BadLine{R"({"cmd": "brush", "radius": 0})", "brush", {"a number above 0, not 0"}},
-        BadLine{R"({"cmd": "brush", "span": 17})", "brush", {"span", "from 1 to 16, not 17"}},
-        BadLine{R"({"cmd": "undo", "count": 0})", "undo", {"count", "from 1"}},
-        BadLine{R"({"cmd": "redo", "count": true})", "redo", {"count", "not true"}}));
+TEST(CommandErrors, NameTheFieldWhatIsWrongAndWhatWouldBeRight) {
+    for (const BadLine& bad :
+         {BadLine{R"({"cmd": "undo", "times": 2})", "undo", {"unknown field \"times\"", "count"}},
+          BadLine{R"({"cmd": "readapt", "count": 2})", "readapt", {"has no fields"}},
+          BadLine{R"({"cmd": "open"})", "open", {"path is missing", "path in quotes"}},
+          BadLine{R"({"cmd": "open", "path": ""})", "open", {"path must be", "an empty string"}},
+          BadLine{R"({"cmd": "open", "path": 3})", "open", {"path must be", "not 3"}},
+          BadLine{R"({"cmd": "save", "path": "a\u0000b"})", "save", {"NUL"}},
+          BadLine{R"({"cmd": "stats", "path": []})", "stats", {"not an empty array"}},
+          BadLine{R"({"cmd": "open", "path": "a", "crease_angle": 181})", "open", {"0 to 180"}},
+          BadLine{R"({"cmd": "shape", "resolution": 1})", "shape", {"kind is missing", "sphere"}},
+          BadLine{R"({"cmd": "shape", "kind": "cone", "resolution": 1})", "shape", {"\"cone\""}},
+          BadLine{R"({"cmd": "shape", "kind": "cube"})", "shape", {"resolution is missing"}},
+          BadLine{R"({"cmd": "shape", "kind": "cube", "resolution": -1})", "shape", {"not -1"}},
+          BadLine{R"({"cmd": "shape", "kind": "cube", "resolution": 1.5})", "shape", {"whole"}},
+          BadLine{
+              R"({"cmd": "shape", "kind": "cube", "resolution": 3e9})", "shape", {"2147483647"}},
+          BadLine{
+              R"({"cmd": "brush", "radius": "1"})", "brush", {"radius", "not a string (\"1\")"}},
+          BadLine{R"({"cmd": "brush", "radius": null})", "brush", {"a number above 0, not null"}},
+          BadLine{R"({"cmd": "brush", "radius": 0})", "brush", {"a number above 0, not 0"}},
+          BadLine{R"({"cmd": "brush", "span": 17})", "brush", {"span", "from 1 to 16, not 17"}},
+          BadLine{R"({"cmd": "undo", "count": 0})", "undo", {"count", "from 1"}},
+          BadLine{R"({"cmd": "redo", "count": true})", "redo", {"count", "not true"}}})
+        expect_error(bad);
+}
 
-INSTANTIATE_TEST_SUITE_P(
-    Adapt, CommandErrors,
-    testing::Values(
-        BadLine{R"({"cmd": "adapt", "enabled": 1})", "adapt", {"enabled must be true or false"}},
-        BadLine{R"({"cmd": "adapt", "theta_max": 0})", "adapt", {"theta_max", "above 0 or null"}},
-        BadLine{R"({"cmd": "adapt", "theta_max": "auto"})", "adapt", {"theta_max", "\"auto\""}},
-        BadLine{R"({"cmd": "adapt", "theta_min": -1})", "adapt", {"theta_min", "at least 0"}},
-        BadLine{R"({"cmd": "adapt", "theta_min": "off"})", "adapt", {"\"auto\" or null"}},
-        BadLine{R"({"cmd": "adapt", "theta_max": 9, "theta_min": 9})",
-                "adapt",
-                {"theta_min must be below theta_max", "9 against 9"}},
-        BadLine{R"({"cmd": "adapt", "l_max": 0})", "adapt", {"l_max", "above 0"}},
-        BadLine{R"({"cmd": "adapt", "flatness": -0.1})", "adapt", {"flatness", "at least 0"}},
-        BadLine{R"({"cmd": "adapt", "floor": null})", "adapt", {"floor", "\"auto\", not null"}},
-        BadLine{R"({"cmd": "adapt", "budget": 0})", "adapt", {"budget", "whole number from 1"}},
-        BadLine{R"({"cmd": "adapt", "budget": 1e300})", "adapt", {"9007199254740992"}},
-        BadLine{R"({"cmd": "adapt", "propagation": 1.5})", "adapt", {"below 1.5"}},
-        BadLine{R"({"cmd": "adapt", "propagation": 0.99})", "adapt", {"at least 1"}}));
+TEST(CommandErrors, KeepSettingsInTheirRanges) {
+    for (const BadLine& bad :
+         {BadLine{R"({"cmd": "adapt", "enabled": 1})", "adapt", {"enabled must be true or false"}},
+          BadLine{R"({"cmd": "adapt", "theta_max": 0})", "adapt", {"theta_max", "above 0 or null"}},
+          BadLine{R"({"cmd": "adapt", "theta_max": "auto"})", "adapt", {"theta_max", "\"auto\""}},
+          BadLine{R"({"cmd": "adapt", "theta_min": -1})", "adapt", {"theta_min", "at least 0"}},
+          BadLine{R"({"cmd": "adapt", "theta_min": "off"})", "adapt", {"\"auto\" or null"}},
+          BadLine{R"({"cmd": "adapt", "theta_max": 9, "theta_min": 9})",
+                  "adapt",
+                  {"theta_min must be below theta_max", "9 against 9"}},
+          BadLine{R"({"cmd": "adapt", "l_max": 0})", "adapt", {"l_max", "above 0"}},
+          BadLine{R"({"cmd": "adapt", "flatness": -0.1})", "adapt", {"flatness", "at least 0"}},
+          BadLine{R"({"cmd": "adapt", "floor": null})", "adapt", {"floor", "\"auto\", not null"}},
+          BadLine{R"({"cmd": "adapt", "budget": 0})", "adapt", {"budget", "whole number from 1"}},
+          BadLine{R"({"cmd": "adapt", "budget": 1e300})", "adapt", {"9007199254740992"}},
+          BadLine{R"({"cmd": "adapt", "propagation": 1.5})", "adapt", {"below 1.5"}},
+          BadLine{R"({"cmd": "adapt", "propagation": 0.99})", "adapt", {"at least 1"}}})
+        expect_error(bad);
+}
 
-INSTANTIATE_TEST_SUITE_P(
-    LatticesAndPoints, CommandErrors,
-    testing::Values(
-        BadLine{R"({"cmd": "cage"})", "cage", {"no lattice", "either", "fit"}},
-        BadLine{R"({"cmd": "cage", "fit": [1,1,1], "cell": [1,1,1]})", "cage", {"both"}},
-        BadLine{R"({"cmd": "cage", "fit": [1,1]})", "cage", {"three whole", "length 2"}},
-        BadLine{R"({"cmd": "cage", "fit": [1,1,65]})", "cage", {"fit[2]", "1 to 64"}},
-        BadLine{R"({"cmd": "cage", "origin": [0,0,0], "cell": [1,1,1]})", "cage", {"deformable"}},
-        BadLine{R"({"cmd": "cage", "origin": [0,0,0], "cell": [1,0,1], "deformable": [1,1,1]})",
-                "cage",
-                {"cell[1] must be a number above 0"}},
-        BadLine{R"({"cmd": "drag"})", "drag", {"moves is missing"}},
-        BadLine{R"({"cmd": "drag", "moves": []})", "drag", {"at least one", "empty array"}},
-        BadLine{R"({"cmd": "drag", "moves": [[0,0,0]]})", "drag", {"moves[0] must be an object"}},
-        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0]}]})", "drag", {"moves[0].to is mis"}},
-        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0]}]})",
-                "drag",
-                {"moves[0].to", "three numbers", "length 2"}},
-        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,"1"]}]})",
-                "drag",
-                {"moves[0].to[2] must be a number"}},
-        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0], "via": 1}]})",
-                "drag",
-                {"moves[0]", "unknown field \"via\"", "from, to"}},
-        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0]}], "pins": 1})",
-                "drag",
-                {"pins must be an array of points"}},
-        BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0]}], "pins": [[1]]})",
-                "drag",
-                {"pins[0]"}}));
+TEST(CommandErrors, NameThePlaceInsideLatticesAndPoints) {
+    for (const BadLine& bad :
+         {BadLine{R"({"cmd": "cage"})", "cage", {"no lattice", "either", "fit"}},
+          BadLine{R"({"cmd": "cage", "fit": [1,1,1], "cell": [1,1,1]})", "cage", {"both"}},
+          BadLine{R"({"cmd": "cage", "fit": [1,1]})", "cage", {"three whole", "length 2"}},
+          BadLine{R"({"cmd": "cage", "fit": [1,1,65]})", "cage", {"fit[2]", "1 to 64"}},
+          BadLine{R"({"cmd": "cage", "origin": [0,0,0], "cell": [1,1,1]})", "cage", {"deformable"}},
+          BadLine{R"({"cmd": "cage", "origin": [0,0,0], "cell": [1,0,1], "deformable": [1,1,1]})",
+                  "cage",
+                  {"cell[1] must be a number above 0"}},
+          BadLine{R"({"cmd": "drag"})", "drag", {"moves is missing"}},
+          BadLine{R"({"cmd": "drag", "moves": []})", "drag", {"at least one", "empty array"}},
+          BadLine{R"({"cmd": "drag", "moves": [[0,0,0]]})", "drag", {"moves[0] must be an object"}},
+          BadLine{
+              R"({"cmd": "drag", "moves": [{"from": [0,0,0]}]})", "drag", {"moves[0].to is mis"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0]}]})",
+                  "drag",
+                  {"moves[0].to", "three numbers", "length 2"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,"1"]}]})",
+                  "drag",
+                  {"moves[0].to[2] must be a number"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0], "via": 1}]})",
+                  "drag",
+                  {"moves[0]", "unknown field \"via\"", "from, to"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0]}], "pins": 1})",
+                  "drag",
+                  {"pins must be an array of points"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0]}], "pins": [[1]]})",
+                  "drag",
+                  {"pins[0]"}}})
+        expect_error(bad);
+}
 
 // ---- Header and statistics
 
