@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 
 namespace pectin {
 namespace {
@@ -27,7 +28,12 @@ bool triangle_meets_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& 
 
     const Vec3 centre = box.centre();
     const Vec3 half = 0.5 * box.extent();
-    const Vec3 p = a - centre, q = b - centre, r = c - centre;
+    Vec3 p = a - centre, q = b - centre, r = c - centre;
+    // The same answer from whichever corner the triangle is told: the normal below rounds by order.
+    const auto before = [](const Vec3& x, const Vec3& y) {
+        return std::tie(x.x, x.y, x.z) < std::tie(y.x, y.y, y.z);
+    };
+    while (before(q, p) || before(r, p)) std::tie(p, q, r) = std::tuple(q, r, p);
     const Vec3 edges[3] = {q - p, r - q, p - r};
     if (separates(glm::cross(edges[0], edges[1]), p, q, r, half)) return false;
     for (const Vec3& edge : edges) {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cassert>
 #include <cstring>
-#include <type_traits>
 #include <utility>
 
 namespace pectin {
@@ -200,26 +199,36 @@ void ActiveSet::unsplit(const Star& star) {
         drop_edge(mesh_.edge(TriMesh::prev(star.mb)));
         for (HalfEdgeId h : {star.mb, star.cm}) faces_.push_back(TriMesh::face(h));
     }
-    const auto drop = [](std::uint32_t& entry, auto& ids, auto& free, std::uint32_t originals) {
-        if (entry == kNoEntry) return;
-        ids[entry] = kNone<std::decay_t<decltype(ids[entry])>>;
-        if (entry >= originals) free.push_back(entry);
-        entry = kNoEntry;
-    };
-    drop(vertex_entry_[index(star.m)], vertices_, free_vertex_entries_, original_vertices_);
-    drop(wedge_entry_[index(left)], wedges_, free_wedge_entries_, original_wedges_);
-    if (right != left) {
-        drop(wedge_entry_[index(right)], wedges_, free_wedge_entries_, original_wedges_);
-    }
+    std::uint32_t& entry = vertex_entry_[index(star.m)];
+    vertices_[entry] = kNone<VertexId>;
+    if (entry >= original_vertices_) free_vertex_entries_.push_back(entry);
+    entry = kNoEntry;
+    drop_wedge(left);
+    if (right != left) drop_wedge(right);
     const EdgeId bc = mesh_.unsplit(star);
     edits_.push_back(TopologyEdit::unsplit(bc));
     add_edge(bc);
     rest_lengths_[index(bc)] = kUnmeasured;
 }
 
+void ActiveSet::drop_wedge(WedgeId w) {
+    const std::uint32_t entry = slot(wedge_entry_, w);
+    if (entry == kNoEntry) {
+        lost_wedges_.push_back(w);
+        lost_normals_.push_back(mesh_.normal(w));
+        return;
+    }
+    wedges_[entry] = kNone<WedgeId>;
+    if (entry >= original_wedges_) free_wedge_entries_.push_back(entry);
+    wedge_entry_[index(w)] = kNoEntry;
+}
+
 void ActiveSet::roll_back() {
     take_back(edits_, mesh_);
     mesh_.truncate(slots_at_begin_);
+    for (std::size_t i = 0; i < lost_wedges_.size(); ++i) {
+        mesh_.set_normal(lost_wedges_[i], lost_normals_[i]);
+    }
     drop_inserted();
     for (std::uint32_t i = 0; i < original_vertices_; ++i) {
         const VertexId v = vertices_[i] = original_ids_[i];
@@ -254,6 +263,8 @@ void ActiveSet::drop_inserted() {
     wedge_owners_.resize(original_wedges_);
     edges_.resize(original_edges_);
     free_vertex_entries_.clear();
+    lost_wedges_.clear();
+    lost_normals_.clear();
     free_wedge_entries_.clear();
     faces_.resize(original_faces_);
     edits_.clear();
@@ -298,6 +309,10 @@ void ActiveSet::record_states(MeshChange& change) const {
         }
         if (exists(w)) change.after.add(mesh_, w);
     }
+    change.before.wedges.insert(change.before.wedges.end(), lost_wedges_.begin(),
+                                lost_wedges_.end());
+    change.before.normals.insert(change.before.normals.end(), lost_normals_.begin(),
+                                 lost_normals_.end());
     change.before.shrink_to_fit();
     change.after.shrink_to_fit();
 }

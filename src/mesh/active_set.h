@@ -80,6 +80,7 @@ class ActiveSet {
         std::uint32_t left_wedge_entry = 0, right_wedge_entry = 0;  // equal on a smooth edge
     };
     Inserted split(EdgeId e);
+    // Precondition: star.m has an entry.
     void unsplit(const Star& star);
     std::uint64_t splits() const { return splits_; }
     std::uint64_t unsplits() const { return edits_.size() - splits_; }
@@ -97,6 +98,7 @@ class ActiveSet {
     void collect(std::span<const FaceId> faces);
     std::uint32_t add_vertex(VertexId v, const Vec3& rest, bool was_deformed);
     std::uint32_t add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner);
+    void drop_wedge(WedgeId w);
     void add_edge(EdgeId e);
     void drop_edge(EdgeId e);
     void drop_inserted();
@@ -120,6 +122,9 @@ class ActiveSet {
     std::vector<WedgeId> original_wedge_ids_;
     std::vector<Vec3f> rest_normals_;
     std::vector<std::uint32_t> wedge_owners_;  // vertex entries
+    // A removed vertex may have a wedge on the side where no face is active: as it was.
+    std::vector<WedgeId> lost_wedges_;
+    std::vector<Vec3f> lost_normals_;
     std::vector<EdgeId> edges_;
     std::vector<EdgeId> measured_edges_;  // whose rest length is remembered
     std::vector<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone

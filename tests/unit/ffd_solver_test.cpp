@@ -134,16 +134,20 @@ TEST(DragSolver, CountsPinsAtOnePlaceOnce) {
 }
 
 TEST(DragSolver, CountsMovesAtOnePlaceOnceIfTheyAgree) {
-    const DragSolver solver = solver_of(kCube, {{1, 1, 1}, {3, 2, 1}, {1, 1, 1}});
+    const std::vector<Vec3> moves{{1, 1, 1}, {1, 1, 1}, {3, 2, 1}};
+    const DragSolver solver = solver_of(kCube, moves);
     const Vec3 d{0.1, 0.2, 0.3};
-    EXPECT_EQ(solver.check(std::vector<Vec3>{d, {1, 0, 0}, d}), std::nullopt);
+    const std::vector<Vec3> drags{d, d, {1, 0, 0}};
+    EXPECT_EQ(solver.check(drags), std::nullopt);
     std::array<DragWeight, 3> weights;
-    solver.field().weights({1, 1, 1}, weights);
-    EXPECT_EQ(weights[0].w, 1.0f);
-    EXPECT_EQ(weights[2].w, 0.0f);
-    EXPECT_EQ(weights[2].gradient, Vec3f(0.0f));
+    for (std::size_t m = 0; m < moves.size(); ++m) {
+        solver.field().weights(moves[m], weights);
+        EXPECT_EQ(weights[1].w, 0.0f);
+        EXPECT_EQ(weights[1].gradient, Vec3f(0.0f));
+        EXPECT_LT(glm::length(displaced(moves[m], weights, drags) - moves[m] - drags[m]), 1e-7);
+    }
 
-    const auto refused = solver.check(std::vector<Vec3>{d, d, {0.1, 0.2, 0.4}});
+    const auto refused = solver.check(std::vector<Vec3>{d, {0.1, 0.2, 0.4}, d});
     ASSERT_TRUE(refused);
     EXPECT_NE(refused->what.find("(1, 1, 1)"), std::string::npos);
     EXPECT_NE(refused->what.find("by (0.1, 0.2, 0.3) and by (0.1, 0.2, 0.4)"), std::string::npos);

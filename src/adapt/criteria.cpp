@@ -1,0 +1,170 @@
+#include "adapt/criteria.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pectin {
+namespace {
+
+// Rest normals more than 120 degrees apart (n1.n2 < -1/2) are a spike or a fold that was there
+// before: refining cannot bring them together.
+constexpr float kOpposedCosine = -0.5f;
+
+double one_minus_cosine(double degrees) {
+    return degrees >= 180.0 ? kOff : 1.0 - std::cos(degrees * std::numbers::pi / 180.0);
+}
+
+bool is_defined(const Vec3f& n) { return n != Vec3f{0.0f}; }
+
+// The corners of the two ends of an edge on one side of it.
+struct SideEnds {
+    WedgeId first, second;
+};
+
+SideEnds side_of(const TriMesh& mesh, HalfEdgeId h) {
+    return {mesh.wedge(h), mesh.wedge(TriMesh::next(h))};
+}
+
+// 1 - cos of the angle between the side's normals; 0 where the side is not tested. Whether it is
+// tested is only looked up where the answer is `enough` or more.
+double side_divergence(const ActiveSet& active, SideEnds side, double enough) {
+    const Vec3f n1 = active.mesh().normal(side.first), n2 = active.mesh().normal(side.second);
+    const Vec3 difference = Vec3{n1} - Vec3{n2};
+    const double divergence = 0.5 * glm::dot(difference, difference);
+    if (divergence < enough) return divergence;
+    if (!is_defined(n1) || !is_defined(n2)) return 0.0;
+    const Vec3f rest1 = active.rest_normal(side.first), rest2 = active.rest_normal(side.second);
+    return glm::dot(rest1, rest2) < kOpposedCosine ? 0.0 : divergence;
+}
+
+bool has_deformed_end(const TriMesh& mesh, HalfEdgeId h) {
+    return mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h));
+}
+
+}  // namespace
+
+Criteria::Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
+                   const std::optional<Box>& scope)
+    : limits_(limits),
+      zone_(zone),
+      scope_(scope),
+      refine_divergence_(one_minus_cosine(limits.theta_max)),
+      thin_divergence_(one_minus_cosine(limits.theta_min)) {}
+
+double Criteria::divergence(const ActiveSet& active, EdgeId e, double enough) {
+    const TriMesh& mesh = active.mesh();
+    const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
+    const SideEnds left = side_of(mesh, h);
+    double greatest = side_divergence(active, left, enough);
+    if (exists(twin)) {
+        const SideEnds right = side_of(mesh, twin);
+        const bool smooth = right.first == left.second && right.second == left.first;
+        if (!smooth) greatest = std::max(greatest, side_divergence(active, right, enough));
+    }
+    return greatest;
+}
+
+bool Criteria::needs_refinement(const ActiveSet& active, EdgeId e) const {
+    const TriMesh& mesh = active.mesh();
+    const HalfEdgeId h = mesh.half_edge(e);
+    if (refine_divergence_ < kOff && has_deformed_end(mesh, h) &&
+        divergence(active, e, refine_divergence_) > refine_divergence_) {
+        return true;
+    }
+    if (!zone_ || !(mesh.length(e) > limits_.l_max)) return false;
+    const auto face_meets_zone = [&](HalfEdgeId side) {
+        return meets_zone(active, mesh.origin(side), mesh.target(side),
+                          mesh.origin(TriMesh::prev(side)));
+    };
+    const HalfEdgeId twin = mesh.twin(h);
+    return face_meets_zone(h) || (exists(twin) && face_meets_zone(twin));
+}
+
+bool Criteria::is_below_floor(const TriMesh& mesh, EdgeId e) const {
+    return mesh.length(e) < 2.0 * limits_.floor;
+}
+
+bool Criteria::may_unsplit(const ActiveSet& active, const Star& star) const {
+    return edges_pass(active, star) && is_flat(active.mesh(), star) &&
+           merged_edge_is_fine(active, star) && star_meets_scope(active, star) &&
+           restored_faces_fit(active, star);
+}
+
+bool Criteria::edges_pass(const ActiveSet& active, const Star& star) const {
+    const TriMesh& mesh = active.mesh();
+    return passes_decimation(active, mesh.edge(star.bm)) &&
+           passes_decimation(active, mesh.edge(star.mc)) &&
+           passes_decimation(active, mesh.edge(TriMesh::prev(star.mc))) &&
+           (star.on_boundary() || passes_decimation(active, mesh.edge(TriMesh::prev(star.mb))));
+}
+
+bool Criteria::passes_decimation(const ActiveSet& active, EdgeId e) const {
+    if (thin_divergence_ < kOff && !(divergence(active, e, thin_divergence_) < thin_divergence_))
+        return false;
+    return limits_.l_max == kOff || active.mesh().length(e) < limits_.l_max;
+}
+
+// Merged-edge guard: bc would not itself need refinement.
+bool Criteria::merged_edge_is_fine(const ActiveSet& active, const Star& star) const {
+    const TriMesh& mesh = active.mesh();
+    if (refine_divergence_ == kOff) return true;
+    if (!mesh.is_deformed(star.b) && !mesh.is_deformed(star.c)) return true;
+    const SideEnds left{mesh.wedge(star.bm), mesh.wedge(TriMesh::next(star.mc))};
+    if (side_divergence(active, left, refine_divergence_) > refine_divergence_) return false;
+    if (star.on_boundary()) return true;
+    const SideEnds right{mesh.wedge(star.cm), mesh.wedge(TriMesh::next(star.mb))};
+    return !(side_divergence(active, right, refine_divergence_) > refine_divergence_);
+}
+
+// No edge of a restored face longer than l_max would belong to a face that meets the zone.
+bool Criteria::restored_faces_fit(const ActiveSet& active, const Star& star) const {
+    if (!zone_ || limits_.l_max == kOff) return true;
+    const TriMesh& mesh = active.mesh();
+    const auto too_long = [&](VertexId p, VertexId q) {
+        return glm::distance(mesh.position(p), mesh.position(q)) > limits_.l_max;
+    };
+    const auto fits = [&](VertexId a, VertexId b, VertexId c) {
+        return !(too_long(a, b) || too_long(b, c) || too_long(c, a)) ||
+               !meets_zone(active, a, b, c);
+    };
+    return fits(star.a, star.b, star.c) && (star.on_boundary() || fits(star.d, star.c, star.b));
+}
+
+// Flatness guard: how far the surface moves if m goes, |f1.delta| + |f2.delta|.
+bool Criteria::is_flat(const TriMesh& mesh, const Star& star) const {
+    if (limits_.flatness == kOff) return true;
+    const Vec3 b = mesh.position(star.b), c = mesh.position(star.c);
+    const Vec3 delta = mesh.position(star.m) - (0.5 * b + 0.5 * c);
+    const double length = glm::distance(b, c);
+    const double allowed = limits_.flatness * length;
+    if (star.on_boundary()) {
+        if (length == 0.0) return glm::length(delta) <= allowed;
+        return glm::length(glm::cross(delta, c - b)) <= allowed * length;
+    }
+    const auto height = [&](const Vec3& area_normal) {
+        const double area = glm::length(area_normal);
+        // A restored face without area has no plane: all of delta counts.
+        return area > 0.0 ? std::abs(glm::dot(area_normal, delta)) / area : glm::length(delta);
+    };
+    return height(glm::cross(c - b, mesh.position(star.a) - b)) +
+               height(glm::cross(mesh.position(star.d) - b, c - b)) <=
+           allowed;
+}
+
+bool Criteria::star_meets_scope(const ActiveSet& active, const Star& star) const {
+    if (!scope_) return true;
+    const auto meets = [&](VertexId p, VertexId q) {
+        return triangle_meets_box(active.rest_position(star.m), active.rest_position(p),
+                                  active.rest_position(q), *scope_);
+    };
+    return meets(star.c, star.a) || meets(star.a, star.b) ||
+           (!star.on_boundary() && (meets(star.b, star.d) || meets(star.d, star.c)));
+}
+
+bool Criteria::meets_zone(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const {
+    return triangle_meets_box(active.rest_position(a), active.rest_position(b),
+                              active.rest_position(c), *zone_);
+}
+
+}  // namespace pectin

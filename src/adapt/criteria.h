@@ -1,0 +1,68 @@
+// What adaptive meshing asks of edges and vertices.
+// Source: Gain & Dodgson 1999, section 4, conditions (a) and (b); Greissmair & Purgathofer 1989
+// for the distance of a midpoint from the faces at its edge (the paper's figure 5).
+#pragma once
+
+#include <cstdint>
+#include <limits>
+#include <optional>
+
+#include "geometry/box.h"
+#include "mesh/active_set.h"
+
+namespace pectin {
+
+inline constexpr double kOff = std::numeric_limits<double>::infinity();
+
+// Degrees and world units; kOff switches a test off, in refinement and in decimation.
+struct AdaptLimits {
+    double theta_max = kOff;   // an edge whose end normals diverge by more is refined
+    double theta_min = kOff;   // less than theta_max: one that diverges by less may go
+    double l_max = kOff;       // an edge longer than this in the zone is refined
+    double flatness = kOff;    // farthest an unsplit may move the surface, in edge lengths
+    double floor = 0.0;        // no edge shorter than this comes to be
+    double propagation = 1.0;  // rho in [1, 1.5): longest-edge propagation
+    std::uint64_t budget = std::numeric_limits<std::uint64_t>::max();  // triangles
+};
+
+// The tests of one pass. Divergences are compared as 1 - cos(angle), here |n1 - n2|^2 / 2, which
+// is the same for unit normals and does not cancel for small angles.
+class Criteria {
+  public:
+    // zone: where edges longer than l_max are refined; none if no lattice is in use.
+    // scope: only vertices whose star meets it may go; none means all.
+    Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
+             const std::optional<Box>& scope);
+
+    const AdaptLimits& limits() const { return limits_; }
+
+    // --- Refinement
+    // An end is deformed and the end normals on one side diverge by more than theta_max, or it
+    // is longer than l_max and belongs to a face that meets the zone.
+    bool needs_refinement(const ActiveSet& active, EdgeId e) const;
+    // Whether its halves would be shorter than the floor.
+    bool is_below_floor(const TriMesh& mesh, EdgeId e) const;
+
+    // --- Decimation
+    bool may_unsplit(const ActiveSet& active, const Star& star) const;
+
+    // The greatest same-side divergence of the end normals, as 1 - cos; sides with an undefined
+    // normal or whose rest normals oppose each other do not count. Below `enough` it may be that
+    // of a side which does not count: what is asked is only whether it reaches that far.
+    static double divergence(const ActiveSet& active, EdgeId e, double enough = 0.0);
+
+  private:
+    bool star_meets_scope(const ActiveSet& active, const Star& star) const;
+    bool edges_pass(const ActiveSet& active, const Star& star) const;
+    bool passes_decimation(const ActiveSet& active, EdgeId e) const;
+    bool merged_edge_is_fine(const ActiveSet& active, const Star& star) const;
+    bool restored_faces_fit(const ActiveSet& active, const Star& star) const;
+    bool is_flat(const TriMesh& mesh, const Star& star) const;
+    bool meets_zone(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const;
+
+    AdaptLimits limits_;
+    std::optional<Box> zone_, scope_;
+    double refine_divergence_ = kOff, thin_divergence_ = kOff;
+};
+
+}  // namespace pectin

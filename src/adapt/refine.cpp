@@ -1,0 +1,157 @@
+#include "adapt/refine.h"
+
+#include <algorithm>
+
+#include "adapt/refinement_queue.h"
+
+namespace pectin {
+namespace {
+
+// An edge that the floor keeps from being split (where the warp crushes it) is not waited for,
+// however long it is at rest. Splitting beside it thins triangles at rest; they may become this
+// thin, as twice the area over the square of the longest edge, and no thinner. That their shape
+// stays bounded is what makes refinement end: without it, splits beside one crushed edge go on for
+// ever. An equilateral triangle has 0.87, and each such split halves it.
+constexpr double kThinnestBesideBlocked = 1.0 / 512.0;
+
+class Refiner {
+  public:
+    Refiner(ActiveSet& active, Embedding& embedding, const Criteria& criteria)
+        : active_(active), embedding_(embedding), criteria_(criteria) {}
+
+    Refinement run() {
+        for (EdgeId e : active_.edges()) {
+            if (active_.mesh().is_live(e)) push_if_needed(e);
+        }
+        while (!result_.budget_hit) {
+            const auto next = queue_.pop();
+            if (!next) break;
+            // An edge split since, for the sake of another, waits again as its shorter half.
+            if (octave(next->edge) != next->octave) continue;
+            if (!criteria_.needs_refinement(active_, next->edge)) continue;
+            if (!is_held_back(next->edge)) split_with_propagation(next->edge);
+        }
+        return result_;
+    }
+
+  private:
+    void push_if_needed(EdgeId e) {
+        if (!criteria_.needs_refinement(active_, e)) return;
+        if (is_held_back(e)) return;
+        queue_.push(e, octave(e));
+    }
+
+    std::size_t octave(EdgeId e) const {
+        const double length = active_.mesh().length(e);
+        return RefinementQueue::octave_of(length * length);
+    }
+
+    bool is_held_back(EdgeId e) {
+        if (criteria_.is_below_floor(active_.mesh(), e)) {
+            result_.floor_hit = true;
+            return true;
+        }
+        return !active_.mesh().may_split(e);
+    }
+
+    // Splits what has to go before e, then e.
+    void split_with_propagation(EdgeId e) {
+        while (true) {
+            const EdgeId first = end_of_chain(e);
+            if (is_too_thin_beside_blocked(first)) {
+                result_.blocked.push_back(e);
+                result_.floor_hit = true;
+                return;
+            }
+            if (!split(first) || first == e) return;
+        }
+    }
+
+    // From e to the longest neighbour more than rho times as long at rest, and on from there.
+    EdgeId end_of_chain(EdgeId e) {
+        while (true) {
+            const EdgeId longer = longest_neighbour(e);
+            if (longer == e) return e;
+            e = longer;
+        }
+    }
+
+    // The longest of the other edges of e's faces that may be split and is more than rho times as
+    // long; e itself if there is none.
+    EdgeId longest_neighbour(EdgeId e) {
+        double longest = criteria_.limits().propagation * rest_length(e);
+        EdgeId found = e;
+        for_each_neighbour(e, [&](EdgeId candidate) {
+            const double length = rest_length(candidate);
+            if (length > longest && may_split(candidate)) {
+                longest = length;
+                found = candidate;
+            }
+        });
+        return found;
+    }
+
+    // Precondition: e ends its chain, so any edge more than rho times as long is blocked.
+    bool is_too_thin_beside_blocked(EdgeId e) {
+        const HalfEdgeId h = active_.mesh().half_edge(e), twin = active_.mesh().twin(h);
+        return thins_too_far(h) || (exists(twin) && thins_too_far(twin));
+    }
+
+    // Whether halving h's face across h leaves it too thin, beside an edge that is longer.
+    bool thins_too_far(HalfEdgeId h) {
+        const TriMesh& mesh = active_.mesh();
+        const double longest = std::max(rest_length(mesh.edge(TriMesh::next(h))),
+                                        rest_length(mesh.edge(TriMesh::prev(h))));
+        if (longest <= criteria_.limits().propagation * rest_length(mesh.edge(h))) return false;
+        const Vec3& a = active_.rest_position(mesh.origin(TriMesh::prev(h)));
+        const Vec3& b = active_.rest_position(mesh.origin(h));
+        const Vec3& c = active_.rest_position(mesh.target(h));
+        return 0.5 * glm::length(glm::cross(c - b, a - b)) <
+               kThinnestBesideBlocked * longest * longest;
+    }
+
+    template <typename Visit>
+    void for_each_neighbour(EdgeId e, Visit visit) const {
+        const TriMesh& mesh = active_.mesh();
+        const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
+        visit(mesh.edge(TriMesh::next(h)));
+        visit(mesh.edge(TriMesh::prev(h)));
+        if (!exists(twin)) return;
+        visit(mesh.edge(TriMesh::next(twin)));
+        visit(mesh.edge(TriMesh::prev(twin)));
+    }
+
+    double rest_length(EdgeId e) { return static_cast<double>(active_.rest_length(e)); }
+
+    bool may_split(EdgeId e) const {
+        return !criteria_.is_below_floor(active_.mesh(), e) && active_.mesh().may_split(e);
+    }
+
+    bool split(EdgeId e) {
+        if (std::uint64_t{active_.mesh().face_count()} + 2 > criteria_.limits().budget) {
+            result_.budget_hit = true;
+            return false;
+        }
+        const ActiveSet::Inserted inserted = active_.split(e);
+        embedding_.place(inserted);
+        ++result_.splits;
+        const Split& s = inserted.split;
+        for (EdgeId round : {s.bm, s.mc, s.am}) push_if_needed(round);
+        if (s.right) push_if_needed(s.dm);
+        return true;
+    }
+
+    ActiveSet& active_;
+    Embedding& embedding_;
+    const Criteria& criteria_;
+    RefinementQueue queue_;
+    Refinement result_;
+};
+
+}  // namespace
+
+Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+    return Refiner(active, embedding, criteria).run();
+}
+
+}  // namespace pectin

@@ -1,0 +1,58 @@
+// Edges waiting to be split, longest first by octave of squared length.
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "mesh/ids.h"
+
+namespace pectin {
+
+// First come, first served within an octave. push: O(1). pop: O(1), but for empty octaves passed.
+class RefinementQueue {
+  public:
+    static constexpr std::size_t kOctaves = 2048;  // the exponents of a double
+
+    struct Entry {
+        EdgeId edge;
+        std::size_t octave;
+    };
+
+    void push(EdgeId e, std::size_t octave) {
+        buckets_[octave].edges.push_back(e);
+        longest_ = std::max(longest_, octave);
+    }
+
+    std::optional<Entry> pop() {
+        while (buckets_[longest_].is_empty()) {
+            buckets_[longest_].clear();
+            if (longest_ == 0) return std::nullopt;
+            --longest_;
+        }
+        return Entry{buckets_[longest_].take(), longest_};
+    }
+
+    static std::size_t octave_of(double squared_length) {
+        return (std::bit_cast<std::uint64_t>(squared_length) >> 52) & (kOctaves - 1);
+    }
+
+  private:
+    struct Bucket {
+        std::vector<EdgeId> edges;
+        std::size_t taken = 0;
+
+        bool is_empty() const { return taken == edges.size(); }
+        EdgeId take() { return edges[taken++]; }
+        void clear() {
+            edges.clear();
+            taken = 0;
+        }
+    };
+    std::vector<Bucket> buckets_ = std::vector<Bucket>(kOctaves);
+    std::size_t longest_ = 0;
+};
+
+}  // namespace pectin

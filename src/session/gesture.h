@@ -1,0 +1,56 @@
+// One drag from mouse down to mouse up: frames that follow the mouse, one commit.
+#pragma once
+
+#include <cstdint>
+#include <span>
+
+#include "adapt/adapt.h"
+#include "adapt/embedding.h"
+#include "ffd/warp.h"
+#include "mesh/active_set.h"
+#include "mesh/mesh_change.h"
+
+namespace pectin {
+
+// What a frame did to the mesh, and what it took.
+struct Frame {
+    std::uint64_t splits = 0, unsplits = 0;
+    bool floor_hit = false, budget_hit = false;
+    std::vector<EdgeId> blocked;  // see Refinement
+    double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
+};
+
+// Works on an active set that has begun; cancel or commit ends it, the destructor cancels. What a
+// commit does depends only on the mesh before the gesture, the displacements and the limits: the
+// frames before it are rolled back first.
+class Gesture {
+  public:
+    // limits: none to deform only. Cost: weights of the active set.
+    Gesture(ActiveSet& active, Warp warp, const std::optional<AdaptLimits>& limits);
+    ~Gesture();
+    Gesture(const Gesture&) = delete;
+    Gesture& operator=(const Gesture&) = delete;
+
+    // The object as these displacements of the warp's last step have it: one for each move.
+    // Cost: O(active set).
+    const Frame& frame(std::span<const Vec3> displacements);
+    // The same as a single frame from the rest state, for good.
+    MeshChange commit(std::span<const Vec3> displacements);
+    // Gives everything back, to the byte.
+    void cancel();
+
+    const Frame& last_frame() const { return last_; }
+    std::uint64_t influenced_vertices() const { return influenced_; }
+    std::uint64_t folded_vertices() const { return folded_; }  // of the commit
+
+  private:
+    ActiveSet& active_;
+    Warp warp_;
+    Embedding embedding_;
+    std::optional<Criteria> criteria_;
+    std::uint64_t influenced_ = 0, folded_ = 0;
+    Frame last_;
+    bool has_frames_ = false;
+};
+
+}  // namespace pectin

@@ -1,0 +1,40 @@
+// Undo and redo: the commands that changed the object, with what each did.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "command/command.h"
+#include "mesh/mesh_change.h"
+
+namespace pectin {
+
+class History {
+  public:
+    struct Step {
+        Command command;
+        MeshChange change;
+    };
+
+    // A new step drops what could be redone.
+    void add(Step step);
+    void clear();
+
+    std::size_t undo_count() const { return done_; }
+    std::size_t redo_count() const { return steps_.size() - done_; }
+
+    // The step to take back or to do again, which then counts as undone or done; the caller
+    // applies its change. Precondition: there is one.
+    const Step& step_back();
+    const Step& step_forward();
+
+    std::size_t memory_bytes() const;
+
+  private:
+    std::vector<Step> steps_;
+    std::size_t done_ = 0;  // steps_[0, done_) are in the mesh
+};
+
+}  // namespace pectin

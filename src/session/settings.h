@@ -1,0 +1,41 @@
+// The settings that commands change and drags use, and what they come to for a given object.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+
+#include "adapt/criteria.h"
+#include "command/command.h"
+#include "ffd/lattice.h"
+
+namespace pectin {
+
+struct AdaptSettings {
+    bool enabled = true;
+    Setting theta_max = Setting::of(180.0 / 7.0);  // degrees
+    Setting theta_min = Setting::automatic();
+    Setting l_max = Setting::automatic();
+    Setting flatness = Setting::automatic();
+    Setting floor = Setting::automatic();
+    std::uint64_t budget = 4'000'000;  // triangles
+    double propagation = 1.0;
+
+    // The settings with the command's given ones, or why they do not go together.
+    std::variant<AdaptSettings, std::string> with(const command::Adapt& change) const;
+    // smallest_cell: of the lattice in use, kOff if there is none. diagonal: of the object's box
+    // as it was opened.
+    AdaptLimits limits(double smallest_cell, double diagonal) const;
+};
+
+// Which lattice a drag gets.
+struct LatticeSettings {
+    std::optional<double> radius;  // brush; none: a quarter of the box diagonal
+    int span = 3;                  // brush
+    std::optional<Lattice> cage;   // in use instead of the brush, if set
+
+    // For a drag whose first moved point is `grabbed`.
+    Lattice lattice(const Vec3& grabbed, double diagonal) const;
+};
+
+}  // namespace pectin

@@ -1,0 +1,141 @@
+#include "support/random_mesh.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdlib>
+
+#include "ffd/drag_solver.h"
+#include "mesh/build_mesh.h"
+#include "mesh/shapes.h"
+
+namespace pectin::test {
+namespace {
+
+ShapeKind random_kind(Random& random) {
+    constexpr ShapeKind kKinds[] = {ShapeKind::sphere, ShapeKind::cube, ShapeKind::plane,
+                                    ShapeKind::torus, ShapeKind::cylinder};
+    return kKinds[random.integer(0, 4)];
+}
+
+int random_resolution(ShapeKind kind, Random& random) {
+    switch (kind) {
+        case ShapeKind::sphere:
+            return random.integer(0, 3);
+        case ShapeKind::cube:
+            return random.integer(1, 6);
+        case ShapeKind::plane:
+            return random.integer(1, 12);
+        case ShapeKind::torus:
+            return random.integer(2, 6);
+        case ShapeKind::cylinder:
+            return random.integer(1, 5);
+    }
+    return 1;
+}
+
+// Normals as a file without any would get them.
+void drop_normals(IndexedFaceSet& set) {
+    set.normals.clear();
+    for (auto& corner : set.corners) corner.normal = IndexedFaceSet::kNoIndex;
+}
+
+// Texture coordinates cut into charts, so that seams run across the mesh.
+void add_uvs(IndexedFaceSet& set, Random& random) {
+    set.uvs.clear();
+    const int charts = random.integer(1, 4);
+    for (std::size_t p = 0; p < set.polygon_count(); ++p) {
+        const float chart = static_cast<float>(random.integer(0, charts - 1));
+        for (std::uint32_t c = set.polygon_begin(p); c < set.polygon_end[p]; ++c) {
+            const Vec3& x = set.positions[set.corners[c].position];
+            set.corners[c].uv = static_cast<std::uint32_t>(set.uvs.size());
+            set.uvs.emplace_back(static_cast<float>(x.x) + 10.0f * chart, static_cast<float>(x.z));
+        }
+    }
+}
+
+void perturb(IndexedFaceSet& set, Random& random, double amount) {
+    for (Vec3& p : set.positions) p += random.uniform(0.0, amount) * random.direction();
+}
+
+void stretch(IndexedFaceSet& set, Random& random) {
+    const Vec3 scale{random.scale(0.05, 5.0), random.scale(0.2, 2.0), random.scale(0.2, 2.0)};
+    for (Vec3& p : set.positions) p *= scale;
+}
+
+}  // namespace
+
+Vec3 Random::direction() {
+    while (true) {
+        const Vec3 v{uniform(-1, 1), uniform(-1, 1), uniform(-1, 1)};
+        const double length = glm::length(v);
+        if (length > 0.1 && length < 1.0) return v / length;
+    }
+}
+
+int case_count(int count) {
+    if (std::getenv("PECTIN_TEST_SANITIZED")) count = std::max(8, count / 8);
+    if (std::getenv("PECTIN_TEST_LONG")) count *= 10;
+    return count;
+}
+
+RandomMesh random_mesh(Random& random) {
+    const ShapeKind kind = random_kind(random);
+    const int resolution = random_resolution(kind, random);
+    IndexedFaceSet set = make_shape(kind, resolution);
+    std::string description = "shape " + std::to_string(static_cast<int>(kind)) + " resolution " +
+                              std::to_string(resolution);
+    if (random.chance(0.4)) {
+        perturb(set, random, random.scale(0.005, 0.3) / std::max(1, resolution));
+        drop_normals(set);
+        description += ", perturbed";
+    }
+    if (random.chance(0.3)) {
+        stretch(set, random);
+        drop_normals(set);
+        description += ", stretched";
+    }
+    if (random.chance(0.4)) {
+        add_uvs(set, random);
+        description += ", with uvs";
+    }
+    const double crease_angle = random.chance(0.5) ? 45.0 : random.uniform(5.0, 170.0);
+    return {build_mesh(set, {.crease_angle = crease_angle}).mesh, description};
+}
+
+Warp random_warp(const TriMesh& mesh, Random& random) {
+    const Box box = mesh.bounding_box();
+    const double size = box.diagonal();
+    while (true) {
+        const VertexId v{static_cast<std::uint32_t>(
+            random.integer(0, static_cast<int>(mesh.vertex_slots()) - 1))};
+        if (!mesh.is_live(v)) continue;
+        const Vec3 grabbed = mesh.position(v);
+        Lattice lattice =
+            brush_lattice(grabbed, size * random.scale(0.05, 1.5), random.integer(1, 5));
+        if (random.chance(0.5)) {  // a cage with unequal cells
+            lattice.deformable = {random.integer(1, 6), random.integer(1, 6), random.integer(1, 6)};
+            lattice.cell = {size * random.scale(0.03, 0.5), size * random.scale(0.03, 0.5),
+                            size * random.scale(0.03, 0.5)};
+            const Vec3 inside{random.uniform(0, lattice.deformable.x - 0.9),
+                              random.uniform(0, lattice.deformable.y - 0.9),
+                              random.uniform(0, lattice.deformable.z - 0.9)};
+            lattice.origin = grabbed - inside * lattice.cell;
+        }
+        std::vector<Vec3> points{grabbed}, pins, displacements;
+        const double length = lattice.smallest_cell_extent() * random.scale(0.02, 3.0);
+        displacements.push_back(length * random.direction());
+        if (random.chance(0.3)) {
+            pins.push_back(grabbed + lattice.cell * random.direction());
+        }
+        if (random.chance(0.2)) {
+            points.push_back(grabbed + 0.7 * lattice.cell * random.direction());
+            displacements.push_back(length * random.direction());
+        }
+        auto solved = DragSolver::create(lattice, points, pins);
+        const auto* solver = std::get_if<DragSolver>(&solved);
+        if (!solver || solver->check(displacements)) continue;
+        return Warp{{{solver->field(), displacements}}};
+    }
+}
+
+}  // namespace pectin::test
