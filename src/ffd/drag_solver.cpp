@@ -2,27 +2,16 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
-#include <array>
 #include <cassert>
-#include <charconv>
 #include <cmath>
 #include <utility>
+
+#include "geometry/decimal.h"
 
 namespace pectin {
 namespace {
 
 // --- Words for the user ---
-
-// The shortest decimal that reads back the same.
-std::string decimal(double x) {
-    std::array<char, 32> digits;
-    const auto end = std::to_chars(digits.data(), digits.data() + digits.size(), x).ptr;
-    return {digits.data(), end};
-}
-
-std::string decimal(const Vec3& x) {
-    return "(" + decimal(x.x) + ", " + decimal(x.y) + ", " + decimal(x.z) + ")";
-}
 
 DragRefusal refuse_lattice() {
     return {"the lattice needs a finite origin, cells greater than 0 and " +
