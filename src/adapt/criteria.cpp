@@ -15,6 +15,8 @@ double one_minus_cosine(double degrees) {
     return degrees >= 180.0 ? kOff : 1.0 - std::cos(degrees * std::numbers::pi / 180.0);
 }
 
+double square(double x) { return x * x; }
+
 bool is_defined(const Vec3f& n) { return n != Vec3f{0.0f}; }
 
 // The corners of the two ends of an edge on one side of it.
@@ -30,8 +32,8 @@ SideEnds side_of(const TriMesh& mesh, HalfEdgeId h) {
 // tested is only looked up where the answer is `enough` or more.
 double side_divergence(const ActiveSet& active, SideEnds side, double enough) {
     const Vec3f n1 = active.mesh().normal(side.first), n2 = active.mesh().normal(side.second);
-    const Vec3 difference = Vec3{n1} - Vec3{n2};
-    const double divergence = 0.5 * glm::dot(difference, difference);
+    const Vec3f difference = n1 - n2;
+    const double divergence = 0.5 * static_cast<double>(glm::dot(difference, difference));
     if (divergence < enough) return divergence;
     if (!is_defined(n1) || !is_defined(n2)) return 0.0;
     const Vec3f rest1 = active.rest_normal(side.first), rest2 = active.rest_normal(side.second);
@@ -72,7 +74,7 @@ bool Criteria::needs_refinement(const ActiveSet& active, EdgeId e) const {
         divergence(active, e, refine_divergence_) > refine_divergence_) {
         return true;
     }
-    if (!zone_ || !(mesh.length(e) > limits_.l_max)) return false;
+    if (!zone_ || !(mesh.squared_length(e) > square(limits_.l_max))) return false;
     const auto face_meets_zone = [&](HalfEdgeId side) {
         return meets_zone(active, mesh.origin(side), mesh.target(side),
                           mesh.origin(TriMesh::prev(side)));
@@ -82,7 +84,7 @@ bool Criteria::needs_refinement(const ActiveSet& active, EdgeId e) const {
 }
 
 bool Criteria::is_below_floor(const TriMesh& mesh, EdgeId e) const {
-    return mesh.length(e) < 2.0 * limits_.floor;
+    return mesh.squared_length(e) < square(2.0 * limits_.floor);
 }
 
 bool Criteria::may_unsplit(const ActiveSet& active, const Star& star) const {
@@ -102,7 +104,7 @@ bool Criteria::edges_pass(const ActiveSet& active, const Star& star) const {
 bool Criteria::passes_decimation(const ActiveSet& active, EdgeId e) const {
     if (thin_divergence_ < kOff && !(divergence(active, e, thin_divergence_) < thin_divergence_))
         return false;
-    return limits_.l_max == kOff || active.mesh().length(e) < limits_.l_max;
+    return limits_.l_max == kOff || active.mesh().squared_length(e) < square(limits_.l_max);
 }
 
 // Merged-edge guard: bc would not itself need refinement.
@@ -122,7 +124,8 @@ bool Criteria::restored_faces_fit(const ActiveSet& active, const Star& star) con
     if (!zone_ || limits_.l_max == kOff) return true;
     const TriMesh& mesh = active.mesh();
     const auto too_long = [&](VertexId p, VertexId q) {
-        return glm::distance(mesh.position(p), mesh.position(q)) > limits_.l_max;
+        const Vec3 along = mesh.position(q) - mesh.position(p);
+        return glm::dot(along, along) > square(limits_.l_max);
     };
     const auto fits = [&](VertexId a, VertexId b, VertexId c) {
         return !(too_long(a, b) || too_long(b, c) || too_long(c, a)) ||

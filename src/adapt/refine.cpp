@@ -29,29 +29,25 @@ class Refiner {
             // An edge split since, for the sake of another, waits again as its shorter half.
             if (octave(next->edge) != next->octave) continue;
             if (!criteria_.needs_refinement(active_, next->edge)) continue;
-            if (!is_held_back(next->edge)) split_with_propagation(next->edge);
+            if (!is_below_floor(next->edge)) split_with_propagation(next->edge);
         }
         return result_;
     }
 
   private:
     void push_if_needed(EdgeId e) {
-        if (!criteria_.needs_refinement(active_, e)) return;
-        if (is_held_back(e)) return;
+        if (!criteria_.needs_refinement(active_, e) || is_below_floor(e)) return;
         queue_.push(e, octave(e));
     }
 
-    std::size_t octave(EdgeId e) const {
-        const double length = active_.mesh().length(e);
-        return RefinementQueue::octave_of(length * length);
+    bool is_below_floor(EdgeId e) {
+        const bool below = criteria_.is_below_floor(active_.mesh(), e);
+        result_.floor_hit |= below;
+        return below;
     }
 
-    bool is_held_back(EdgeId e) {
-        if (criteria_.is_below_floor(active_.mesh(), e)) {
-            result_.floor_hit = true;
-            return true;
-        }
-        return !active_.mesh().may_split(e);
+    std::size_t octave(EdgeId e) const {
+        return RefinementQueue::octave_of(active_.mesh().squared_length(e));
     }
 
     // Splits what has to go before e, then e.
@@ -63,7 +59,7 @@ class Refiner {
                 result_.floor_hit = true;
                 return;
             }
-            if (!split(first) || first == e) return;
+            if (!active_.mesh().may_split(first) || !split(first) || first == e) return;
         }
     }
 

@@ -8,8 +8,6 @@
 namespace pectin {
 namespace {
 
-constexpr float kUnmeasured = -1.0f;
-
 template <typename T>
 bool same_bytes(const T& x, const T& y) {
     return std::memcmp(&x, &y, sizeof(T)) == 0;
@@ -50,8 +48,7 @@ void ActiveSet::fit_to_mesh() {
     };
     fit(vertex_entry_, mesh_.vertex_slots(), kNoEntry);
     fit(wedge_entry_, mesh_.wedge_slots(), kNoEntry);
-    fit(edge_entry_, mesh_.edge_slots(), kNoEntry);
-    fit(rest_lengths_, mesh_.edge_slots(), kUnmeasured);
+    fit(edge_states_, mesh_.edge_slots(), EdgeState{});
 }
 
 void ActiveSet::collect(std::span<const FaceId> faces) {
@@ -72,7 +69,7 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
         }
     }
     std::sort(edges_.begin(), edges_.end());
-    for (std::uint32_t i = 0; i < edges_.size(); ++i) edge_entry_[index(edges_[i])] = i;
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) edge_states_[index(edges_[i])].entry = i;
 
     std::sort(corners.begin(), corners.end());
     const auto first_still = std::stable_partition(corners.begin(), corners.end(), [&](VertexId v) {
@@ -123,38 +120,40 @@ std::uint32_t ActiveSet::add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t o
     return entry;
 }
 
-void ActiveSet::add_edge(EdgeId e) {
-    std::uint32_t& entry = grown(edge_entry_, e, kNoEntry);
-    if (entry != kNoEntry) return;
-    entry = static_cast<std::uint32_t>(edges_.size());
-    edges_.push_back(e);
+ActiveSet::EdgeState& ActiveSet::add_edge(EdgeId e) {
+    EdgeState& state = grown(edge_states_, e, EdgeState{});
+    if (state.entry == kNoEntry) {
+        state.entry = static_cast<std::uint32_t>(edges_.size());
+        edges_.push_back(e);
+    }
+    return state;
 }
 
 // Edges of the beginning keep their place in the list, so that roll_back finds them.
 void ActiveSet::drop_edge(EdgeId e) {
-    const std::uint32_t entry = std::exchange(edge_entry_[index(e)], kNoEntry);
-    if (index(e) < rest_lengths_.size()) rest_lengths_[index(e)] = kUnmeasured;
+    const std::uint32_t entry = std::exchange(edge_states_[index(e)], EdgeState{}).entry;
     if (entry == kNoEntry || entry < original_edges_) return;
     edges_[entry] = edges_.back();
     edges_.pop_back();
-    if (entry < edges_.size()) edge_entry_[index(edges_[entry])] = entry;
+    if (entry < edges_.size()) edge_states_[index(edges_[entry])].entry = entry;
 }
 
 float ActiveSet::rest_length(EdgeId e) {
-    float& length = grown(rest_lengths_, e, kUnmeasured);
-    if (length == kUnmeasured) {
+    EdgeState& state = grown(edge_states_, e, EdgeState{});
+    if (state.rest_length == kUnmeasured) {
         const HalfEdgeId h = mesh_.half_edge(e);
-        length = static_cast<float>(
+        state.rest_length = static_cast<float>(
             glm::distance(rest_position(mesh_.origin(h)), rest_position(mesh_.target(h))));
-        measured_edges_.push_back(e);
+        if (state.entry == kNoEntry) measured_edges_.push_back(e);
     }
-    return length;
+    return state.rest_length;
 }
 
 ActiveSet::Inserted ActiveSet::split(EdgeId e) {
     const HalfEdgeId bc = mesh_.half_edge(e), cb = mesh_.twin(bc);
     const Vec3 a = rest_position(mesh_.origin(TriMesh::prev(bc)));
     const Vec3 b = rest_position(mesh_.origin(bc)), c = rest_position(mesh_.target(bc));
+    const Vec3 d = exists(cb) ? rest_position(mesh_.origin(TriMesh::prev(cb))) : a;
     const float half_length = 0.5f * rest_length(e);
     faces_.push_back(TriMesh::face(bc));
     if (exists(cb)) faces_.push_back(TriMesh::face(cb));
@@ -179,12 +178,10 @@ ActiveSet::Inserted ActiveSet::split(EdgeId e) {
     if (s.right && s.right->m != s.left.m) {
         inserted.right_wedge_entry = add_side(*s.right, glm::cross(rest_position(s.d) - b, c - b));
     }
-    for (EdgeId edge : {s.bm, s.mc, s.am}) add_edge(edge);
-    if (s.right) add_edge(s.dm);
-    for (EdgeId half : {s.bm, s.mc}) {
-        grown(rest_lengths_, half, kUnmeasured) = half_length;
-        measured_edges_.push_back(half);
-    }
+    add_edge(s.bm).rest_length = half_length;
+    add_edge(s.mc).rest_length = half_length;
+    add_edge(s.am).rest_length = static_cast<float>(glm::distance(a, rest));
+    if (s.right) add_edge(s.dm).rest_length = static_cast<float>(glm::distance(d, rest));
     return inserted;
 }
 
@@ -207,8 +204,7 @@ void ActiveSet::unsplit(const Star& star) {
     if (right != left) drop_wedge(right);
     const EdgeId bc = mesh_.unsplit(star);
     edits_.push_back(TopologyEdit::unsplit(bc));
-    add_edge(bc);
-    rest_lengths_[index(bc)] = kUnmeasured;
+    add_edge(bc).rest_length = kUnmeasured;
 }
 
 void ActiveSet::drop_wedge(WedgeId w) {
@@ -241,7 +237,7 @@ void ActiveSet::roll_back() {
         wedge_entry_[index(w)] = i;
         mesh_.set_normal(w, rest_normals_[i]);
     }
-    for (std::uint32_t i = 0; i < original_edges_; ++i) edge_entry_[index(edges_[i])] = i;
+    for (std::uint32_t i = 0; i < original_edges_; ++i) edge_states_[index(edges_[i])].entry = i;
 }
 
 // Cuts the entries back to those of the beginning.
@@ -252,8 +248,8 @@ void ActiveSet::drop_inserted() {
     for (std::uint32_t i = original_wedges_; i < wedge_entries(); ++i) {
         if (exists(wedges_[i])) wedge_entry_[index(wedges_[i])] = kNoEntry;
     }
-    for (EdgeId e : edges_) edge_entry_[index(e)] = kNoEntry;
-    for (EdgeId e : measured_edges_) rest_lengths_[index(e)] = kUnmeasured;
+    for (EdgeId e : edges_) edge_states_[index(e)] = {};
+    for (EdgeId e : measured_edges_) edge_states_[index(e)] = {};
     measured_edges_.clear();
     vertices_.resize(original_vertices_);
     rest_positions_.resize(original_vertices_);
@@ -337,7 +333,7 @@ std::size_t ActiveSet::memory_bytes() const {
            capacity_bytes(rest_normals_) + capacity_bytes(wedge_owners_) + capacity_bytes(edges_) +
            capacity_bytes(measured_edges_) + capacity_bytes(edits_) +
            capacity_bytes(vertex_entry_) + capacity_bytes(wedge_entry_) +
-           capacity_bytes(edge_entry_) + capacity_bytes(rest_lengths_);
+           capacity_bytes(edge_states_);
 }
 
 }  // namespace pectin

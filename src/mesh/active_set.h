@@ -89,6 +89,12 @@ class ActiveSet {
 
   private:
     static constexpr std::uint32_t kNoEntry = 0xffffffffu;
+    static constexpr float kUnmeasured = -1.0f;
+
+    struct EdgeState {
+        std::uint32_t entry = kNoEntry;
+        float rest_length = kUnmeasured;
+    };
 
     template <typename Id>
     static std::uint32_t slot(const std::vector<std::uint32_t>& entries, Id id) {
@@ -99,7 +105,7 @@ class ActiveSet {
     std::uint32_t add_vertex(VertexId v, const Vec3& rest, bool was_deformed);
     std::uint32_t add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner);
     void drop_wedge(WedgeId w);
-    void add_edge(EdgeId e);
+    EdgeState& add_edge(EdgeId e);
     void drop_edge(EdgeId e);
     void drop_inserted();
     void forget();
@@ -126,15 +132,15 @@ class ActiveSet {
     std::vector<WedgeId> lost_wedges_;
     std::vector<Vec3f> lost_normals_;
     std::vector<EdgeId> edges_;
-    std::vector<EdgeId> measured_edges_;  // whose rest length is remembered
+    std::vector<EdgeId> measured_edges_;  // not in edges_, but their rest length is remembered
     std::vector<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone
 
     std::vector<TopologyEdit> edits_;
     std::uint64_t splits_ = 0;
 
-    // As large as the mesh; kNoEntry (0 for lengths) but for what the gesture has touched.
-    std::vector<std::uint32_t> vertex_entry_, wedge_entry_, edge_entry_;
-    std::vector<float> rest_lengths_;
+    // As large as the mesh; as initialised but for what the gesture has touched.
+    std::vector<std::uint32_t> vertex_entry_, wedge_entry_;
+    std::vector<EdgeState> edge_states_;
 };
 
 }  // namespace pectin

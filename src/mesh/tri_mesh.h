@@ -146,10 +146,12 @@ class TriMesh {
     const std::vector<Part>& parts() const { return parts_; }
     const std::vector<std::string>& material_libraries() const { return material_libraries_; }
 
-    double length(EdgeId e) const {
+    double squared_length(EdgeId e) const {
         const HalfEdgeId h = half_edge(e);
-        return glm::distance(position(origin(h)), position(target(h)));
+        const Vec3 along = position(target(h)) - position(origin(h));
+        return glm::dot(along, along);
     }
+    double length(EdgeId e) const { return glm::sqrt(squared_length(e)); }
     Box bounding_box() const;  // of the live vertices that have faces; O(n)
     // (b - a) x (c - a) of a face's corners, or of the given points: twice the area long.
     Vec3 area_normal(FaceId f) const;
