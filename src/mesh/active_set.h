@@ -59,6 +59,12 @@ class ActiveSet {
     // Edges of the active faces and of inserted vertices; may name dead ones.
     std::span<const EdgeId> edges() const { return edges_; }
 
+    // The active faces as they were at begin, then every slot that an edit made, cut or freed.
+    const std::vector<FaceId>& faces() const { return faces_; }
+    std::span<const FaceId> edited_faces() const {
+        return std::span(faces_).subspan(original_faces_);
+    }
+
     // --- Rest state of anything in the mesh. O(1).
     const Vec3& rest_position(VertexId v) const {
         const std::uint32_t entry = slot(vertex_entry_, v);

@@ -54,9 +54,22 @@ MeshChange Gesture::commit(std::span<const Vec3> displacements) {
     return active_.finish();
 }
 
-void Gesture::cancel() {
+std::vector<FaceId> Gesture::cancel() {
+    std::vector<FaceId> faces = active_.faces();
     active_.roll_back();
     active_.finish();
+    return faces;
+}
+
+std::vector<WedgeId> Gesture::moved_wedges() const {
+    std::vector<WedgeId> wedges;
+    wedges.reserve(active_.influenced_wedges_at_begin());
+    for (std::uint32_t i = 0; i < active_.wedge_entries(); ++i) {
+        if (exists(active_.wedge(i)) && active_.is_influenced_at(active_.wedge_owner(i))) {
+            wedges.push_back(active_.wedge(i));
+        }
+    }
+    return wedges;
 }
 
 }  // namespace pectin

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
+#include <vector>
 
 #include "adapt/adapt.h"
 #include "adapt/embedding.h"
@@ -36,8 +38,14 @@ class Gesture {
     const Frame& frame(std::span<const Vec3> displacements);
     // The same as a single frame from the rest state, for good.
     MeshChange commit(std::span<const Vec3> displacements);
-    // Gives everything back, to the byte.
-    void cancel();
+    // Gives everything back, to the byte, and says which faces it had changed.
+    std::vector<FaceId> cancel();
+
+    // --- For who shows the frames.
+    // Slots that edits have made, cut or freed since the beginning, in the order of the edits.
+    std::span<const FaceId> edited_faces() const { return active_.edited_faces(); }
+    // The live wedges that the last frame has placed. Cost: O(active set).
+    std::vector<WedgeId> moved_wedges() const;
 
     const Frame& last_frame() const { return last_; }
     std::uint64_t influenced_vertices() const { return influenced_; }

@@ -1,48 +1,17 @@
 #include "session/session.h"
 
 #include <algorithm>
-#include <chrono>
-#include <cmath>
+#include <utility>
 
 #include "command/json.h"
-#include "ffd/drag_solver.h"
-#include "geometry/decimal.h"
 #include "io/atomic_file.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
-#include "mesh/build_mesh.h"
-#include "mesh/face_tree.h"
 #include "mesh/shapes.h"
-#include "session/gesture.h"
-#include "session/history.h"
-#include "session/measure.h"
-#include "session/settings.h"
+#include "session/session_state.h"
 
 namespace pectin {
 namespace {
-
-using Refusal = std::optional<std::string>;
-
-constexpr const char* kNoObject = "there is no object yet; use the open or shape command first";
-
-// Beyond this many diagonals of object and zone a drag is a slip of the hand or of a script, and
-// squares of lengths would lose all digits of what stays.
-constexpr double kLargestDrag = 1e6;
-
-class Stopwatch {
-  public:
-    // Seconds since the last lap.
-    double lap() {
-        const auto now = Clock::now();
-        const std::chrono::duration<double> passed = now - last_;
-        last_ = now;
-        return passed.count();
-    }
-
-  private:
-    using Clock = std::chrono::steady_clock;
-    Clock::time_point last_ = Clock::now();
-};
 
 ShapeKind shape_kind(command::Shape::Kind kind) {
     switch (kind) {
@@ -60,61 +29,7 @@ ShapeKind shape_kind(command::Shape::Kind kind) {
     return ShapeKind::sphere;
 }
 
-bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 }  // namespace
-
-// Everything a session holds; one `run` for each command.
-struct Session::State {
-    // Behind pointers: the active set refers to the mesh wherever the session goes.
-    std::unique_ptr<TriMesh> mesh = std::make_unique<TriMesh>();
-    std::unique_ptr<ActiveSet> active = std::make_unique<ActiveSet>(*mesh);
-    std::unique_ptr<FaceTree> tree;  // made when first asked for
-    History history;
-    AdaptSettings adapt_settings;
-    LatticeSettings lattice_settings;
-    double diagonal = 0.0;                  // of the object's box as it was opened
-    std::optional<Lattice> lattice_in_use;  // the last drag's
-    Statistics::Last last;
-    std::uint64_t folded = 0;
-    bool floor_hit = false, budget_hit = false;
-    std::vector<EdgeId> blocked_edges;  // sorted; what drags since the last readapt found blocked
-
-    bool has_object() const { return mesh->face_slots() > 0; }
-
-    AdaptLimits limits(const std::optional<Lattice>& lattice) const {
-        return adapt_settings.limits(lattice ? lattice->smallest_cell_extent() : kOff, diagonal);
-    }
-    std::optional<Box> zone_in_use() const {
-        if (!lattice_in_use) return std::nullopt;
-        return lattice_in_use->influenced_zone();
-    }
-
-    void take(BuiltMesh built);
-    const FaceTree& face_tree();
-    void update_tree(const MeshChange& change);
-    void note(const Frame& frame);
-    void add_step(Command command, MeshChange change);
-
-    Refusal run(const command::Open& open);
-    Refusal run(const command::Shape& shape);
-    Refusal run(const command::Adapt& adapt);
-    Refusal run(const command::Brush& brush);
-    Refusal run(const command::Cage& cage);
-    Refusal run(const command::Drag& drag);
-    Refusal run(const command::Undo& undo);
-    Refusal run(const command::Redo& redo);
-    Refusal run(const command::Readapt& readapt);
-    Refusal run(const command::Save& save);
-    Refusal run(const command::Stats& stats);
-
-    Refusal check_size(const Lattice& lattice, const command::Drag& drag) const;
-    void commit(const command::Drag& drag, const Lattice& lattice, const DragSolver& solver,
-                std::span<const Vec3> displacements, Stopwatch& stopwatch);
-    Statistics statistics() const;
-};
 
 // The new object starts a new history; settings stay.
 void Session::State::take(BuiltMesh built) {
@@ -128,6 +43,7 @@ void Session::State::take(BuiltMesh built) {
     folded = 0;
     floor_hit = budget_hit = false;
     blocked_edges.clear();
+    dirty = {.everything = true};
 }
 
 const FaceTree& Session::State::face_tree() {
@@ -135,8 +51,15 @@ const FaceTree& Session::State::face_tree() {
     return *tree;
 }
 
-void Session::State::update_tree(const MeshChange& change) {
-    if (tree) tree->update(change.faces, *mesh);
+void Session::State::follow(std::span<const FaceId> faces) {
+    if (tree) tree->update(faces, *mesh);
+    dirty.faces.insert(dirty.faces.end(), faces.begin(), faces.end());
+    for (FaceId f : faces) {
+        if (index(f) >= mesh->face_slots() || !mesh->is_live(f)) continue;
+        for (int corner = 0; corner < 3; ++corner) {
+            dirty.wedges.push_back(mesh->wedge(TriMesh::half_edge(f, corner)));
+        }
+    }
 }
 
 void Session::State::note(const Frame& frame) {
@@ -152,7 +75,7 @@ void Session::State::note(const Frame& frame) {
 }
 
 void Session::State::add_step(Command command, MeshChange change) {
-    update_tree(change);
+    follow(change.faces);
     if (!change.is_empty()) history.add({std::move(command), std::move(change)});
 }
 
@@ -212,68 +135,6 @@ Refusal Session::State::run(const command::Cage& cage) {
     return std::nullopt;
 }
 
-Refusal Session::State::check_size(const Lattice& lattice, const command::Drag& drag) const {
-    if (!lattice.is_valid() || !is_finite(lattice.influenced_zone().extent())) {
-        return "the lattice has no usable size (radius or cells of 0, or beyond numbers); set the "
-               "brush radius or the cage to about the size of what is to move";
-    }
-    const double most = kLargestDrag * (diagonal + lattice.influenced_zone().diagonal());
-    for (const command::Drag::Move& move : drag.moves) {
-        if (!(glm::length(move.to - move.from) <= most)) {
-            return "the drag from " + decimal(move.from) + " to " + decimal(move.to) +
-                   " goes more than a million times the size of the object; the most is " +
-                   decimal(most);
-        }
-    }
-    return std::nullopt;
-}
-
-Refusal Session::State::run(const command::Drag& drag) {
-    if (!has_object()) return kNoObject;
-    Stopwatch stopwatch;
-    const Lattice lattice = lattice_settings.lattice(drag.moves.front().from, diagonal);
-    if (Refusal refusal = check_size(lattice, drag)) return refusal;
-    std::vector<Vec3> points, displacements;
-    for (const command::Drag::Move& move : drag.moves) {
-        points.push_back(move.from);
-        displacements.push_back(move.to - move.from);
-    }
-    auto solved = DragSolver::create(lattice, points, drag.pins);
-    if (const auto* refusal = std::get_if<DragRefusal>(&solved)) return refusal->what;
-    const auto& solver = std::get<DragSolver>(solved);
-    if (const auto refusal = solver.check(displacements)) return refusal->what;
-    commit(drag, lattice, solver, displacements, stopwatch);
-    return std::nullopt;
-}
-
-void Session::State::commit(const command::Drag& drag, const Lattice& lattice,
-                            const DragSolver& solver, std::span<const Vec3> displacements,
-                            Stopwatch& stopwatch) {
-    last = {};
-    last.seconds.solve = stopwatch.lap();
-    lattice_in_use = lattice;
-    folded = 0;
-    floor_hit = budget_hit = false;
-    const Box zone = lattice.influenced_zone();
-    active->begin(face_tree().faces_meeting(zone, *mesh), zone);
-    last.influenced_vertices = active->influenced_at_begin();
-    if (std::all_of(displacements.begin(), displacements.end(),
-                    [](const Vec3& d) { return d == Vec3{0.0}; })) {
-        active->finish();  // a gesture that moves nothing does nothing
-        return;
-    }
-    Warp warp{{{solver.field(), std::vector<Vec3>(displacements.size())}}};
-    Gesture gesture(*active, std::move(warp),
-                    adapt_settings.enabled ? std::optional(limits(lattice)) : std::nullopt);
-    last.seconds.begin = stopwatch.lap();
-    MeshChange change = gesture.commit(displacements);
-    note(gesture.last_frame());
-    folded = gesture.folded_vertices();
-    add_step(drag, std::move(change));
-    last.seconds.commit =
-        stopwatch.lap() - last.seconds.deform - last.seconds.refine - last.seconds.decimate;
-}
-
 Refusal Session::State::run(const command::Undo& undo_command) {
     const auto count = static_cast<std::size_t>(undo_command.count);
     if (count > history.undo_count()) {
@@ -283,7 +144,7 @@ Refusal Session::State::run(const command::Undo& undo_command) {
     for (std::size_t i = 0; i < count; ++i) {
         const MeshChange& change = history.step_back().change;
         undo(change, *mesh);
-        update_tree(change);
+        follow(change.faces);
     }
     return std::nullopt;
 }
@@ -297,7 +158,7 @@ Refusal Session::State::run(const command::Redo& redo_command) {
     for (std::size_t i = 0; i < count; ++i) {
         const MeshChange& change = history.step_forward().change;
         redo(change, *mesh);
-        update_tree(change);
+        follow(change.faces);
     }
     return std::nullopt;
 }
@@ -353,33 +214,51 @@ Refusal Session::State::run(const command::Stats& stats) {
     return std::nullopt;
 }
 
-Statistics Session::State::statistics() const {
-    Statistics s;
-    measure(*mesh, s);
-    s.last = last;
-    const Assessment assessment = assess(
-        *active, Criteria(limits(lattice_in_use), zone_in_use(), std::nullopt), blocked_edges);
-    s.divergence_max_deg = assessment.divergence_max_deg;
-    s.needing_refinement = budget_hit ? 0 : assessment.needing_refinement;
-    s.held_back = assessment.held_back + (budget_hit ? assessment.needing_refinement : 0);
-    s.floor_hit = floor_hit;
-    s.budget_hit = budget_hit;
-    s.folded_vertices = folded;
-    s.memory_bytes = mesh->memory_bytes() + active->memory_bytes() + history.memory_bytes() +
-                     (tree ? tree->memory_bytes() : 0);
-    return s;
-}
-
 Session::Session() : state_(std::make_unique<State>()) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 std::optional<std::string> Session::execute(const Command& command) {
+    if (is_dragging()) return "a drag is in hand; end or cancel it first";
     return std::visit([this](const auto& c) { return state_->run(c); }, command);
 }
 
+std::optional<std::string> Session::begin_drag(std::span<const Vec3> points,
+                                               std::span<const Vec3> pins) {
+    return state_->begin_drag(points, pins);
+}
+
+std::optional<std::string> Session::drag_to(std::span<const Vec3> targets) {
+    return state_->drag_to(targets);
+}
+
+const Frame& Session::last_frame() const { return state_->in_hand->gesture->last_frame(); }
+
+std::optional<command::Drag> Session::end_drag() { return state_->end_drag(); }
+
+void Session::cancel_drag() { state_->cancel_drag(); }
+
+bool Session::is_dragging() const { return state_->in_hand != nullptr; }
+
 const TriMesh& Session::mesh() const { return *state_->mesh; }
+
+std::optional<Lattice> Session::lattice_in_use() const {
+    return is_dragging() ? state_->in_hand->lattice : state_->lattice_in_use;
+}
+
+DirtyElements Session::take_dirty() {
+    DirtyElements taken = std::exchange(state_->dirty, {});
+    // Slots that were cut off since have nothing to show.
+    const auto tidy = [](auto& ids, auto end) {
+        std::sort(ids.begin(), ids.end());
+        ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        ids.erase(std::lower_bound(ids.begin(), ids.end(), end), ids.end());
+    };
+    tidy(taken.wedges, WedgeId{state_->mesh->wedge_slots()});
+    tidy(taken.faces, FaceId{state_->mesh->face_slots()});
+    return taken;
+}
 
 Statistics Session::statistics() const { return state_->statistics(); }
 

@@ -3,13 +3,24 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "command/command.h"
 #include "command/statistics.h"
+#include "ffd/lattice.h"
 #include "mesh/tri_mesh.h"
+#include "session/gesture.h"
 
 namespace pectin {
+
+// What a picture of the mesh has to learn anew.
+struct DirtyElements {
+    bool everything = false;        // another object: the lists below mean nothing
+    std::vector<WedgeId> wedges{};  // slots that moved or turned; sorted, each once
+    std::vector<FaceId> faces{};  // slots that came, went or have other corners; sorted, each once
+};
 
 class Session {
   public:
@@ -22,7 +33,23 @@ class Session {
     // Throws what io throws (FileError) for files; the object is then as it was, too.
     std::optional<std::string> execute(const Command& command);
 
+    // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
+    // executed meanwhile. Ending it does what the Drag command with the last targets does, to the
+    // byte, whatever the frames before.
+    std::optional<std::string> begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins);
+    // One target for each point. Cost: O(active set). A refusal leaves the frame before.
+    std::optional<std::string> drag_to(std::span<const Vec3> targets);
+    const Frame& last_frame() const;
+    // The command it came to; none if it moved nothing. The step is then in the history.
+    std::optional<command::Drag> end_drag();
+    void cancel_drag();  // gives everything back, to the byte
+    bool is_dragging() const;
+
     const TriMesh& mesh() const;
+    // Of the last drag, or of the one in hand.
+    std::optional<Lattice> lattice_in_use() const;
+    // What has changed since it was last asked. Cost: O(changed).
+    DirtyElements take_dirty();
     Statistics statistics() const;  // O(n)
 
   private:
