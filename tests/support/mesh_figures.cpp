@@ -1,0 +1,77 @@
+#include "support/mesh_figures.h"
+
+#include <algorithm>
+#include <filesystem>
+
+#include "io/obj_reader.h"
+#include "mesh/build_mesh.h"
+
+namespace pectin::test {
+
+TriMesh mesh_of(const std::string& obj_text, double crease_angle) {
+    return build_mesh(parse_obj(obj_text, "literal.obj"), {.crease_angle = crease_angle}).mesh;
+}
+
+std::vector<std::string> real_models() {
+    std::vector<std::string> paths;
+    std::error_code absent;
+    for (const auto& entry : std::filesystem::directory_iterator(PECTIN_MODELS, absent)) {
+        if (entry.path().extension() == ".obj") paths.push_back(entry.path().string());
+    }
+    std::sort(paths.begin(), paths.end());
+    return paths;
+}
+
+std::vector<EdgeId> live_edges(const TriMesh& mesh) {
+    std::vector<EdgeId> edges;
+    for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
+        if (mesh.is_live(EdgeId{i})) edges.push_back(EdgeId{i});
+    }
+    return edges;
+}
+
+std::vector<FaceId> live_faces(const TriMesh& mesh) {
+    std::vector<FaceId> faces;
+    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+        if (mesh.is_live(FaceId{i})) faces.push_back(FaceId{i});
+    }
+    return faces;
+}
+
+int euler_characteristic(const TriMesh& mesh) {
+    return static_cast<int>(mesh.vertex_count()) - static_cast<int>(mesh.edge_count()) +
+           static_cast<int>(mesh.face_count());
+}
+
+double area(const TriMesh& mesh) {
+    double sum = 0.0;
+    for (FaceId f : live_faces(mesh)) sum += 0.5 * glm::length(mesh.area_normal(f));
+    return sum;
+}
+
+EdgeId edge_between(const TriMesh& mesh, std::uint32_t v, std::uint32_t w) {
+    for (EdgeId e : live_edges(mesh)) {
+        const HalfEdgeId h = mesh.half_edge(e);
+        if (std::minmax(index(mesh.origin(h)), index(mesh.target(h))) == std::minmax(v, w)) {
+            return e;
+        }
+    }
+    return kNone<EdgeId>;
+}
+
+bool has_the_faces_of(const TriMesh& mesh, const TriMesh& base) {
+    if (mesh.vertex_count() != base.vertex_count() || mesh.edge_count() != base.edge_count() ||
+        mesh.face_count() != base.face_count()) {
+        return false;
+    }
+    for (FaceId f : live_faces(base)) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const HalfEdgeId h = TriMesh::half_edge(f, corner);
+            if (mesh.half_edge(h) != base.half_edge(h)) return false;
+            if (mesh.position(mesh.origin(h)) != base.position(base.origin(h))) return false;
+        }
+    }
+    return true;
+}
+
+}  // namespace pectin::test

@@ -1,0 +1,30 @@
+// Small meshes from OBJ text, real ones from the models folder, and figures of any.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "mesh/tri_mesh.h"
+
+namespace pectin::test {
+
+// crease_angle: degrees, as build_mesh has it.
+TriMesh mesh_of(const std::string& obj_text, double crease_angle = 45.0);
+
+// Paths of the real models; empty where the folder is absent.
+std::vector<std::string> real_models();
+
+std::vector<EdgeId> live_edges(const TriMesh& mesh);
+std::vector<FaceId> live_faces(const TriMesh& mesh);
+
+// V - E + F, counting also vertices without a face.
+int euler_characteristic(const TriMesh& mesh);
+double area(const TriMesh& mesh);
+
+// The edge between two vertices; the mesh has it.
+EdgeId edge_between(const TriMesh& mesh, std::uint32_t v, std::uint32_t w);
+
+// Whether `mesh` has the faces, corners and positions of `base`, in the same slots, and no others.
+bool has_the_faces_of(const TriMesh& mesh, const TriMesh& base);
+
+}  // namespace pectin::test

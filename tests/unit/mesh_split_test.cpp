@@ -1,0 +1,365 @@
+// Split and unsplit, edge by edge, on meshes small enough to know by heart.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <ostream>
+#include <set>
+
+#include "mesh/build_mesh.h"
+#include "mesh/mesh_change.h"
+#include "support/mesh_figures.h"
+
+namespace pectin {
+namespace {
+
+using test::edge_between;
+using test::euler_characteristic;
+using test::live_edges;
+using test::live_faces;
+using test::mesh_of;
+
+const std::vector<std::string> kValid;
+
+struct Literal {
+    const char* name;
+    const char* obj;
+};
+
+void operator<<(std::ostream& out, const Literal& literal) { out << literal.name; }
+
+// Each is the smallest that has what its comment says.
+constexpr Literal kSingleTriangle{"single triangle",  // nothing but boundary
+                                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"};
+constexpr Literal kTwoTriangles{"two triangles",  // one inner edge, its ends on the boundary
+                                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.1\nf 1 2 3\nf 3 2 4\n"};
+constexpr Literal kTetrahedron{"tetrahedron",  // closed, every pair of vertices an edge
+                               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
+                               "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"};
+constexpr Literal kPillow{"pillow",  // two faces back to back: a and d are one vertex
+                          "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n"};
+constexpr Literal kCube{"cube",  // every edge between sides a crease, diagonals smooth
+                        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
+                        "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n"};
+constexpr Literal kSeam{"seam",  // smooth, but textured from two charts
+                        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
+                        "vt 0 0\nvt 1 0\nvt 0 1\nvt 5 5\nvt 6 5\nvt 6 7\n"
+                        "f 1/1 2/2 3/3\nf 3/4 2/5 4/6\n"};
+constexpr Literal kHalfCrease{"half-crease",  // the normals differ at vertex 3 only
+                              "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\n"
+                              "vn 0 0 1\nvn 1 0 0\n"
+                              "f 1//1 2//1 3//1\nf 3//2 2//1 4//1\n"};
+constexpr Literal kBowTie{"bow-tie",  // two sheets meet in one vertex
+                          "v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n"};
+constexpr Literal kBook{"book",  // three faces at one edge, cut into boundaries
+                        "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\n"
+                        "f 1 2 3\nf 1 2 4\nf 1 2 5\n"};
+constexpr Literal kHalfTextured{"half textured",  // one face has no texture coordinates
+                                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
+                                "f 1/1 2/2 3/3\nf 3 2 4\n"};
+
+using Corners = std::array<std::uint32_t, 3>;
+
+// Rotated so that the smallest comes first: a face, whatever corner its slot begins with.
+Corners canonical(VertexId a, VertexId b, VertexId c) {
+    Corners corners{index(a), index(b), index(c)};
+    std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
+    return corners;
+}
+
+std::multiset<Corners> faces_of(const TriMesh& mesh) {
+    std::multiset<Corners> faces;
+    for (FaceId f : live_faces(mesh)) {
+        const HalfEdgeId h = TriMesh::half_edge(f, 0);
+        faces.insert(canonical(mesh.origin(h), mesh.target(h), mesh.origin(TriMesh::prev(h))));
+    }
+    return faces;
+}
+
+void undo_split(TriMesh& mesh, VertexId m, EdgeId bc) {
+    const auto star = mesh.removable(m);
+    ASSERT_TRUE(star.has_value());
+    EXPECT_EQ(mesh.unsplit(*star), bc);
+}
+
+class SplitOf : public testing::TestWithParam<Literal> {
+  protected:
+    TriMesh mesh() const { return mesh_of(GetParam().obj); }
+    template <typename Visit>
+    void for_each_split(Visit visit) const {
+        const TriMesh whole = mesh();
+        for (EdgeId e : live_edges(whole)) {
+            SCOPED_TRACE("edge " + std::to_string(index(e)));
+            TriMesh cut = whole;
+            const Split s = cut.split(e);
+            visit(whole, cut, s, e);
+        }
+    }
+};
+
+TEST_P(SplitOf, EveryEdgeIsUndoneToTheByte) {
+    for_each_split([](const TriMesh& whole, TriMesh& cut, const Split& s, EdgeId e) {
+        EXPECT_EQ(cut.validate(), kValid);
+        EXPECT_FALSE(cut == whole);
+        undo_split(cut, s.m, e);
+        EXPECT_EQ(cut.validate(), kValid);
+        EXPECT_TRUE(test::has_the_faces_of(cut, whole));
+        cut.truncate(whole.slot_counts());
+        EXPECT_TRUE(cut == whole);
+    });
+}
+
+TEST_P(SplitOf, EveryTwoEdgesAreUndoneToTheByte) {
+    for_each_split([](const TriMesh& whole, TriMesh& once, const Split& s, EdgeId e) {
+        for (EdgeId second : live_edges(once)) {
+            SCOPED_TRACE("then edge " + std::to_string(index(second)));
+            TriMesh twice = once;
+            const Split t = twice.split(second);
+            EXPECT_EQ(twice.validate(), kValid);
+            undo_split(twice, t.m, second);
+            EXPECT_EQ(twice.validate(), kValid);
+            undo_split(twice, s.m, e);
+            twice.truncate(whole.slot_counts());
+            EXPECT_TRUE(twice == whole);
+        }
+    });
+}
+
+TEST_P(SplitOf, AnEdgeReplacesItsFacesByTheirHalves) {
+    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId) {
+        std::multiset<Corners> expected = faces_of(whole);
+        expected.erase(expected.find(canonical(s.a, s.b, s.c)));
+        expected.insert(canonical(s.a, s.b, s.m));
+        expected.insert(canonical(s.a, s.m, s.c));
+        if (s.right) {
+            expected.erase(expected.find(canonical(s.d, s.c, s.b)));
+            expected.insert(canonical(s.d, s.c, s.m));
+            expected.insert(canonical(s.d, s.m, s.b));
+        }
+        EXPECT_EQ(faces_of(cut), expected);
+        EXPECT_EQ(euler_characteristic(cut), euler_characteristic(whole));
+        EXPECT_NEAR(test::area(cut), test::area(whole), 1e-14);
+        EXPECT_EQ(cut.position(s.m), 0.5 * whole.position(s.b) + 0.5 * whole.position(s.c));
+        EXPECT_EQ(cut.position(s.a), whole.position(s.a));
+    });
+}
+
+TEST_P(SplitOf, AnEdgeKeepsPartsAndCornersOfTheFacesItCuts) {
+    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId e) {
+        const HalfEdgeId bc = whole.half_edge(e);
+        EXPECT_EQ(cut.base_face(s.face3), whole.base_face(TriMesh::face(bc)));
+        if (s.right) {
+            EXPECT_EQ(cut.base_face(s.face4), whole.base_face(TriMesh::face(whole.twin(bc))));
+        }
+        // Every old wedge is seen by the pieces of the base faces that saw it before.
+        std::map<std::uint32_t, std::set<std::uint32_t>> before, after;
+        const auto collect = [](const TriMesh& mesh, auto& wedges) {
+            for (FaceId f : live_faces(mesh)) {
+                for (int c = 0; c < 3; ++c) {
+                    const HalfEdgeId h = TriMesh::half_edge(f, c);
+                    wedges[index(mesh.wedge(h))].insert(index(mesh.base_face(f)));
+                }
+            }
+        };
+        collect(whole, before);
+        collect(cut, after);
+        for (const auto& [wedge, faces] : before) EXPECT_EQ(after[wedge], faces);
+    });
+}
+
+TEST_P(SplitOf, AnEdgeSetsLevelsOneAboveThoseAround) {
+    for_each_split([](const TriMesh& whole, TriMesh& once, const Split& s, EdgeId e) {
+        EXPECT_EQ(once.level(s.m), 1);
+        for (EdgeId second : live_edges(once)) {
+            TriMesh twice = once;
+            const int level = twice.level(second);
+            const Split t = twice.split(second);
+            int highest = std::max({once.level(t.a), once.level(t.b), once.level(t.c)});
+            if (t.right) highest = std::max(highest, int{once.level(t.d)});
+            EXPECT_EQ(twice.level(t.m), highest + 1);
+            EXPECT_EQ(twice.level(t.am), highest + 1);
+            if (t.right) {
+                EXPECT_EQ(twice.level(t.dm), highest + 1);
+            }
+            EXPECT_EQ(t.bm, second);
+            EXPECT_EQ(twice.level(t.bm), level);
+            EXPECT_EQ(twice.level(t.mc), level);
+        }
+        EXPECT_EQ(once.level(e), whole.level(e));
+    });
+}
+
+TEST_P(SplitOf, AnEdgeNamesTheHalfEdgesThatUnsplitStartsFrom) {
+    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId e) {
+        const auto star = cut.removable(s.m);
+        ASSERT_TRUE(star.has_value());
+        EXPECT_EQ(star->mc, TriMesh::half_edge(s.face3, 0));
+        EXPECT_EQ(star->bm, whole.half_edge(e));
+        EXPECT_EQ(cut.target(star->mc), s.c);
+        EXPECT_EQ(cut.origin(star->bm), s.b);
+        EXPECT_EQ(star->a, s.a);
+        EXPECT_EQ(star->d, s.d);
+        EXPECT_EQ(star->on_boundary(), !s.right.has_value());
+        EXPECT_EQ(inserted_vertex(cut, e), s.m);
+    });
+}
+
+TEST_P(SplitOf, AnEdgeMakesOneWedgeWhereTheSidesAgreeAndTwoWhereNot) {
+    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId e) {
+        const HalfEdgeId bc = whole.half_edge(e), cb = whole.twin(bc);
+        const bool smooth = !exists(cb) || (whole.wedge(bc) == whole.wedge(TriMesh::next(cb)) &&
+                                            whole.wedge(cb) == whole.wedge(TriMesh::next(bc)));
+        EXPECT_EQ(cut.wedge_slots() - whole.wedge_slots(), smooth ? 1u : 2u);
+        if (s.right) {
+            EXPECT_EQ(s.right->m == s.left.m, smooth);
+        }
+        const auto expect_mean = [&](const Split::Side& side) {
+            const Vec3 sum = Vec3{whole.normal(side.b)} + Vec3{whole.normal(side.c)};
+            if (glm::length(sum) < 0.1) return;
+            EXPECT_EQ(cut.normal(side.m), Vec3f{glm::normalize(sum)});
+            if (!cut.has_uvs() || std::isnan(whole.uv(side.b).x)) return;
+            EXPECT_EQ(cut.uv(side.m), 0.5f * (whole.uv(side.b) + whole.uv(side.c)));
+        };
+        expect_mean(s.left);
+        EXPECT_EQ(s.left.b, whole.wedge(bc));
+        EXPECT_EQ(s.left.c, whole.wedge(TriMesh::next(bc)));
+        if (!s.right) return;
+        expect_mean(*s.right);
+        EXPECT_EQ(s.right->b, whole.wedge(TriMesh::next(cb)));
+        EXPECT_EQ(s.right->c, whole.wedge(cb));
+    });
+}
+
+TEST_P(SplitOf, AnEdgeMarksTheMidpointDeformedIfAnEndIs) {
+    for_each_split([](const TriMesh& whole, const TriMesh&, const Split& s, EdgeId e) {
+        for (VertexId v : {s.a, s.b, s.c, s.d}) {
+            if (!exists(v)) continue;
+            TriMesh marked = whole;
+            marked.set_deformed(v, true);
+            const Split again = marked.split(e);
+            EXPECT_EQ(marked.is_deformed(again.m), v == s.b || v == s.c);
+        }
+    });
+}
+
+INSTANTIATE_TEST_SUITE_P(EveryShape, SplitOf,
+                         testing::Values(kSingleTriangle, kTwoTriangles, kTetrahedron, kPillow,
+                                         kCube, kSeam, kHalfCrease, kBowTie, kBook, kHalfTextured));
+
+TEST(Split, MakesTwoWedgesAcrossACreaseASeamAndAHalfCreaseOnly) {
+    const auto wedges_made = [](const Literal& literal, std::uint32_t v, std::uint32_t w) {
+        TriMesh mesh = mesh_of(literal.obj);
+        const std::uint32_t before = mesh.wedge_slots();
+        mesh.split(edge_between(mesh, v, w));
+        return mesh.wedge_slots() - before;
+    };
+    EXPECT_EQ(wedges_made(kTwoTriangles, 1, 2), 1u);
+    EXPECT_EQ(wedges_made(kSeam, 1, 2), 2u);
+    EXPECT_EQ(wedges_made(kHalfCrease, 1, 2), 2u);
+    EXPECT_EQ(wedges_made(kHalfTextured, 1, 2), 2u);
+    EXPECT_EQ(wedges_made(kCube, 0, 1), 2u);  // an edge of the cube
+    EXPECT_EQ(wedges_made(kCube, 0, 2), 1u);  // the diagonal of a side
+    EXPECT_EQ(wedges_made(kSingleTriangle, 0, 1), 1u);
+}
+
+TEST(Split, ReusesFreedIdsSoThatTheSameEditsGiveTheSameBytes) {
+    TriMesh mesh = mesh_of(kCube.obj);
+    const TriMesh base = mesh;
+    const auto split_some = [](TriMesh& m) {
+        std::vector<std::pair<VertexId, EdgeId>> made;
+        for (std::uint32_t e : {3u, 7u, 3u, 11u, 20u, 0u}) {
+            made.emplace_back(m.split(EdgeId{e}).m, EdgeId{e});
+        }
+        return made;
+    };
+    const auto made = split_some(mesh);
+    const TriMesh once = mesh;
+    for (std::size_t i = made.size(); i-- > 0;) undo_split(mesh, made[i].first, made[i].second);
+    EXPECT_EQ(mesh.slot_counts(), once.slot_counts());  // freed, not cut off
+    EXPECT_EQ(split_some(mesh), made);
+    EXPECT_TRUE(mesh == once);
+}
+
+TEST(Split, IsRefusedWhereTheLevelWouldNotFitSixteenBits) {
+    TriMesh mesh = mesh_of(kSingleTriangle.obj);
+    EdgeId e{0};
+    for (int level = 1; level <= 65535; ++level) {
+        ASSERT_TRUE(mesh.may_split(e));
+        const Split s = mesh.split(e);
+        ASSERT_EQ(int{mesh.level(s.m)}, level);
+        e = s.am;
+    }
+    EXPECT_FALSE(mesh.may_split(e));
+    EXPECT_EQ(mesh.validate(), kValid);
+}
+
+TEST(Unsplit, IsRefusedToBaseVerticesAndWhereSplitsHaveCutTheStarFurther) {
+    TriMesh mesh = mesh_of(kTwoTriangles.obj);
+    for (std::uint32_t v = 0; v < 4; ++v) EXPECT_FALSE(mesh.removable(VertexId{v}).has_value());
+    const Split s = mesh.split(edge_between(mesh, 1, 2));
+    EXPECT_TRUE(mesh.removable(s.m).has_value());
+    for (EdgeId e : live_edges(mesh)) {
+        TriMesh further = mesh;
+        const Split t = further.split(e);
+        // Every face touches m here, so any split gives it a neighbour of a higher level.
+        EXPECT_FALSE(further.removable(s.m).has_value()) << index(e);
+        EXPECT_TRUE(further.removable(t.m).has_value()) << index(e);
+    }
+}
+
+TEST(Unsplit, KeepsAttributesOfWhatStays) {
+    TriMesh mesh = mesh_of(kHalfCrease.obj);
+    const Split s = mesh.split(edge_between(mesh, 1, 2));
+    mesh.set_position(VertexId{1}, {7, 8, 9});
+    mesh.set_normal(s.left.b, {0, 1, 0});
+    mesh.set_deformed(VertexId{2}, true);
+    mesh.set_position(s.m, {3, 3, 3});
+    mesh.set_normal(s.right->m, {0, 1, 0});
+    undo_split(mesh, s.m, s.bm);
+    EXPECT_EQ(mesh.position(VertexId{1}), Vec3(7, 8, 9));
+    EXPECT_EQ(mesh.normal(s.left.b), Vec3f(0, 1, 0));
+    EXPECT_TRUE(mesh.is_deformed(VertexId{2}));
+    EXPECT_EQ(mesh.validate(), kValid);
+}
+
+TEST(MidpointNormal, IsTheNormalisedSumOfItsEnds) {
+    const Vec3f x{1, 0, 0}, y{0, 1, 0};
+    EXPECT_EQ(midpoint_normal(x, x, {0, 0, 5}), x);
+    const Vec3f n = midpoint_normal(x, y, {0, 0, 5});
+    EXPECT_NEAR(n.x, std::sqrt(0.5), 1e-7);
+    EXPECT_EQ(n.x, n.y);
+    EXPECT_EQ(n.z, 0.0f);
+}
+
+TEST(MidpointNormal, TakesTheFaceNormalWhereTheEndsOpposeEachOther) {
+    const Vec3f up{0, 0, 1}, down{0, 0, -1};
+    EXPECT_EQ(midpoint_normal(up, down, {0, 3, 0}), Vec3f(0, 1, 0));
+    EXPECT_EQ(midpoint_normal(up, down, {0, 0, 0}), Vec3f(0.0f));
+    EXPECT_EQ(midpoint_normal({}, {}, {0, 3, 0}), Vec3f(0, 1, 0));
+    EXPECT_EQ(midpoint_normal({}, up, {0, 3, 0}), up);
+    // Ends that turn by `angle` have a sum of 2 cos(angle / 2): shorter than 0.1 beyond 174.27.
+    const auto turned = [](double degrees) {
+        const double a = degrees * 3.14159265358979 / 180.0;
+        return Vec3f{Vec3{std::sin(a), 0.0, std::cos(a)}};
+    };
+    EXPECT_EQ(midpoint_normal(up, turned(174.2), {0, 1, 0}).y, 0.0f);
+    const Vec3f helped = midpoint_normal(up, turned(174.3), {0, 1, 0});
+    EXPECT_NEAR(helped.y, 1.0 / std::hypot(1.0, 2.0 * std::cos(87.15 * 3.14159265 / 180)), 1e-5);
+}
+
+TEST(Split, AddsTheFaceNormalOfItsOwnSideWhereEndNormalsCancel) {
+    // Opposed normals along the edge 2-3; the faces look along +z and along +x + z.
+    TriMesh mesh = mesh_of(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 0.5 -1\nvn 0 1 0\nvn 0 -1 0\nvt 0 0\nvt 1 1\n"
+        "f 1/1/1 2/1/1 3/1/2\nf 3/2/2 2/2/1 4/2/1\n");
+    const Split s = mesh.split(edge_between(mesh, 1, 2));
+    ASSERT_TRUE(s.right && s.right->m != s.left.m);
+    const auto face_normal = [&](FaceId f) { return Vec3f{glm::normalize(mesh.area_normal(f))}; };
+    EXPECT_NEAR(glm::distance(mesh.normal(s.left.m), face_normal(s.face3)), 0.0f, 1e-6f);
+    EXPECT_NEAR(glm::distance(mesh.normal(s.right->m), face_normal(s.face4)), 0.0f, 1e-6f);
+    EXPECT_GT(glm::distance(mesh.normal(s.left.m), mesh.normal(s.right->m)), 0.5f);
+}
+
+}  // namespace
+}  // namespace pectin
