@@ -1,0 +1,158 @@
+// Real models and shapes: a point dragged by a tenth of the object's size arrives, the mesh is
+// refined where it must be, and undo gives back the first save to the byte.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "io/obj_writer.h"
+#include "mesh/shapes.h"
+#include "session/session.h"
+
+namespace pectin {
+namespace {
+
+struct Subject {
+    std::string name;
+    Command begin;
+    Vec3 direction;  // the extreme vertex that way is dragged that way
+};
+
+void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.name; }
+
+Subject model(const std::string& name, const Vec3& direction) {
+    return {name, command::Open{.path = PECTIN_MODELS "/" + name + ".obj"}, direction};
+}
+
+Subject shape(const std::string& name, command::Shape::Kind kind, int resolution) {
+    return {name, command::Shape{kind, resolution}, {0, 1, 0}};
+}
+
+VertexId extreme_vertex(const TriMesh& mesh, const Vec3& direction) {
+    VertexId extreme{0};
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+        const VertexId v{i};
+        if (exists(mesh.half_edge(v)) &&
+            glm::dot(mesh.position(v), direction) > glm::dot(mesh.position(extreme), direction)) {
+            extreme = v;
+        }
+    }
+    return extreme;
+}
+
+class Sculpting : public testing::TestWithParam<Subject> {
+  protected:
+    void SetUp() override {
+        if (const auto* open = std::get_if<command::Open>(&GetParam().begin)) {
+            if (!std::filesystem::exists(open->path)) {
+                GTEST_SKIP() << "no model " << open->path << " (CMake option PECTIN_MODELS)";
+            }
+        }
+        expect_done(GetParam().begin);
+    }
+    void expect_done(const Command& command) {
+        const auto refusal = session_.execute(command);
+        ASSERT_FALSE(refusal) << *refusal;
+    }
+    Session session_;
+};
+
+TEST_P(Sculpting, DragsExactlyRefinesAndUndoesToTheByte) {
+    expect_done(command::Adapt{.theta_max = Setting::of(10.0)});
+    const std::string first = format_obj(session_.mesh());
+    const double size = session_.mesh().bounding_box().diagonal();
+    const VertexId grabbed = extreme_vertex(session_.mesh(), GetParam().direction);
+    const Vec3 from = session_.mesh().position(grabbed);
+    const Vec3 to = from + 0.1 * size * GetParam().direction;
+    expect_done(command::Drag{.moves = {{from, to}}});
+
+    const double miss = glm::distance(session_.mesh().position(grabbed), to) / size;
+    const Statistics after = session_.statistics();
+    EXPECT_LE(miss, 1e-6);
+    EXPECT_EQ(after.needing_refinement, 0u);
+    EXPECT_FALSE(after.budget_hit);
+    EXPECT_GT(after.last.splits, 0u);
+    EXPECT_EQ(session_.mesh().validate(), std::vector<std::string>{});
+    if (!after.floor_hit) {
+        EXPECT_LE(after.divergence_max_deg, 10.0 + 1e-6);
+    }
+    std::printf("%s: %llu faces, then %llu; %llu splits; off by %.1e of its size; held back %llu\n",
+                GetParam().name.c_str(), static_cast<unsigned long long>(after.base_faces),
+                static_cast<unsigned long long>(after.faces),
+                static_cast<unsigned long long>(after.last.splits), miss,
+                static_cast<unsigned long long>(after.held_back));
+
+    const std::string dragged = format_obj(session_.mesh());
+    EXPECT_NE(dragged, first);
+    expect_done(command::Undo{});
+    EXPECT_EQ(format_obj(session_.mesh()), first);
+    expect_done(command::Redo{});
+    EXPECT_EQ(format_obj(session_.mesh()), dragged);
+}
+
+// All thresholds off: whatever drags have refined goes again, and the base faces are as they were.
+TEST_P(Sculpting, ThinsBackToTheBaseMeshWithAllThresholdsOff) {
+    const TriMesh base = session_.mesh();
+    expect_done(command::Adapt{.theta_max = Setting::of(10.0)});
+    for (const Vec3& direction : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, -1, 0}}) {
+        const double size = session_.mesh().bounding_box().diagonal();
+        const Vec3 from = session_.mesh().position(extreme_vertex(session_.mesh(), direction));
+        expect_done(command::Drag{.moves = {{from, from + 0.05 * size * direction}}});
+    }
+    EXPECT_GT(session_.mesh().face_count(), base.face_count());
+    expect_done(command::Adapt{.theta_max = Setting::off(), .l_max = Setting::off()});
+    expect_done(command::Readapt{});
+    ASSERT_EQ(session_.mesh().face_count(), base.face_count());
+    EXPECT_EQ(session_.mesh().vertex_count(), base.vertex_count());
+    for (std::uint32_t h = 0; h < 3 * base.face_slots(); ++h) {
+        ASSERT_EQ(session_.mesh().half_edge(HalfEdgeId{h}), base.half_edge(HalfEdgeId{h}));
+    }
+}
+
+std::string identifier_of(const testing::TestParamInfo<Subject>& subject) {
+    std::string name = subject.param.name;
+    std::erase(name, '-');
+    return name;
+}
+
+INSTANTIATE_TEST_SUITE_P(Subjects, Sculpting,
+                         testing::Values(model("spot", {0, 0, 1}), model("rocker-arm", {0, 1, 0}),
+                                         model("teapot", {1, 0, 0}), model("suzanne", {0, 0, 1}),
+                                         model("fandisk", {0, 1, 0}), model("beetle", {0, 1, 0}),
+                                         shape("cube", command::Shape::Kind::cube, 8),
+                                         shape("plane", command::Shape::Kind::plane, 8),
+                                         shape("torus", command::Shape::Kind::torus, 8),
+                                         shape("cylinder", command::Shape::Kind::cylinder, 6),
+                                         shape("sphere", command::Shape::Kind::sphere, 3)),
+                         identifier_of);
+
+TEST(SculptingACube, RefinesWhereItBendsAndNowhereForItsRightAngles) {
+    Session session;
+    ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::cube, 8}));
+    ASSERT_FALSE(
+        session.execute(command::Adapt{.theta_max = Setting::of(10.0), .l_max = Setting::off()}));
+    ASSERT_FALSE(session.execute(command::Brush{.radius = 1.0}));
+    ASSERT_FALSE(session.execute(command::Drag{.moves = {{{0, 0, 1}, {0, 0, 1.2}}}}));
+    const TriMesh& mesh = session.mesh();
+    EXPECT_GT(session.statistics().last.splits, 50u);
+    EXPECT_EQ(session.statistics().needing_refinement, 0u);
+    for (std::uint32_t i = mesh.base_vertex_count(); i < mesh.vertex_slots(); ++i) {
+        const Vec3& p = mesh.position(VertexId{i});
+        EXPECT_LT(std::max(std::abs(p.x), std::abs(p.y)), 1.0) << "on an edge of the cube";
+        EXPECT_GT(p.z, 1.0) << "not where it bends";
+    }
+}
+
+TEST(SculptingACube, RefinesNothingForATinyDrag) {
+    Session session;
+    ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::cube, 8}));
+    ASSERT_FALSE(
+        session.execute(command::Adapt{.theta_max = Setting::of(10.0), .l_max = Setting::off()}));
+    ASSERT_FALSE(session.execute(command::Brush{.radius = 1.0}));
+    ASSERT_FALSE(session.execute(command::Drag{.moves = {{{0, 0, 1}, {0, 0, 1.0001}}}}));
+    EXPECT_EQ(session.statistics().last.splits, 0u);
+    EXPECT_GT(session.statistics().last.influenced_vertices, 0u);
+}
+
+}  // namespace
+}  // namespace pectin
