@@ -195,6 +195,7 @@ class TriMesh {
 
   private:
     friend class MeshBuilder;
+    class Validator;
 
     struct BaseFace {
         std::uint32_t part = 0;     // into parts_

@@ -1,13 +1,13 @@
 // TriMesh::validate: the invariants of the class, checked one by one.
-#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "mesh/tri_mesh.h"
 
 namespace pectin {
 namespace {
 
-// float normals are normalised in double and rounded once.
+// Normals are normalised in double and rounded once.
 constexpr float kUnitTolerance = 1e-5f;
 // Enough to tell what is wrong without flooding the reader.
 constexpr std::size_t kMostMessages = 20;
@@ -16,125 +16,140 @@ bool all_finite(const Vec3& p) {
     return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
 }
 
-class Messages {
-  public:
-    template <typename Id>
-    void expect(bool holds, const char* what, Id id) {
-        if (!holds && lines_.size() < kMostMessages) {
-            lines_.push_back(std::string(what) + ' ' + std::to_string(index(id)));
-        }
-    }
-    std::vector<std::string> take() { return std::move(lines_); }
-
-  private:
-    std::vector<std::string> lines_;
-};
-
-// Invariant 1: the free list names exactly the slots that are not live, each once.
-template <typename Id, typename IsLive>
-void check_free(const std::vector<Id>& free, std::uint32_t slots, IsLive is_live, const char* what,
-                Messages& messages) {
-    std::vector<bool> listed(slots, false);
-    for (Id id : free) {
-        if (index(id) >= slots) {
-            messages.expect(false, what, id);
-            continue;
-        }
-        messages.expect(!listed[index(id)], what, id);
-        listed[index(id)] = true;
-    }
-    for (std::uint32_t i = 0; i < slots; ++i)
-        messages.expect(listed[i] != is_live(Id{i}), what, Id{i});
-}
-
 }  // namespace
 
-std::vector<std::string> TriMesh::validate() const {
-    Messages messages;
-    std::vector<std::uint8_t> edge_uses(edge_slots(), 0);
-    std::vector<VertexId> wedge_vertices(wedge_slots(), kNone<VertexId>);
+class TriMesh::Validator {
+  public:
+    explicit Validator(const TriMesh& mesh)
+        : mesh_(mesh),
+          half_edges_of_edge_(mesh.edge_slots(), 0),
+          vertex_of_wedge_(mesh.wedge_slots(), kNone<VertexId>) {}
 
-    for (std::uint32_t i = 0; i < face_slots(); ++i) {
-        const FaceId f{i};
-        if (!is_live(f)) continue;
-        for (int corner = 0; corner < 3; ++corner) {
-            const HalfEdgeId h = half_edge(f, corner);
-            const HalfEdge& half = half_edge(h);
-            if (index(half.origin) >= vertex_slots() || index(half.edge) >= edge_slots() ||
-                index(half.wedge) >= wedge_slots()) {
-                messages.expect(false, "2: half-edge out of range", h);
-                return messages.take();
-            }
-            messages.expect(is_live(half.origin), "2: dead vertex at half-edge", h);
-            messages.expect(half.origin != target(h), "2: loop at half-edge", h);
-            ++edge_uses[index(half.edge)];
-            if (exists(half.twin)) {
-                const HalfEdge& other = half_edge(half.twin);
-                messages.expect(other.twin == h, "3: twin not mutual at half-edge", h);
-                messages.expect(other.edge == half.edge, "3: twins' edges differ at half-edge", h);
-                messages.expect(other.origin == target(h), "3: twins not opposite at half-edge", h);
-            }
-            VertexId& at = wedge_vertices[index(half.wedge)];
-            messages.expect(!exists(at) || at == half.origin, "6: wedge at two vertices",
-                            half.wedge);
-            at = half.origin;
+    std::vector<std::string> run() {
+        if (!half_edges_are_in_range()) return std::move(messages_);
+        for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
+            if (mesh_.is_live(FaceId{i})) check(FaceId{i});
         }
-        const FaceId base = base_face(f);
-        messages.expect(index(base) < base_face_count(), "7: face without base face", f);
-        messages.expect(f != base || i < base_face_count(), "7: base face past the base", f);
-    }
-    for (std::uint32_t i = 0; i < base_face_count(); ++i) {
-        messages.expect(is_live(FaceId{i}) && base_face(FaceId{i}) == FaceId{i},
-                        "7: base face not live", FaceId{i});
-    }
-    for (std::uint32_t i = 0; i < edge_slots(); ++i) {
-        const EdgeId e{i};
-        const bool live = is_live(e);
-        messages.expect(live ? edge_uses[i] == 1 || edge_uses[i] == 2 : edge_uses[i] == 0,
-                        "4: wrong number of half-edges at edge", e);
-        if (!live) continue;
-        messages.expect(index(half_edge(e)) < half_edges_.size() && edge(half_edge(e)) == e,
-                        "4: edge names another's half-edge", e);
-        messages.expect(edge_uses[i] == (exists(twin(half_edge(e))) ? 2 : 1),
-                        "4: edge's half-edges and twin disagree", e);
-    }
-    for (std::uint32_t i = 0; i < vertex_slots(); ++i) {
-        const VertexId v{i};
-        if (!is_live(v)) continue;
-        const HalfEdgeId h = half_edge(v);
-        messages.expect(exists(h) || is_base(v), "5: inserted vertex without face", v);
-        messages.expect(!exists(h) || origin(h) == v, "5: half-edge of another vertex", v);
-        messages.expect(is_base(v) == (level(v) == 0), "7: wrong level at vertex", v);
-        messages.expect(all_finite(position(v)), "8: position not finite at vertex", v);
-        if (const auto star = removable(v)) {
-            messages.expect(
-                star->mc == half_edge(face(star->mc), 0) && star->bm == half_edge(edge(star->bm)),
-                "9: wrong half-edge at removable vertex", v);
+        for (std::uint32_t i = 0; i < mesh_.base_face_count(); ++i) {
+            const FaceId f{i};
+            expect(mesh_.is_live(f) && mesh_.base_face(f) == f, "7: base face not live", f);
         }
-    }
-    for (std::uint32_t i = 0; i < wedge_slots(); ++i) {
-        if (!exists(wedge_vertices[i])) continue;
-        const float length = glm::length(normals_[i]);
-        messages.expect(length == 0.0f || std::abs(length - 1.0f) < kUnitTolerance,
-                        "8: normal not unit at wedge", WedgeId{i});
-        if (has_uvs()) {
-            messages.expect(!std::isinf(uvs_[i].x) && !std::isinf(uvs_[i].y),
-                            "8: texture coordinate not finite at wedge", WedgeId{i});
+        for (std::uint32_t i = 0; i < mesh_.edge_slots(); ++i) check(EdgeId{i});
+        for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+            if (mesh_.is_live(VertexId{i})) check(VertexId{i});
         }
+        for (std::uint32_t i = 0; i < mesh_.wedge_slots(); ++i) {
+            if (exists(vertex_of_wedge_[i])) check(WedgeId{i});
+        }
+        check_free_lists();
+        return std::move(messages_);
     }
-    check_free(
-        free_vertices_, vertex_slots(), [this](VertexId v) { return is_live(v); },
-        "1: free list and slot disagree at vertex", messages);
-    check_free(
-        free_wedges_, wedge_slots(), [&](WedgeId w) { return exists(wedge_vertices[index(w)]); },
-        "1: free list and slot disagree at wedge", messages);
-    check_free(
-        free_edges_, edge_slots(), [this](EdgeId e) { return is_live(e); },
-        "1: free list and slot disagree at edge", messages);
-    check_free(
-        free_faces_, face_slots(), [this](FaceId f) { return is_live(f); },
-        "1: free list and slot disagree at face", messages);
-    return messages.take();
-}
+
+  private:
+    template <typename Id>
+    void expect(bool holds, const char* what, Id id) {
+        if (holds || messages_.size() >= kMostMessages) return;
+        messages_.push_back(std::string(what) + ' ' + std::to_string(index(id)));
+    }
+
+    // Everything after this may follow ids without looking.
+    bool half_edges_are_in_range() {
+        for (std::uint32_t i = 0; i < mesh_.half_edges_.size(); ++i) {
+            const HalfEdge& h = mesh_.half_edges_[i];
+            if (!mesh_.is_live(face(HalfEdgeId{i}))) continue;
+            expect(index(h.origin) < mesh_.vertex_slots() && index(h.edge) < mesh_.edge_slots() &&
+                       index(h.wedge) < mesh_.wedge_slots() &&
+                       (!exists(h.twin) || index(h.twin) < mesh_.half_edges_.size()),
+                   "2: id out of range at half-edge", HalfEdgeId{i});
+        }
+        return messages_.empty();
+    }
+
+    void check(FaceId f) {
+        for (int corner = 0; corner < 3; ++corner) check(half_edge(f, corner));
+        const FaceId base = mesh_.base_face(f);
+        expect(index(base) < mesh_.base_face_count(), "7: face without base face", f);
+        expect(f != base || index(f) < mesh_.base_face_count(), "7: base face past the base", f);
+    }
+
+    void check(HalfEdgeId h) {
+        const HalfEdge& half = mesh_.half_edge(h);
+        expect(mesh_.is_live(half.origin), "2: dead vertex at half-edge", h);
+        expect(half.origin != mesh_.target(h), "2: loop at half-edge", h);
+        ++half_edges_of_edge_[index(half.edge)];
+        if (exists(half.twin)) {
+            const HalfEdge& twin = mesh_.half_edge(half.twin);
+            expect(twin.twin == h, "3: twin not mutual at half-edge", h);
+            expect(twin.edge == half.edge, "3: twins' edges differ at half-edge", h);
+            expect(twin.origin == mesh_.target(h), "3: twins not opposite at half-edge", h);
+        }
+        VertexId& vertex = vertex_of_wedge_[index(half.wedge)];
+        expect(!exists(vertex) || vertex == half.origin, "6: two vertices at wedge", half.wedge);
+        vertex = half.origin;
+    }
+
+    void check(EdgeId e) {
+        const int uses = half_edges_of_edge_[index(e)];
+        if (!mesh_.is_live(e)) {
+            expect(uses == 0, "4: half-edges at dead edge", e);
+            return;
+        }
+        const HalfEdgeId h = mesh_.half_edge(e);
+        expect(index(h) < mesh_.half_edges_.size() && mesh_.edge(h) == e,
+               "4: another's half-edge at edge", e);
+        expect(uses == (exists(mesh_.twin(h)) ? 2 : 1), "4: wrong number of half-edges at edge", e);
+    }
+
+    void check(VertexId v) {
+        const HalfEdgeId h = mesh_.half_edge(v);
+        expect(exists(h) || mesh_.is_base(v), "5: no face at inserted vertex", v);
+        expect(!exists(h) || mesh_.origin(h) == v, "5: another's half-edge at vertex", v);
+        expect(mesh_.is_base(v) == (mesh_.level(v) == 0), "7: wrong level at vertex", v);
+        expect(all_finite(mesh_.position(v)), "8: position not finite at vertex", v);
+        const auto star = mesh_.removable(v);
+        if (!star) return;
+        expect(star->mc == half_edge(face(star->mc), 0) &&
+                   star->bm == mesh_.half_edge(mesh_.edge(star->bm)),
+               "9: wrong half-edge at removable vertex", v);
+    }
+
+    void check(WedgeId w) {
+        const float length = glm::length(mesh_.normal(w));
+        expect(length == 0.0f || std::abs(length - 1.0f) < kUnitTolerance,
+               "8: normal not unit at wedge", w);
+        expect(!mesh_.has_uvs() || (!std::isinf(mesh_.uv(w).x) && !std::isinf(mesh_.uv(w).y)),
+               "8: texture coordinate infinite at wedge", w);
+    }
+
+    void check_free_lists() {
+        check_free(mesh_.free_vertices_, mesh_.vertex_slots(), "1: free list wrong at vertex",
+                   [this](VertexId v) { return mesh_.is_live(v); });
+        check_free(mesh_.free_wedges_, mesh_.wedge_slots(), "1: free list wrong at wedge",
+                   [this](WedgeId w) { return exists(vertex_of_wedge_[index(w)]); });
+        check_free(mesh_.free_edges_, mesh_.edge_slots(), "1: free list wrong at edge",
+                   [this](EdgeId e) { return mesh_.is_live(e); });
+        check_free(mesh_.free_faces_, mesh_.face_slots(), "1: free list wrong at face",
+                   [this](FaceId f) { return mesh_.is_live(f); });
+    }
+
+    // The free list names exactly the slots that are not live, each once.
+    template <typename Id, typename IsLive>
+    void check_free(const std::vector<Id>& free, std::uint32_t slots, const char* what,
+                    IsLive is_live) {
+        std::vector<bool> listed(slots, false);
+        for (Id id : free) {
+            expect(index(id) < slots && !listed[index(id)], what, id);
+            if (index(id) < slots) listed[index(id)] = true;
+        }
+        for (std::uint32_t i = 0; i < slots; ++i) expect(listed[i] != is_live(Id{i}), what, Id{i});
+    }
+
+    const TriMesh& mesh_;
+    std::vector<int> half_edges_of_edge_;
+    std::vector<VertexId> vertex_of_wedge_;
+    std::vector<std::string> messages_;
+};
+
+std::vector<std::string> TriMesh::validate() const { return Validator(*this).run(); }
 
 }  // namespace pectin
