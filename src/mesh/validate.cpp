@@ -132,7 +132,7 @@ class TriMesh::Validator {
                    [this](FaceId f) { return mesh_.is_live(f); });
     }
 
-    // The free list names exactly the slots that are not live, each once.
+    // The free list names exactly the slots that are not live, each once, and they are cleared.
     template <typename Id, typename IsLive>
     void check_free(const std::vector<Id>& free, std::uint32_t slots, const char* what,
                     IsLive is_live) {
@@ -141,7 +141,30 @@ class TriMesh::Validator {
             expect(index(id) < slots && !listed[index(id)], what, id);
             if (index(id) < slots) listed[index(id)] = true;
         }
-        for (std::uint32_t i = 0; i < slots; ++i) expect(listed[i] != is_live(Id{i}), what, Id{i});
+        for (std::uint32_t i = 0; i < slots; ++i) {
+            expect(listed[i] != is_live(Id{i}), what, Id{i});
+            if (!is_live(Id{i})) check_cleared(Id{i});
+        }
+    }
+
+    void check_cleared(VertexId v) {
+        expect(mesh_.position(v) == Vec3{0.0} && mesh_.level(v) == 0 && !mesh_.is_deformed(v),
+               "1: not cleared at dead vertex", v);
+    }
+
+    void check_cleared(WedgeId w) {
+        expect(mesh_.normal(w) == Vec3f{0.0f} && (!mesh_.has_uvs() || mesh_.uv(w) == Vec2f{0.0f}),
+               "1: not cleared at dead wedge", w);
+    }
+
+    void check_cleared(EdgeId e) { expect(mesh_.level(e) == 0, "1: not cleared at dead edge", e); }
+
+    void check_cleared(FaceId f) {
+        for (int corner = 0; corner < 3; ++corner) {
+            expect(
+                mesh_.half_edge(half_edge(f, corner)) == HalfEdge{} && !exists(mesh_.base_face(f)),
+                "1: not cleared at dead face", f);
+        }
     }
 
     const TriMesh& mesh_;
