@@ -1,0 +1,154 @@
+// The tree of boxes against a look at every face, whatever the mesh goes through.
+#include "mesh/face_tree.h"
+
+#include <gtest/gtest.h>
+
+#include "mesh/build_mesh.h"
+#include "mesh/mesh_change.h"
+#include "mesh/shapes.h"
+#include "session/gesture.h"
+#include "support/mesh_figures.h"
+#include "support/random_mesh.h"
+
+namespace pectin {
+namespace {
+
+using test::Random;
+
+std::vector<FaceId> faces_meeting_by_scan(const Box& box, const TriMesh& mesh) {
+    std::vector<FaceId> faces;
+    for (FaceId f : test::live_faces(mesh)) {
+        const HalfEdgeId h = TriMesh::half_edge(f, 0);
+        if (triangle_meets_box(mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)),
+                               mesh.position(mesh.origin(TriMesh::prev(h))), box)) {
+            faces.push_back(f);
+        }
+    }
+    return faces;
+}
+
+Box random_query(const TriMesh& mesh, Random& random) {
+    const Box all = mesh.bounding_box();
+    const Vec3 share{random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2),
+                     random.uniform(-0.2, 1.2)};
+    const Vec3 centre = all.min + share * all.extent();
+    const Vec3 half = all.diagonal() * random.scale(0.001, 1.0) *
+                      Vec3{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+    return {.min = centre - half, .max = centre + half};
+}
+
+void expect_agreement(const FaceTree& tree, const TriMesh& mesh, Random& random) {
+    for (int i = 0; i < 25; ++i) {
+        const Box box = random_query(mesh, random);
+        ASSERT_EQ(tree.faces_meeting(box, mesh), faces_meeting_by_scan(box, mesh));
+    }
+    const Box all = mesh.bounding_box();
+    ASSERT_EQ(tree.faces_meeting(all, mesh), test::live_faces(mesh));
+}
+
+MeshChange random_gesture(TriMesh& mesh, const FaceTree& tree, Random& random) {
+    const Warp warp = test::random_warp(mesh, random);
+    const Box zone = warp.zone();
+    const double diagonal = mesh.bounding_box().diagonal();
+    ActiveSet active(mesh);
+    active.begin(tree.faces_meeting(zone, mesh), zone);
+    const double theta = random.scale(3.0, 60.0);
+    Gesture gesture(active, warp,
+                    AdaptLimits{.theta_max = theta,
+                                .theta_min = 0.7 * theta,
+                                .l_max = warp.smallest_cell_extent(),
+                                .floor = 0.02 * diagonal});
+    return gesture.commit(warp.steps.back().displacements);
+}
+
+TEST(FaceTree, FindsWhatAScanFindsThroughGesturesUndoAndRedo) {
+    const int cases = test::case_count(60);
+    for (int i = 0; i < cases; ++i) {
+        const auto seed = 3000 + static_cast<std::uint64_t>(i);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        FaceTree tree(mesh);
+        expect_agreement(tree, mesh, random);
+        std::vector<MeshChange> done;
+        for (int gesture = 0; gesture < 4; ++gesture) {
+            done.push_back(random_gesture(mesh, tree, random));
+            tree.update(done.back().faces, mesh);
+            expect_agreement(tree, mesh, random);
+        }
+        for (std::size_t k = done.size(); k-- > 0;) {
+            undo(done[k], mesh);
+            tree.update(done[k].faces, mesh);
+            expect_agreement(tree, mesh, random);
+        }
+        for (const MeshChange& change : done) {
+            redo(change, mesh);
+            tree.update(change.faces, mesh);
+            expect_agreement(tree, mesh, random);
+        }
+        if (HasFailure()) return;
+    }
+}
+
+TEST(FaceTree, KeepsUpWithSplitsOneByOneFarBeyondWhatItWasBuiltFor) {
+    Random random(4);
+    TriMesh mesh = build_mesh(make_shape(ShapeKind::sphere, 1)).mesh;
+    FaceTree tree(mesh);
+    for (int i = 0; i < 600; ++i) {
+        const auto edges = test::live_edges(mesh);
+        const EdgeId e =
+            edges[static_cast<std::size_t>(random.integer(0, static_cast<int>(edges.size()) - 1))];
+        const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
+        const Split s = mesh.split(e);
+        tree.update(std::vector<FaceId>{TriMesh::face(h), TriMesh::face(twin), s.face3, s.face4},
+                    mesh);
+        if (i % 20 == 0) expect_agreement(tree, mesh, random);
+    }
+    EXPECT_GT(mesh.face_count(), 8u * 80u);
+    expect_agreement(tree, mesh, random);
+}
+
+TEST(FaceTree, FollowsFacesThatMoveWithoutEdits) {
+    Random random(5);
+    TriMesh mesh = build_mesh(make_shape(ShapeKind::torus, 6)).mesh;
+    FaceTree tree(mesh);
+    for (int i = 0; i < 200; ++i) {
+        const VertexId v{static_cast<std::uint32_t>(
+            random.integer(0, static_cast<int>(mesh.vertex_slots()) - 1))};
+        mesh.set_position(v, mesh.position(v) + random.uniform(0.0, 2.0) * random.direction());
+        std::vector<FaceId> moved;
+        for (FaceId f : test::live_faces(mesh)) {
+            for (int c = 0; c < 3; ++c) {
+                if (mesh.origin(TriMesh::half_edge(f, c)) == v) moved.push_back(f);
+            }
+        }
+        tree.update(moved, mesh);
+    }
+    expect_agreement(tree, mesh, random);
+}
+
+TEST(FaceTree, FindsNothingInAMeshWithoutFaces) {
+    const TriMesh mesh;
+    const FaceTree tree(mesh);
+    EXPECT_TRUE(tree.faces_meeting({.min = Vec3{-1.0}, .max = Vec3{1.0}}, mesh).empty());
+}
+
+TEST(FaceTree, FindsManyFacesInOnePlace) {
+    IndexedFaceSet set;  // more coincident triangles than any leaf holds
+    set.parts.emplace_back();
+    for (std::uint32_t i = 0; i < 100; ++i) {
+        for (const Vec3& p : {Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}) {
+            set.corners.push_back({.position = static_cast<std::uint32_t>(set.positions.size())});
+            set.positions.push_back(p);
+        }
+        set.polygon_end.push_back(3 * (i + 1));
+        set.polygon_part.push_back(0);
+    }
+    const TriMesh mesh = build_mesh(set).mesh;
+    const FaceTree tree(mesh);
+    EXPECT_EQ(tree.faces_meeting({.min = Vec3{0.1}, .max = Vec3{0.2}}, mesh).size(), 0u);
+    EXPECT_EQ(tree.faces_meeting({.min = Vec3{0.0}, .max = Vec3{0.2}}, mesh).size(), 100u);
+}
+
+}  // namespace
+}  // namespace pectin
