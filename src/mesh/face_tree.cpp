@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace pectin {
 namespace {
@@ -123,6 +124,48 @@ std::vector<FaceId> FaceTree::faces_meeting(const Box& box, const TriMesh& mesh)
     }
     std::sort(answer.begin(), answer.end());
     return answer;
+}
+
+std::optional<FaceHit> FaceTree::first_hit(const Ray& ray, const TriMesh& mesh) const {
+    struct Waiting {
+        std::uint32_t node;
+        double enter;
+    };
+    std::optional<FaceHit> first;
+    std::vector<Waiting> stack;
+    const auto push = [&](std::uint32_t node) {
+        if (nodes_[node].box.is_empty()) return;
+        const auto inside = intersect(ray, nodes_[node].box);
+        if (inside) stack.push_back({node, inside->enter});
+    };
+    push(0);
+    while (!stack.empty()) {
+        const Waiting next = stack.back();
+        stack.pop_back();
+        if (first && next.enter > first->hit.t) continue;
+        const Node& node = nodes_[next.node];
+        if (!node.is_leaf()) {
+            push(node.left);
+            push(node.right);
+            // The nearer one is looked at first: it often hides the other.
+            if (stack.size() >= 2 && stack.back().enter > stack[stack.size() - 2].enter) {
+                std::swap(stack.back(), stack[stack.size() - 2]);
+            }
+            continue;
+        }
+        const Leaf& leaf = leaves_[node.leaf];
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+            const HalfEdgeId h = TriMesh::half_edge(leaf.faces[i], 0);
+            const auto hit =
+                intersect(ray, mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)),
+                          mesh.position(mesh.origin(TriMesh::prev(h))));
+            if (!hit) continue;
+            const bool nearer = !first || hit->t < first->hit.t ||
+                                (hit->t == first->hit.t && leaf.faces[i] < first->face);
+            if (nearer) first = FaceHit{leaf.faces[i], *hit};
+        }
+    }
+    return first;
 }
 
 void FaceTree::update(std::span<const FaceId> changed, const TriMesh& mesh) {

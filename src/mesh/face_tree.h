@@ -3,13 +3,21 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "geometry/box.h"
+#include "geometry/ray.h"
 #include "mesh/tri_mesh.h"
 
 namespace pectin {
+
+// Where a ray meets a face.
+struct FaceHit {
+    FaceId face = kNone<FaceId>;
+    RayHit hit;  // barycentric over the face's half-edges' origins, in order
+};
 
 // Leaves hold up to kLeafFaces faces. Built by median cuts; kept up by refitting what changed,
 // and built anew once the mesh has grown to twice the size it was built for. Answers are sorted
@@ -21,6 +29,10 @@ class FaceTree {
     // The live faces that have a point in common with `box`, sorted by id.
     // Cost: O(answer + log n).
     std::vector<FaceId> faces_meeting(const Box& box, const TriMesh& mesh) const;
+
+    // The live face that the ray meets first, of those at one distance the one with the lowest id.
+    // Cost: O(log n) for a ray that meets little.
+    std::optional<FaceHit> first_hit(const Ray& ray, const TriMesh& mesh) const;
 
     // To be told of every slot whose face moved, came or went. Cost: O(k log n).
     void update(std::span<const FaceId> changed, const TriMesh& mesh);
