@@ -7,6 +7,7 @@
 #include <iostream>
 #include <new>
 
+#include "app/offscreen_viewport.h"
 #include "command/script.h"
 #include "session/session.h"
 
@@ -27,7 +28,9 @@ std::optional<std::string> execute(Session& session, const Command& command) {
 
 bool replay_lines(std::istream& text, const std::string& title, const std::string& folder,
                   std::ostream& errors) {
+    OffscreenViewport viewport;
     Session session;
+    session.set_viewport(&viewport);
     ScriptReader reader(text);
     while (std::optional<ScriptLine> line = reader.next()) {
         const auto refuse = [&](const std::string& command, const std::string& what) {

@@ -10,6 +10,7 @@
 #include <variant>
 #include <vector>
 
+#include "geometry/camera.h"
 #include "geometry/vec.h"
 
 namespace pectin {
@@ -109,11 +110,25 @@ struct Stats {
     bool operator==(const Stats&) const = default;
 };
 
+// A picture of the object. No undo step.
+struct Screenshot {
+    struct Show {
+        bool wireframe = false, lattice = false, levels = false;
+        bool ui = false;  // the window's panels, where there is a window
+        bool operator==(const Show&) const = default;
+    };
+    std::string path{};
+    int width = 1280, height = 960;  // pixels
+    std::optional<Camera> camera{};  // none: from the front, so that all of the object is seen
+    Show show{};
+    bool operator==(const Screenshot&) const = default;
+};
+
 }  // namespace command
 
 using Command = std::variant<command::Open, command::Shape, command::Adapt, command::Brush,
                              command::Cage, command::Drag, command::Undo, command::Redo,
-                             command::Readapt, command::Save, command::Stats>;
+                             command::Readapt, command::Save, command::Stats, command::Screenshot>;
 
 // The name a script calls it by.
 const char* name(const Command& command);

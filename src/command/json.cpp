@@ -9,9 +9,9 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
-#include <utility>
 
 #include "command/reference.h"
+#include "command/spelling.h"
 
 namespace pectin {
 
@@ -26,8 +26,9 @@ struct Problem : std::runtime_error {
 
 constexpr int kMaxInt = std::numeric_limits<int>::max();
 constexpr int kMaxSpan = 16, kMaxDeformable = 64;
-constexpr double kMaxBudget = 9007199254740992.0;  // 2^53: a double counts no further
-constexpr std::size_t kMostShown = 40;             // of a text that is quoted in an error
+constexpr int kLeastPixels = 16, kMostPixels = 8192;  // of a picture, each way
+constexpr double kMaxBudget = 9007199254740992.0;     // 2^53: a double counts no further
+constexpr std::size_t kMostShown = 40;                // of a text that is quoted in an error
 constexpr const char* kPathIsRight = "a file's path in quotes";
 constexpr const char* kPointIsRight = "a point: an array of three numbers";
 
@@ -295,6 +296,60 @@ Command read_path(const json& object) {
     return SaveOrStats{path(require(object, "path", kPathIsRight), "path")};
 }
 
+Camera read_camera(const json& value) {
+    for (const auto& [key, unused] : value.items())
+        if (key != "eye" && key != "target" && key != "up" && key != "fov")
+            throw Problem("camera has the unknown field " + in_quotes(key) +
+                          "; its fields are eye, target, up, fov");
+    Camera camera{
+        .eye = point(require(value, "eye", kPointIsRight, "camera."), "camera.eye"),
+        .target = point(require(value, "target", kPointIsRight, "camera."), "camera.target")};
+    if (const json* up = find(value, "up")) camera.up = point(*up, "camera.up");
+    if (const json* fov = find(value, "fov"))
+        camera.fov = number(*fov, "camera.fov", "an angle from 1 to 170",
+                            [](double x) { return x >= 1.0 && x <= 170.0; });
+    if (!camera.is_valid())
+        throw Problem(
+            "camera must look from eye to another point, target, with up at an angle to "
+            "that");
+    return camera;
+}
+
+command::Screenshot::Show read_show(const json& value) {
+    const std::string right = "wireframe, lattice, levels or ui";
+    if (!value.is_array()) wrong("show", "an array of any of " + right, value);
+    command::Screenshot::Show show;
+    for (std::size_t i = 0; i < value.size(); ++i) {
+        bool* const shown = value[i] == "wireframe" ? &show.wireframe
+                            : value[i] == "lattice" ? &show.lattice
+                            : value[i] == "levels"  ? &show.levels
+                            : value[i] == "ui"      ? &show.ui
+                                                    : nullptr;
+        if (!shown) wrong("show[" + std::to_string(i) + "]", right, value[i]);
+        *shown = true;
+    }
+    return show;
+}
+
+Command read_screenshot(const json& object) {
+    command::Screenshot screenshot{.path = path(require(object, "path", kPathIsRight), "path")};
+    if (!screenshot.path.ends_with(".png"))
+        throw Problem("path must end in .png, as " + in_quotes("picture.png") + " does");
+    if (const json* size = find(object, "size")) {
+        if (!size->is_array() || size->size() != 2)
+            wrong("size", "an array of two whole numbers", *size);
+        screenshot.width = integer((*size)[0], "size[0]", kLeastPixels, kMostPixels);
+        screenshot.height = integer((*size)[1], "size[1]", kLeastPixels, kMostPixels);
+    }
+    if (const json* camera = find(object, "camera"); camera && *camera != "fit") {
+        if (!camera->is_object())
+            wrong("camera", "\"fit\" or an object with the fields eye, target, up, fov", *camera);
+        screenshot.camera = read_camera(*camera);
+    }
+    if (const json* show = find(object, "show")) screenshot.show = read_show(*show);
+    return screenshot;
+}
+
 using Reader = Command (*)(const json&);
 
 // In the order of Command, as the reference is.
@@ -309,39 +364,17 @@ constexpr std::array<Reader, std::variant_size_v<Command>> kReaders{
     read_count<command::Redo>,
     [](const json&) -> Command { return command::Readapt{}; },
     read_path<command::Save>,
-    read_path<command::Stats>};
+    read_path<command::Stats>,
+    read_screenshot};
 
 // ---- Names
 
-// Levenshtein, Doklady 1965, one row at a time.
-std::size_t edit_distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    std::iota(row.begin(), row.end(), std::size_t{0});
-    for (std::size_t i = 0; i < a.size(); ++i) {
-        std::size_t diagonal = std::exchange(row[0], i + 1);
-        for (std::size_t j = 0; j < b.size(); ++j) {
-            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
-            diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, changed}));
-        }
-    }
-    return row.back();
-}
-
 std::string unknown_command(std::string_view given) {
     const auto known = command_reference();
-    std::string text = "unknown command";
-    constexpr std::size_t kLongestWorthComparing = 20, kLargestSlip = 2;
-    if (given.size() <= kLongestWorthComparing) {
-        const auto distance = [given](const CommandReference& entry) {
-            return edit_distance(given, entry.name);
-        };
-        const auto nearest = std::min_element(
-            known.begin(), known.end(),
-            [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-        if (distance(*nearest) <= kLargestSlip)
-            text += std::string("; did you mean ") + nearest->name + "?";
-    }
-    return text + "; known are " + listed(known);
+    const char* const meant = nearest_command(given);
+    return (meant ? std::string("unknown command; did you mean ") + meant + "?"
+                  : std::string("unknown command")) +
+           "; known are " + listed(known);
 }
 
 void refuse_unknown_fields(const json& object, const CommandReference& reference) {

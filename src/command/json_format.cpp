@@ -3,6 +3,7 @@
 #include <charconv>
 #include <cmath>
 #include <concepts>
+#include <vector>
 
 #include "command/json.h"
 
@@ -170,6 +171,25 @@ struct FieldWriter {
     void operator()(const command::Readapt&) const {}
     void operator()(const command::Save& save) const { json.field("path", save.path); }
     void operator()(const command::Stats& stats) const { json.field("path", stats.path); }
+    void operator()(const command::Screenshot& screenshot) const {
+        json.field("path", screenshot.path);
+        json.array("size", std::array{screenshot.width, screenshot.height});
+        if (const std::optional<Camera>& camera = screenshot.camera) {
+            json.key("camera");
+            json.open('{');
+            json.field("eye", camera->eye);
+            json.field("target", camera->target);
+            json.field("up", camera->up);
+            json.field("fov", camera->fov);
+            json.close('}');
+        }
+        std::vector<const char*> shown;
+        if (screenshot.show.wireframe) shown.push_back("wireframe");
+        if (screenshot.show.lattice) shown.push_back("lattice");
+        if (screenshot.show.levels) shown.push_back("levels");
+        if (screenshot.show.ui) shown.push_back("ui");
+        if (!shown.empty()) json.array("show", shown);
+    }
 };
 
 void write_last(JsonWriter& json, const Statistics::Last& last) {

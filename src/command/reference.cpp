@@ -43,6 +43,12 @@ std::vector<CommandReference> make_reference() {
         {"readapt", "refines and thins the whole object once", {}},
         {"save", "writes the model", {{"path", "an OBJ file"}}},
         {"stats", "writes figures of the object and the last edit", {{"path", "a JSON file"}}},
+        {"screenshot",
+         "draws the object",
+         {{"path", "a PNG file"},
+          {"size", "[width, height] in pixels, each 16 to 8192 ([1280, 960])"},
+          {"camera", "\"fit\", or {\"eye\": [x, y, z], \"target\": [x, y, z]} with up and fov"},
+          {"show", "any of [\"wireframe\", \"lattice\", \"levels\", \"ui\"]; ui needs a window"}}},
     };
 }
 

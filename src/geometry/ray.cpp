@@ -67,7 +67,7 @@ std::optional<RayHit> intersect(const Ray& ray, const Vec3& a, const Vec3& b, co
     if (sum == 0.0) return std::nullopt;
     const double t = (u * p.z + v * q.z + w * r.z) / sum;
     if (!(t >= 0.0)) return std::nullopt;
-    return RayHit{.t = t, .u = u / sum, .v = v / sum, .w = w / sum, .from_outside = sum < 0.0};
+    return RayHit{.t = t, .u = u / sum, .v = v / sum, .w = w / sum, .from_outside = sum > 0.0};
 }
 
 }  // namespace pectin

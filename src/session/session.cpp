@@ -214,6 +214,14 @@ Refusal Session::State::run(const command::Stats& stats) {
     return std::nullopt;
 }
 
+Refusal Session::State::run(const command::Screenshot& screenshot) {
+    if (!has_object()) return kNoObject;
+    if (!viewport) return "there is nothing here to draw with; replay the script with pectin";
+    const bool has_cage = lattice_settings.cage.has_value();
+    return viewport->screenshot(*mesh, has_cage ? lattice_settings.cage : lattice_in_use,
+                                screenshot);
+}
+
 Session::Session() : state_(std::make_unique<State>()) {}
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
@@ -223,6 +231,8 @@ std::optional<std::string> Session::execute(const Command& command) {
     if (is_dragging()) return "a drag is in hand; end or cancel it first";
     return std::visit([this](const auto& c) { return state_->run(c); }, command);
 }
+
+void Session::set_viewport(Viewport* viewport) { state_->viewport = viewport; }
 
 std::optional<std::string> Session::begin_drag(std::span<const Vec3> points,
                                                std::span<const Vec3> pins) {

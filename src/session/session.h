@@ -12,6 +12,7 @@
 #include "ffd/lattice.h"
 #include "mesh/tri_mesh.h"
 #include "session/gesture.h"
+#include "session/viewport.h"
 
 namespace pectin {
 
@@ -44,6 +45,10 @@ class Session {
     std::optional<command::Drag> end_drag();
     void cancel_drag();  // gives everything back, to the byte
     bool is_dragging() const;
+
+    // Draws screenshots from now on; none: they are refused. Must outlive the session or be taken
+    // away.
+    void set_viewport(Viewport* viewport);
 
     const TriMesh& mesh() const;
     // Of the last drag, or of the one in hand.

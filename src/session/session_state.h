@@ -59,6 +59,7 @@ struct Session::State {
     AdaptSettings adapt_settings;
     LatticeSettings lattice_settings;
     DirtyElements dirty;
+    Viewport* viewport = nullptr;
     double diagonal = 0.0;                  // of the object's box as it was opened
     std::optional<Lattice> lattice_in_use;  // the last drag's
     Statistics::Last last;
@@ -93,6 +94,7 @@ struct Session::State {
     Refusal run(const command::Readapt& readapt);
     Refusal run(const command::Save& save);
     Refusal run(const command::Stats& stats);
+    Refusal run(const command::Screenshot& screenshot);
 
     // --- Drags (drag.cpp).
     Refusal begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins);

@@ -30,7 +30,7 @@ class RandomCommand {
     explicit RandomCommand(std::uint64_t seed) : bits_(seed) {}
 
     Command operator()() {
-        switch (below(11)) {
+        switch (below(12)) {
             case 0:
                 return command::Open{text(), from(0.0, 180.0)};
             case 1:
@@ -51,6 +51,8 @@ class RandomCommand {
                 return command::Readapt{};
             case 9:
                 return command::Save{text()};
+            case 10:
+                return screenshot();
             default:
                 return command::Stats{text()};
         }
@@ -108,6 +110,16 @@ class RandomCommand {
         return result;
     }
 
+    Command screenshot() {
+        command::Screenshot result{.path = text() + ".png"};
+        result.width = 16 + below(8177);
+        result.height = 16 + below(8177);
+        const Vec3 eye{from(-9.0, 9.0), from(-9.0, 9.0), 1.0 + from(0.0, 1e9)};
+        if (below(2)) result.camera = Camera{.eye = eye, .fov = from(1.0, 170.0)};
+        result.show = {below(2) == 0, below(2) == 0, below(2) == 0, below(2) == 0};
+        return result;
+    }
+
     std::mt19937_64 bits_;
 };
 
@@ -149,6 +161,7 @@ TEST(CommandJson, NamesEveryCommandAsTheReferenceDoes) {
     EXPECT_STREQ(name(command::Brush{}), "brush");
     EXPECT_STREQ(name(command::Readapt{}), "readapt");
     EXPECT_STREQ(name(command::Stats{}), "stats");
+    EXPECT_STREQ(name(command::Screenshot{}), "screenshot");
 }
 
 TEST(CommandJson, FillsOmittedFieldsWithTheirDefaults) {
@@ -219,7 +232,7 @@ TEST(CommandErrors, SayWhyALineIsNoCommand) {
                   {"\"from\" is given twice"}},
           BadLine{R"({"cmd": "redu"})", "redu", {"unknown command", "did you mean redo?", "known"}},
           BadLine{R"({"cmd": "Save"})", "Save", {"did you mean save?"}},
-          BadLine{R"({"cmd": "screenshot"})", "screenshot", {"unknown command", "open, shape"}},
+          BadLine{R"({"cmd": "photograph"})", "photograph", {"unknown command", "open, shape"}},
           BadLine{R"({"cmd": "a\nb"})", "script", {R"("a\nb" is an unknown command)"}}})
         expect_error(bad);
 }

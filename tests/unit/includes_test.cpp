@@ -41,7 +41,7 @@ struct Restricted {
 
 const std::vector<Restricted>& restricted_headers() {
     static const std::vector<Restricted> kTable{{"tiny_obj_loader", {"io/"}},
-                                                {"png.h", {"io/"}},
+                                                {"png.h", {"io/png.cpp"}},
                                                 {"nlohmann/", {"command/json.cpp"}},
                                                 {"CLI/", {"app/"}},
                                                 {"Eigen/", {"ffd/"}},
@@ -137,6 +137,9 @@ TEST(Includes, FailWhereALineBreaksTheTable) {
         {"session/gesture.cpp", "#include <thread>"},
         {"session/session.cpp", "#include <GL/gl.h>"},
         {"io/png.cpp", "#include <imgui.h>"},
+        {"render/canvas.cpp", "#include <png.h>"},
+        {"render/canvas.cpp", "#include \"io/png.h\""},
+        {"session/viewport.h", "#include \"render/canvas.h\""},
         {"render/host.cpp", "#include <GLFW/glfw3.h>"}};
     for (const auto& [path, line] : bad) EXPECT_TRUE(complaint(path, line)) << path << ": " << line;
 }
@@ -153,6 +156,7 @@ TEST(Includes, PassWhereALineKeepsToTheTable) {
         {"render/pass.cpp", "#include <glad/glad.h>"},
         {"ffd/drag_solver.cpp", "#include <Eigen/Dense>"},
         {"io/obj_reader.cpp", "#include <tiny_obj_loader.h>"},
+        {"io/png.cpp", "#include <png.h>"},
         {"command/json.cpp", "#include <nlohmann/json.hpp>"},
         {"mesh/split.cpp", "#include <vector>"},
         {"mesh/split.cpp", "// #include \"session/session.h\""},

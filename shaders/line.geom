@@ -1,0 +1,46 @@
+// Widens a line to a strip of so many pixels; core OpenGL draws lines of one pixel only.
+layout(lines) in;
+layout(triangle_strip, max_vertices = 4) out;
+
+uniform mat4 projection;
+uniform vec2 picture_size;  // pixels
+uniform float near;
+
+in End {
+    vec4 colour;
+    float width;
+} end[];
+
+out vec4 line_colour;
+noperspective out float across;  // pixels from the middle
+flat out float half_width;
+
+// The end that lies behind the near plane moves along the line up to it.
+vec4 clipped(vec4 p, vec4 other) {
+    float behind = p.z + near;
+    if (behind <= 0.0) return p;
+    return mix(p, other, behind / (p.z - other.z));
+}
+
+void emit(vec4 clip, vec2 side, float pixels, vec4 colour) {
+    line_colour = colour;
+    across = pixels;
+    gl_Position = clip + vec4(side * pixels * 2.0 / picture_size * clip.w, 0.0, 0.0);
+    EmitVertex();
+}
+
+void main() {
+    vec4 a = gl_in[0].gl_Position, b = gl_in[1].gl_Position;
+    if (a.z > -near && b.z > -near) return;
+    vec4 p = projection * clipped(a, b), q = projection * clipped(b, a);
+    vec2 along = (q.xy / q.w - p.xy / p.w) * picture_size;
+    if (dot(along, along) < 1e-12) return;
+    vec2 side = normalize(vec2(-along.y, along.x));
+    half_width = 0.5 * end[0].width;
+    float reach = half_width + 1.0;  // room for the soft border
+    emit(p, side, reach, end[0].colour);
+    emit(p, side, -reach, end[0].colour);
+    emit(q, side, reach, end[1].colour);
+    emit(q, side, -reach, end[1].colour);
+    EndPrimitive();
+}

@@ -1,0 +1,18 @@
+uniform mat4 to_camera;
+uniform float pixel;  // height of a pixel at distance 1
+
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec4 colour;
+layout(location = 2) in float width;  // pixels
+
+out End {
+    vec4 colour;
+    float width;
+} end;
+
+void main() {
+    end.colour = colour;
+    end.width = width;
+    // Nearer by its width, along the ray through it: what lies on the surface shows all of it.
+    gl_Position = vec4((to_camera * vec4(position, 1.0)).xyz * (1.0 - width * pixel), 1.0);
+}

@@ -1,0 +1,37 @@
+#include "app/picture.h"
+
+#include "io/png.h"
+
+namespace pectin {
+
+std::vector<Vec3> seen_positions(const TriMesh& mesh) {
+    std::vector<Vec3> positions;
+    positions.reserve(mesh.vertex_slots());
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+        if (exists(mesh.half_edge(VertexId{i}))) positions.push_back(mesh.position(VertexId{i}));
+    }
+    return positions;
+}
+
+Scene make_scene(const command::Screenshot& screenshot, const TriMesh& mesh,
+                 const std::optional<Lattice>& lattice) {
+    Scene scene{.wireframe = screenshot.show.wireframe, .levels = screenshot.show.levels};
+    const bool shows_lattice = screenshot.show.lattice && lattice;
+    if (shows_lattice) add_lattice(scene.overlay, *lattice, {});
+    if (screenshot.camera) {
+        scene.camera = *screenshot.camera;
+        return scene;
+    }
+    std::vector<Vec3> positions = seen_positions(mesh);
+    if (shows_lattice) {
+        for (const Overlay::Line& line : scene.overlay.lines) positions.push_back(line.from);
+    }
+    scene.camera = fit(positions, static_cast<double>(screenshot.width) / screenshot.height);
+    return scene;
+}
+
+void write_image(const Image& image, const std::string& path) {
+    write_png(path, image.size.x, image.size.y, image.rgba);
+}
+
+}  // namespace pectin

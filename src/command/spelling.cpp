@@ -1,0 +1,44 @@
+#include "command/spelling.h"
+
+#include <algorithm>
+#include <numeric>
+#include <utility>
+#include <vector>
+
+#include "command/reference.h"
+
+namespace pectin {
+
+namespace {
+
+constexpr std::size_t kLongestWorthComparing = 20, kLargestSlip = 2;
+
+// Levenshtein, Doklady 1965, one row at a time.
+std::size_t edit_distance(std::string_view a, std::string_view b) {
+    std::vector<std::size_t> row(b.size() + 1);
+    std::iota(row.begin(), row.end(), std::size_t{0});
+    for (std::size_t i = 0; i < a.size(); ++i) {
+        std::size_t diagonal = std::exchange(row[0], i + 1);
+        for (std::size_t j = 0; j < b.size(); ++j) {
+            const std::size_t changed = diagonal + (a[i] == b[j] ? 0 : 1);
+            diagonal = std::exchange(row[j + 1], std::min({row[j + 1] + 1, row[j] + 1, changed}));
+        }
+    }
+    return row.back();
+}
+
+}  // namespace
+
+const char* nearest_command(std::string_view given) {
+    if (given.size() > kLongestWorthComparing) return nullptr;
+    const auto distance = [given](const CommandReference& entry) {
+        return edit_distance(given, entry.name);
+    };
+    const auto known = command_reference();
+    const auto nearest =
+        std::min_element(known.begin(), known.end(),
+                         [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
+    return distance(*nearest) <= kLargestSlip ? nearest->name : nullptr;
+}
+
+}  // namespace pectin

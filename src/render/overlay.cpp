@@ -1,0 +1,129 @@
+#include "render/overlay.h"
+
+#include <array>
+#include <cassert>
+
+namespace pectin {
+namespace {
+
+constexpr Colour kGrabbed{255, 214, 64, 255};
+constexpr Colour kGoal{255, 214, 64, 255};
+constexpr Colour kPinned{255, 92, 92, 255};
+
+constexpr Colour kDeformable{70, 220, 255, 235};
+constexpr Colour kDeformableMoved{255, 244, 150, 255};
+constexpr Colour kInfluenced{150, 170, 255, 170};
+constexpr Colour kInfluencedGrid{150, 170, 255, 48};
+constexpr Colour kPhantom{190, 196, 206, 110};
+
+// Up to here the grid's inside is drawn as well; beyond it would be a thicket.
+constexpr int kInnerGrid = 5;
+
+// A grid of control points from `first` to `last`, both counted.
+struct ControlRange {
+    IVec3 first, last;
+
+    bool is_on_border(const IVec3& c) const { return border_axes(c) > 0; }
+    int border_axes(const IVec3& c) const {
+        int axes = 0;
+        for (int axis = 0; axis < 3; ++axis)
+            axes += c[axis] == first[axis] || c[axis] == last[axis];
+        return axes;
+    }
+    template <class Visit>
+    void for_each(const Visit& visit) const {
+        for (int k = first.z; k <= last.z; ++k)
+            for (int j = first.y; j <= last.y; ++j)
+                for (int i = first.x; i <= last.x; ++i) visit(IVec3{i, j, k});
+    }
+};
+
+IVec3 unit_step(int axis) {
+    IVec3 step{0};
+    step[axis] = 1;
+    return step;
+}
+
+void add_deformable(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements) {
+    const ControlRange range{IVec3{0}, lattice.deformable - 1};
+    const IVec3 counts = lattice.deformable;
+    const bool all = glm::max(counts.x, glm::max(counts.y, counts.z)) <= kInnerGrid;
+    const double still = 1e-6 * lattice.smallest_cell_extent();
+    const auto displacement = [&](const IVec3& c) {
+        return displacements.empty() ? Vec3{0.0} : displacements[lattice.control_index(c)];
+    };
+    const auto position = [&](const IVec3& c) { return lattice.rest(c) + displacement(c); };
+    range.for_each([&](const IVec3& c) {
+        if (!all && !range.is_on_border(c)) return;
+        const bool moved = glm::length(displacement(c)) > still;
+        overlay.points.push_back({.position = position(c),
+                                  .colour = moved ? kDeformableMoved : kDeformable,
+                                  .diameter = moved ? 7.0f : 6.0f});
+        for (int axis = 0; axis < 3; ++axis) {
+            const IVec3 next = c + unit_step(axis);
+            if (next[axis] > range.last[axis] || (!all && !range.is_on_border(next))) continue;
+            overlay.lines.push_back({position(c), position(next), kDeformable, 1.6f});
+        }
+    });
+}
+
+// Along each axis the lines of the grid on the range's border; its box's edges are stronger.
+void add_influenced(Overlay& overlay, const Lattice& lattice) {
+    const ControlRange range{IVec3{-2}, lattice.deformable + 1};
+    range.for_each([&](const IVec3& c) {
+        for (int axis = 0; axis < 3; ++axis) {
+            if (c[axis] != range.first[axis]) continue;
+            const int others = range.border_axes(c) - 1;
+            if (others == 0) continue;
+            IVec3 end = c;
+            end[axis] = range.last[axis];
+            const bool is_edge = others == 2;
+            overlay.lines.push_back({lattice.rest(c), lattice.rest(end),
+                                     is_edge ? kInfluenced : kInfluencedGrid,
+                                     is_edge ? 1.4f : 1.0f});
+        }
+    });
+}
+
+// Its control points along the edges of their box; all of them would be a fog.
+void add_phantom(Overlay& overlay, const Lattice& lattice) {
+    const ControlRange range{IVec3{-3}, lattice.deformable + 2};
+    range.for_each([&](const IVec3& c) {
+        if (range.border_axes(c) < 2) return;
+        overlay.points.push_back({.position = lattice.rest(c),
+                                  .colour = kPhantom,
+                                  .diameter = range.border_axes(c) == 3 ? 4.5f : 3.0f});
+    });
+}
+
+}  // namespace
+
+Box Overlay::bounds() const {
+    Box box;
+    for (const Line& line : lines) {
+        box.include(line.from);
+        box.include(line.to);
+    }
+    for (const Point& point : points) box.include(point.position);
+    return box;
+}
+
+void add_drag(Overlay& overlay, const Vec3& from, const Vec3& to) {
+    using Shape = Overlay::Point::Shape;
+    overlay.lines.push_back({from, to, kGoal, 2.0f});
+    overlay.points.push_back({from, kGrabbed, 12.0f, Shape::ring});
+    overlay.points.push_back({to, kGoal, 12.0f, Shape::disc});
+}
+
+void add_pin(Overlay& overlay, const Vec3& position) {
+    overlay.points.push_back({position, kPinned, 14.0f, Overlay::Point::Shape::diamond});
+}
+
+void add_lattice(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements) {
+    assert(displacements.empty() || displacements.size() == lattice.control_count());
+    add_phantom(overlay, lattice);
+    add_influenced(overlay, lattice);
+    add_deformable(overlay, lattice, displacements);
+}
+
+}  // namespace pectin
