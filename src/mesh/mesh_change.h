@@ -48,7 +48,10 @@ struct MeshChange {
     AttributeState after;             // of what exists after and moved or came
     std::vector<FaceId> faces;        // slots whose face moved, came or went; sorted
 
-    bool is_empty() const { return edits.empty() && before.vertices.empty(); }
+    // A pinned vertex may turn where it stands, so wedges count by themselves.
+    bool is_empty() const {
+        return edits.empty() && before.vertices.empty() && before.wedges.empty();
+    }
     std::size_t memory_bytes() const;
 };
 

@@ -1,0 +1,372 @@
+// Active sets and the changes they leave: what is rolled back, undone and redone is the same byte.
+#include "mesh/active_set.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+
+#include "mesh/build_mesh.h"
+#include "mesh/face_tree.h"
+#include "mesh/shapes.h"
+#include "support/mesh_figures.h"
+#include "support/random_mesh.h"
+
+namespace pectin {
+namespace {
+
+using test::edge_between;
+using test::Random;
+
+const std::vector<std::string> kValid;
+
+Box random_zone(const TriMesh& mesh, Random& random) {
+    const Box all = mesh.bounding_box();
+    const Vec3 share{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+    const Vec3 centre = all.min + share * all.extent();
+    const double half = all.diagonal() * random.scale(0.05, 0.7);
+    return {.min = centre - half, .max = centre + half};
+}
+
+void begin(ActiveSet& active, const Box& zone) {
+    active.begin(FaceTree(active.mesh()).faces_meeting(zone, active.mesh()), zone);
+}
+
+// Gives every influenced vertex and wedge any position, mark and normal.
+void deform_at_random(ActiveSet& active, Random& random) {
+    TriMesh& mesh = active.mesh();
+    for (std::uint32_t i = 0; i < active.vertex_entries(); ++i) {
+        const VertexId v = active.vertex(i);
+        const bool moves = random.chance(0.7);
+        if (!moves || !exists(v) || !active.is_influenced_at(i)) continue;
+        mesh.set_position(v, mesh.position(v) + 0.1 * random.direction());
+        mesh.set_deformed(v, true);
+    }
+    for (std::uint32_t i = 0; i < active.wedge_entries(); ++i) {
+        const WedgeId w = active.wedge(i);
+        const bool turns = random.chance(0.7);
+        if (!turns || !exists(w) || !active.is_influenced_at(active.wedge_owner(i))) continue;
+        mesh.set_normal(w, Vec3f{random.direction()});
+    }
+}
+
+// Splits anywhere in the mesh, as propagation may; unsplits only what has an entry.
+void edit_at_random(ActiveSet& active, Random& random, int edits) {
+    for (int i = 0; i < edits; ++i) {
+        if (random.chance(0.55) || active.vertex_entries() == 0) {
+            const auto edges = test::live_edges(active.mesh());
+            const EdgeId e = edges[static_cast<std::size_t>(
+                random.integer(0, static_cast<int>(edges.size()) - 1))];
+            if (random.chance(0.5)) active.rest_length(e);
+            active.split(e);
+        } else {
+            const VertexId v = active.vertex(static_cast<std::uint32_t>(
+                random.integer(0, static_cast<int>(active.vertex_entries()) - 1)));
+            if (!exists(v)) continue;
+            if (const auto star = active.mesh().removable(v)) active.unsplit(*star);
+        }
+        if (i % 7 == 0) deform_at_random(active, random);
+    }
+}
+
+// Everything an active set says of itself.
+void expect_same(ActiveSet& x, ActiveSet& y) {
+    ASSERT_EQ(x.vertex_entries(), y.vertex_entries());
+    ASSERT_EQ(x.wedge_entries(), y.wedge_entries());
+    EXPECT_EQ(x.influenced_at_begin(), y.influenced_at_begin());
+    EXPECT_EQ(x.influenced_wedges_at_begin(), y.influenced_wedges_at_begin());
+    EXPECT_EQ(x.splits(), y.splits());
+    EXPECT_EQ(x.unsplits(), y.unsplits());
+    for (std::uint32_t i = 0; i < x.vertex_entries(); ++i) {
+        EXPECT_EQ(x.vertex(i), y.vertex(i));
+        EXPECT_EQ(x.rest_position_at(i), y.rest_position_at(i));
+        EXPECT_EQ(x.was_deformed_at(i), y.was_deformed_at(i));
+    }
+    for (std::uint32_t i = 0; i < x.wedge_entries(); ++i) {
+        EXPECT_EQ(x.wedge(i), y.wedge(i));
+        EXPECT_EQ(x.rest_normal_at(i), y.rest_normal_at(i));
+        EXPECT_EQ(x.wedge_owner(i), y.wedge_owner(i));
+    }
+    EXPECT_TRUE(std::ranges::equal(x.edges(), y.edges()));
+    for (std::uint32_t v = 0; v < x.mesh().vertex_slots(); ++v) {
+        EXPECT_EQ(x.rest_position(VertexId{v}), y.rest_position(VertexId{v}));
+    }
+    for (std::uint32_t w = 0; w < x.mesh().wedge_slots(); ++w) {
+        EXPECT_EQ(x.rest_normal(WedgeId{w}), y.rest_normal(WedgeId{w}));
+    }
+    for (EdgeId e : test::live_edges(x.mesh())) EXPECT_EQ(x.rest_length(e), y.rest_length(e));
+}
+
+void expect_same(const MeshChange& x, const MeshChange& y) {
+    EXPECT_EQ(x.slots_before, y.slots_before);
+    EXPECT_EQ(x.faces, y.faces);
+    ASSERT_EQ(x.edits.size(), y.edits.size());
+    for (std::size_t i = 0; i < x.edits.size(); ++i) {
+        EXPECT_EQ(x.edits[i].is_split(), y.edits[i].is_split());
+        EXPECT_EQ(x.edits[i].edge(), y.edits[i].edge());
+    }
+    EXPECT_EQ(x.before.vertices, y.before.vertices);
+    EXPECT_EQ(x.before.wedges, y.before.wedges);
+    EXPECT_EQ(x.after.vertices, y.after.vertices);
+    EXPECT_EQ(x.after.wedges, y.after.wedges);
+}
+
+TEST(ActiveSet, RollsBackUndoesAndRedoesAnyEditsToTheByte) {
+    const int cases = test::case_count(300);
+    for (int i = 0; i < cases; ++i) {
+        const auto seed = 500 + static_cast<std::uint64_t>(i);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        ActiveSet active(mesh);
+        for (int gesture = 0; gesture < 4; ++gesture) {
+            const TriMesh before = mesh;
+            begin(active, random_zone(mesh, random));
+            for (int frame = 0; frame < 2; ++frame) {
+                edit_at_random(active, random, 30);
+                active.roll_back();
+                ASSERT_TRUE(mesh == before) << "rolled back";
+            }
+            edit_at_random(active, random, 60);
+            ASSERT_EQ(mesh.validate(), kValid);
+            const MeshChange change = active.finish();
+            const TriMesh after = mesh;
+            undo(change, mesh);
+            ASSERT_TRUE(mesh == before) << "undone";
+            redo(change, mesh);
+            ASSERT_TRUE(mesh == after) << "redone";
+        }
+    }
+}
+
+TEST(ActiveSet, IsAfterAGestureAsIfItHadNeverBegun) {
+    const int cases = test::case_count(150);
+    for (int i = 0; i < cases; ++i) {
+        const auto seed = 900 + static_cast<std::uint64_t>(i);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        ActiveSet used(mesh);
+        for (int gesture = 0; gesture < 3; ++gesture) {
+            begin(used, random_zone(mesh, random));
+            edit_at_random(used, random, 40);
+            if (random.chance(0.5)) used.roll_back();
+            if (random.chance(0.5)) edit_at_random(used, random, 40);
+            used.finish();
+        }
+        TriMesh same = mesh;
+        ActiveSet fresh(same);
+        const Box zone = random_zone(mesh, random);
+        Random again = random;
+        begin(used, zone);
+        begin(fresh, zone);
+        edit_at_random(used, random, 40);
+        edit_at_random(fresh, again, 40);
+        expect_same(used, fresh);
+        expect_same(used.finish(), fresh.finish());
+        ASSERT_TRUE(mesh == same);
+        if (HasFailure()) return;
+    }
+}
+
+TEST(ActiveSet, IsAfterRollingBackAsItBegan) {
+    for (std::uint64_t seed = 1200; seed < 1260; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        {
+            ActiveSet earlier(mesh);
+            begin(earlier, random_zone(mesh, random));
+            edit_at_random(earlier, random, 40);
+            earlier.finish();
+        }
+        TriMesh same = mesh;
+        ActiveSet rolled(mesh), begun(same);
+        const Box zone = random_zone(mesh, random);
+        begin(rolled, zone);
+        begin(begun, zone);
+        edit_at_random(rolled, random, 60);
+        rolled.roll_back();
+        expect_same(rolled, begun);
+        if (HasFailure()) return;
+    }
+}
+
+TEST(ActiveSet, ListsVerticesStrictlyInsideTheZoneFirstThenOtherCorners) {
+    for (std::uint64_t seed = 1300; seed < 1400; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        Box zone = random_zone(mesh, random);
+        // Now and then a vertex lies on the border itself.
+        if (random.chance(0.5)) {
+            zone.max = mesh.position(VertexId{0});
+            zone.min = glm::min(zone.min, zone.max - 0.1);
+        }
+        ActiveSet active(mesh);
+        begin(active, zone);
+        std::vector<VertexId> inside, corners;
+        std::set<VertexId> of_active_faces;
+        for (FaceId f : FaceTree(mesh).faces_meeting(zone, mesh)) {
+            for (int c = 0; c < 3; ++c) {
+                of_active_faces.insert(mesh.origin(TriMesh::half_edge(f, c)));
+            }
+        }
+        for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
+            if (!exists(mesh.half_edge(VertexId{v}))) continue;
+            if (zone.contains_strictly(mesh.position(VertexId{v}))) {
+                inside.push_back(VertexId{v});
+                EXPECT_TRUE(of_active_faces.contains(VertexId{v}));
+            } else if (of_active_faces.contains(VertexId{v})) {
+                corners.push_back(VertexId{v});
+            }
+        }
+        ASSERT_EQ(active.influenced_at_begin(), inside.size());
+        std::vector<VertexId> entries = inside;
+        entries.insert(entries.end(), corners.begin(), corners.end());
+        ASSERT_EQ(active.vertex_entries(), entries.size());
+        for (std::uint32_t i = 0; i < entries.size(); ++i) {
+            EXPECT_EQ(active.vertex(i), entries[i]);
+            EXPECT_EQ(active.is_influenced_at(i), i < inside.size());
+        }
+        for (std::uint32_t i = 0; i < active.wedge_entries(); ++i) {
+            EXPECT_EQ(active.wedge_owner(i) < inside.size(),
+                      i < active.influenced_wedges_at_begin());
+        }
+        active.finish();
+    }
+}
+
+TEST(ActiveSet, PutsInsertedVerticesAtTheMidpointOfTheRestState) {
+    TriMesh mesh = build_mesh(make_shape(ShapeKind::cube, 1)).mesh;
+    const TriMesh rest = mesh;
+    ActiveSet active(mesh);
+    const Box zone{.min = Vec3{-2.0}, .max = Vec3{2.0}};
+    begin(active, zone);
+    Random random(9);
+    deform_at_random(active, random);
+    for (EdgeId e : test::live_edges(rest)) {
+        const float length = active.rest_length(e);
+        const ActiveSet::Inserted inserted = active.split(e);
+        const Split& s = inserted.split;
+        const Vec3 middle = 0.5 * rest.position(s.b) + 0.5 * rest.position(s.c);
+        EXPECT_EQ(active.rest_position(s.m), middle);
+        EXPECT_EQ(mesh.position(s.m), middle);
+        EXPECT_EQ(active.vertex(inserted.vertex_entry), s.m);
+        EXPECT_EQ(active.wedge(inserted.left_wedge_entry), s.left.m);
+        EXPECT_EQ(active.wedge(inserted.right_wedge_entry), s.right->m);
+        EXPECT_EQ(active.wedge_owner(inserted.right_wedge_entry), inserted.vertex_entry);
+        for (const Split::Side& side : {s.left, *s.right}) {
+            EXPECT_EQ(active.rest_normal(side.m),
+                      midpoint_normal(rest.normal(side.b), rest.normal(side.c), Vec3{0.0}));
+        }
+        EXPECT_EQ(active.rest_length(s.bm), 0.5f * length);
+        EXPECT_EQ(active.rest_length(s.mc), 0.5f * length);
+        EXPECT_TRUE(active.is_influenced_at(inserted.vertex_entry));
+        active.roll_back();
+        deform_at_random(active, random);
+    }
+    active.roll_back();
+    EXPECT_TRUE(mesh == rest);
+    active.finish();
+}
+
+TEST(ActiveSet, RestsInsertedNormalsOnTheFaceWhereEndNormalsCancel) {
+    TriMesh mesh = test::mesh_of(
+        "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 0.5 -1\nvn 0 1 0\nvn 0 -1 0\nvt 0 0\nvt 1 1\n"
+        "f 1/1/1 2/1/1 3/1/2\nf 3/2/2 2/2/1 4/2/1\n");
+    TriMesh split = mesh;
+    const EdgeId e = edge_between(mesh, 1, 2);
+    const Split s = split.split(e);
+    ActiveSet active(mesh);
+    begin(active, {.min = Vec3{-5.0}, .max = Vec3{5.0}});
+    mesh.set_position(VertexId{3}, {9, 9, 9});  // rest counts, not this
+    const ActiveSet::Inserted inserted = active.split(e);
+    EXPECT_EQ(active.rest_normal(inserted.split.left.m), split.normal(s.left.m));
+    EXPECT_EQ(active.rest_normal(inserted.split.right->m), split.normal(s.right->m));
+    active.roll_back();
+    active.finish();
+}
+
+// A seam ends in wedges that only the far side of the zone's border sees.
+TEST(ActiveSet, GivesBackWedgesOnTheSideWhereNoFaceIsActive) {
+    TriMesh mesh = test::mesh_of(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 5 5\nvt 6 5\nvt 6 7\n"
+        "f 1/1 2/2 3/3\nf 3/4 2/5 4/6\n");
+    const Split s = mesh.split(edge_between(mesh, 1, 2));
+    mesh.set_normal(s.right->m, {0, 1, 0});  // something no split would make
+    mesh.set_normal(s.left.m, {1, 0, 0});
+    const TriMesh before = mesh;
+    std::vector<FaceId> left;
+    for (FaceId f : test::live_faces(mesh)) {
+        if (mesh.base_face(f) == FaceId{0}) left.push_back(f);
+    }
+    ActiveSet active(mesh);
+    for (const bool refine_again : {false, true}) {
+        active.begin(left, {.min = Vec3{-1.0}, .max = Vec3{0.1}});
+        active.unsplit(*mesh.removable(s.m));
+        EXPECT_EQ(mesh.validate(), kValid);
+        if (refine_again) active.split(s.bm);
+        active.roll_back();
+        EXPECT_TRUE(mesh == before);
+        active.unsplit(*mesh.removable(s.m));
+        if (refine_again) active.split(s.bm);
+        const MeshChange change = active.finish();
+        const TriMesh after = mesh;
+        undo(change, mesh);
+        EXPECT_TRUE(mesh == before);
+        redo(change, mesh);
+        EXPECT_TRUE(mesh == after);
+        undo(change, mesh);
+    }
+}
+
+TEST(MeshChange, IsEmptyOnlyWhereNothingChangedAtAll) {
+    TriMesh mesh = build_mesh(make_shape(ShapeKind::sphere, 1)).mesh;
+    ActiveSet active(mesh);
+    const Box zone{.min = Vec3{-2.0}, .max = Vec3{2.0}};
+    const auto change_by = [&](auto edit) {
+        begin(active, zone);
+        edit();
+        return active.finish();
+    };
+    EXPECT_TRUE(change_by([] {}).is_empty());
+    EXPECT_FALSE(change_by([&] { mesh.set_position(VertexId{3}, {1, 1, 1}); }).is_empty());
+    EXPECT_FALSE(change_by([&] { mesh.set_deformed(VertexId{4}, true); }).is_empty());
+    EXPECT_FALSE(change_by([&] { active.split(EdgeId{5}); }).is_empty());
+    // A pinned vertex may turn where it stands.
+    const TriMesh before = mesh;
+    const MeshChange turned = change_by([&] { mesh.set_normal(WedgeId{5}, {0, 0, 1}); });
+    EXPECT_FALSE(turned.is_empty());
+    undo(turned, mesh);
+    EXPECT_TRUE(mesh == before);
+}
+
+TEST(MeshChange, NamesEveryFaceThatMovedCameOrWent) {
+    for (std::uint64_t seed = 1500; seed < 1550; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        const TriMesh before = mesh;
+        ActiveSet active(mesh);
+        begin(active, random_zone(mesh, random));
+        edit_at_random(active, random, 30);
+        const MeshChange change = active.finish();
+        EXPECT_TRUE(std::is_sorted(change.faces.begin(), change.faces.end()));
+        for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+            const FaceId f{i};
+            const bool was = i < before.face_slots() && before.is_live(f);
+            bool differs = was != mesh.is_live(f);
+            for (int c = 0; was && !differs && c < 3; ++c) {
+                const HalfEdgeId h = TriMesh::half_edge(f, c);
+                differs = mesh.origin(h) != before.origin(h) || mesh.wedge(h) != before.wedge(h) ||
+                          mesh.position(mesh.origin(h)) != before.position(before.origin(h));
+            }
+            if (!differs) continue;
+            EXPECT_TRUE(std::binary_search(change.faces.begin(), change.faces.end(), f));
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pectin
