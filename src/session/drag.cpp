@@ -122,6 +122,7 @@ void Session::State::cancel_drag() {
 }
 
 Refusal Session::State::run(const command::Drag& drag) {
+    if (drag.moves.empty()) return "a drag needs at least one move, from a point to another";
     std::vector<Vec3> points, targets;
     for (const command::Drag::Move& move : drag.moves) {
         points.push_back(move.from);
