@@ -10,7 +10,6 @@ namespace {
 
 constexpr double kAutoThetaMin = 7.0 / 9.0;  // of theta_max: the paper's pi/7 and pi/9
 constexpr double kAutoFloor = 1e-4;          // of the box diagonal
-constexpr double kAutoRadius = 0.25;         // of the box diagonal
 
 double value_or_off(const Setting& s) { return s.kind == Setting::Kind::value ? s.value : kOff; }
 

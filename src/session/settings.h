@@ -28,6 +28,8 @@ struct AdaptSettings {
     AdaptLimits limits(double smallest_cell, double diagonal) const;
 };
 
+inline constexpr double kAutoRadius = 0.25;  // of a brush, of the box diagonal
+
 // Which lattice a drag gets.
 struct LatticeSettings {
     std::optional<double> radius;  // brush; none: a quarter of the box diagonal
