@@ -1,0 +1,289 @@
+// Each test and guard of adaptive meshing by itself, on two triangles.
+#include "adapt/criteria.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "support/mesh_figures.h"
+
+namespace pectin {
+namespace {
+
+using test::edge_between;
+using test::mesh_of;
+
+// Two right triangles at a crease: along 1-2, each side has wedges of its own.
+const std::string kCrease =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 3/2 2/2 4/2\n";
+const std::string kSmooth = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 3 2 4\n";
+
+const Box kEverywhere{.min = Vec3{-9.0}, .max = Vec3{9.0}};
+const Box kElsewhere{.min = Vec3{5.0}, .max = Vec3{9.0}};
+
+Vec3f turned(double degrees) {
+    const double a = degrees * std::numbers::pi / 180.0;
+    return Vec3f{Vec3{std::sin(a), 0.0, std::cos(a)}};
+}
+
+// Two triangles whose normals and positions the tests set; the middle edge is the one asked about.
+class TwoTriangles {
+  public:
+    explicit TwoTriangles(const std::string& obj) : mesh(mesh_of(obj)) {
+        middle = edge_between(mesh, 1, 2);
+    }
+    // The wedge of vertex `v` in base face `f`.
+    WedgeId wedge(std::uint32_t f, std::uint32_t v) const {
+        for (int c = 0; c < 3; ++c) {
+            const HalfEdgeId h = TriMesh::half_edge(FaceId{f}, c);
+            if (index(mesh.origin(h)) == v) return mesh.wedge(h);
+        }
+        return kNone<WedgeId>;
+    }
+    bool needs(const AdaptLimits& limits, const std::optional<Box>& zone = std::nullopt) {
+        return Criteria(limits, zone, std::nullopt).needs_refinement(active, middle);
+    }
+
+    TriMesh mesh;
+    EdgeId middle = kNone<EdgeId>;
+    ActiveSet active{mesh};
+};
+
+TEST(NeedsRefinement, ComparesTheEndNormalsOfADeformedEdgeWithThetaMax) {
+    TwoTriangles two(kSmooth);
+    two.mesh.set_normal(two.wedge(0, 1), turned(30.0));
+    EXPECT_FALSE(two.needs({.theta_max = 5.0})) << "not deformed";
+    for (const VertexId end : {VertexId{1}, VertexId{2}}) {
+        two.mesh.set_deformed(end, true);
+        EXPECT_TRUE(two.needs({.theta_max = 29.999}));
+        EXPECT_FALSE(two.needs({.theta_max = 30.001}));
+        EXPECT_FALSE(two.needs({}));
+        two.mesh.set_deformed(end, false);
+    }
+    two.mesh.set_deformed(VertexId{0}, true);
+    EXPECT_FALSE(two.needs({.theta_max = 5.0})) << "no end of the edge";
+}
+
+TEST(NeedsRefinement, ComparesEachSideByItselfSoThatACreaseIsNoCurvature) {
+    TwoTriangles two(kCrease);
+    two.mesh.set_deformed(VertexId{1}, true);
+    for (std::uint32_t v : {1u, 2u}) two.mesh.set_normal(two.wedge(1, v), turned(90.0));
+    EXPECT_FALSE(two.needs({.theta_max = 5.0})) << "flat on both sides of a right angle";
+    two.mesh.set_normal(two.wedge(1, 2), turned(120.0));
+    EXPECT_TRUE(two.needs({.theta_max = 29.99})) << "bent on the right";
+    EXPECT_FALSE(two.needs({.theta_max = 30.01}));
+    two.mesh.set_normal(two.wedge(1, 2), turned(90.0));
+    two.mesh.set_normal(two.wedge(0, 1), turned(-30.0));
+    EXPECT_TRUE(two.needs({.theta_max = 29.99})) << "bent on the left";
+    EXPECT_FALSE(two.needs({.theta_max = 30.01}));
+}
+
+TEST(NeedsRefinement, DoesNotTestASideWithoutNormalsOrWhoseRestNormalsOppose) {
+    TwoTriangles two(kCrease);
+    two.mesh.set_deformed(VertexId{1}, true);
+    two.mesh.set_normal(two.wedge(0, 1), Vec3f{0.0f});
+    EXPECT_FALSE(two.needs({.theta_max = 5.0}));
+    // At rest 119 degrees apart is a bend, 121 a spike that was there before.
+    for (const double rest : {119.0, 121.0}) {
+        TwoTriangles spike(kCrease);
+        spike.mesh.set_normal(spike.wedge(0, 1), turned(rest));
+        spike.active.begin(std::vector<FaceId>{FaceId{0}, FaceId{1}}, kEverywhere);
+        spike.mesh.set_deformed(VertexId{1}, true);
+        spike.mesh.set_normal(spike.wedge(0, 1), turned(60.0));
+        EXPECT_EQ(spike.needs({.theta_max = 20.0}), rest < 120.0);
+        // What the drag itself turns so far counts.
+        spike.mesh.set_normal(spike.wedge(0, 1), turned(170.0));
+        EXPECT_EQ(spike.needs({.theta_max = 20.0}), rest < 120.0);
+        spike.active.finish();
+    }
+}
+
+TEST(NeedsRefinement, FindsLongEdgesOfFacesThatMeetTheZone) {
+    TwoTriangles two(kSmooth);
+    const double length = std::sqrt(2.0);
+    EXPECT_TRUE(two.needs({.l_max = length - 1e-9}, kEverywhere));
+    EXPECT_FALSE(two.needs({.l_max = length + 1e-9}, kEverywhere));
+    EXPECT_FALSE(two.needs({.l_max = 0.1}, kElsewhere));
+    EXPECT_FALSE(two.needs({.l_max = 0.1}, std::nullopt));
+    EXPECT_FALSE(two.needs({}, kEverywhere));
+    // One of its two faces is enough, and only a touch of it.
+    EXPECT_TRUE(two.needs({.l_max = 0.1}, Box{.min = Vec3{-1.0}, .max = Vec3{0.0}}));
+    EXPECT_TRUE(two.needs({.l_max = 0.1}, Box{.min = Vec3{1, 1, 0}, .max = Vec3{2.0}}));
+    // The present length counts, but the zone is compared with the rest.
+    two.active.begin(std::vector<FaceId>{FaceId{0}, FaceId{1}}, kEverywhere);
+    for (std::uint32_t v = 0; v < 4; ++v) {
+        two.mesh.set_position(VertexId{v}, 3.0 * two.mesh.position(VertexId{v}) + Vec3{0, 0, 7});
+    }
+    EXPECT_TRUE(two.needs({.l_max = 3.0 * length - 1e-9}, kEverywhere));
+    EXPECT_FALSE(two.needs({.l_max = 3.0 * length + 1e-9}, kEverywhere));
+    EXPECT_FALSE(two.needs({.l_max = 0.1}, Box{.min = Vec3{0, 0, 6}, .max = Vec3{9.0}}));
+    EXPECT_TRUE(two.needs({.l_max = 0.1}, Box{.min = Vec3{0.0}, .max = Vec3{1.0}}));
+    two.active.finish();
+}
+
+TEST(Floor, ForbidsHalvesThatAreShorter) {
+    TwoTriangles two(kSmooth);
+    const double half = 0.5 * std::sqrt(2.0);
+    const auto below = [&](double floor) {
+        return Criteria({.floor = floor}, std::nullopt, std::nullopt)
+            .is_below_floor(two.mesh, two.middle);
+    };
+    EXPECT_TRUE(below(half + 1e-9));
+    EXPECT_FALSE(below(half - 1e-9));
+    EXPECT_FALSE(below(0.0));
+}
+
+// --- Thinning: m is the midpoint of the middle edge
+
+class Midpoint : public TwoTriangles {
+  public:
+    explicit Midpoint(const std::string& obj = kSmooth) : TwoTriangles(obj) {
+        split = mesh.split(middle);
+    }
+    void lift(double height) {
+        mesh.set_position(split.m, {0.5, 0.5, height});
+        mesh.set_deformed(split.m, true);
+    }
+    bool may_go(const AdaptLimits& limits, const std::optional<Box>& zone = std::nullopt,
+                const std::optional<Box>& scope = std::nullopt) {
+        return Criteria(limits, zone, scope).may_unsplit(active, *mesh.removable(split.m));
+    }
+    Split split;
+};
+
+const double kLength = std::sqrt(2.0);  // of the restored edge
+
+TEST(MayUnsplit, LetsEverythingGoWithAllLimitsOff) {
+    Midpoint m;
+    m.lift(5.0);
+    m.mesh.set_normal(m.split.left.m, turned(170.0));
+    EXPECT_TRUE(m.may_go({}));
+}
+
+TEST(MayUnsplit, AsksAllFourEdgesToDivergeByLessThanThetaMin) {
+    for (const std::uint32_t bent : {0u, 1u, 2u, 3u}) {
+        Midpoint m;
+        const WedgeId w = m.wedge(bent < 3 ? 0 : 1, bent);
+        // Left and right pieces keep the wedges of the base corners.
+        m.mesh.set_normal(exists(w) ? w : m.split.left.c, turned(20.0));
+        EXPECT_TRUE(m.may_go({.theta_min = 20.001})) << bent;
+        EXPECT_FALSE(m.may_go({.theta_min = 19.999})) << bent;
+    }
+}
+
+TEST(MayUnsplit, AsksTheRightSideOfACreaseToo) {
+    Midpoint m(kCrease);
+    m.mesh.set_normal(m.split.right->m, turned(20.0));
+    EXPECT_TRUE(m.may_go({.theta_min = 20.001}));
+    EXPECT_FALSE(m.may_go({.theta_min = 19.999}));
+}
+
+TEST(MayUnsplit, KeepsVerticesThatLieTooFarFromTheRestoredFaces) {
+    Midpoint m;
+    for (const double height : {0.05, -0.05}) {
+        m.lift(height);
+        // |f1.delta| + |f2.delta|: twice the height where both faces are flat.
+        EXPECT_TRUE(m.may_go({.flatness = 2.0 * 0.05 / kLength + 1e-9}));
+        EXPECT_FALSE(m.may_go({.flatness = 2.0 * 0.05 / kLength - 1e-9}));
+    }
+    // Within the plane of its faces it may have slid.
+    m.mesh.set_position(m.split.m, {0.8, 0.1, 0.0});
+    EXPECT_TRUE(m.may_go({.flatness = 1e-9}));
+}
+
+TEST(MayUnsplit, CountsAllOfTheDistanceWhereARestoredFaceHasNoArea) {
+    Midpoint m;
+    m.lift(0.0);
+    m.mesh.set_position(VertexId{0}, {0.5, 0.5, 0.0});  // on the edge
+    m.mesh.set_position(m.split.m, {0.6, 0.4, 0.0});
+    const double away = std::sqrt(0.02) / kLength;
+    EXPECT_TRUE(m.may_go({.flatness = away + 1e-9}));
+    EXPECT_FALSE(m.may_go({.flatness = away - 1e-9}));
+}
+
+TEST(MayUnsplit, MeasuresABoundaryVertexFromItsEdge) {
+    TriMesh mesh = mesh_of("v 0 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 3\n");
+    const Split s = mesh.split(edge_between(mesh, 0, 1));
+    mesh.set_position(s.m, {0.7, -0.03, 0.04});
+    ActiveSet active(mesh);
+    const auto may_go = [&](double flatness) {
+        return Criteria({.flatness = flatness}, std::nullopt, std::nullopt)
+            .may_unsplit(active, *mesh.removable(s.m));
+    };
+    EXPECT_TRUE(may_go(0.05 / 2.0 + 1e-9));
+    EXPECT_FALSE(may_go(0.05 / 2.0 - 1e-9));
+    // An edge of no length has no line to be near to.
+    mesh.set_position(VertexId{1}, Vec3{0.0});
+    EXPECT_FALSE(may_go(100.0));
+}
+
+TEST(MayUnsplit, KeepsWhatWouldRestoreAnEdgeThatNeedsRefinement) {
+    Midpoint m;
+    m.mesh.set_normal(m.split.left.b, turned(-15.0));
+    m.mesh.set_normal(m.split.left.c, turned(15.0));
+    const AdaptLimits limits{.theta_max = 29.99, .theta_min = 20.0};
+    EXPECT_TRUE(m.may_go(limits)) << "nothing is deformed";
+    m.mesh.set_deformed(VertexId{1}, true);
+    EXPECT_FALSE(m.may_go(limits));
+    EXPECT_TRUE(m.may_go({.theta_max = 30.01, .theta_min = 20.0}));
+    // Each half passes: only the edge they make up does not.
+    m.mesh.set_deformed(VertexId{1}, false);
+    m.mesh.set_deformed(VertexId{2}, true);
+    EXPECT_FALSE(m.may_go(limits));
+}
+
+TEST(MayUnsplit, LooksAtTheRightSideOfTheRestoredEdgeToo) {
+    Midpoint m(kCrease);
+    m.mesh.set_deformed(VertexId{1}, true);
+    m.mesh.set_normal(m.split.right->b, turned(-15.0));
+    m.mesh.set_normal(m.split.right->c, turned(15.0));
+    EXPECT_FALSE(m.may_go({.theta_max = 29.99, .theta_min = 20.0}));
+    EXPECT_TRUE(m.may_go({.theta_max = 30.01, .theta_min = 20.0}));
+}
+
+TEST(MayUnsplit, AsksItsEdgesToBeShorterThanLMaxWhereverTheyAre) {
+    Midpoint m;
+    const double half = 0.5 * kLength;
+    EXPECT_TRUE(m.may_go({.l_max = half + 1e-9}));
+    EXPECT_FALSE(m.may_go({.l_max = half - 1e-9}));
+    EXPECT_FALSE(m.may_go({.l_max = half - 1e-9}, kElsewhere));
+}
+
+TEST(MayUnsplit, KeepsLongEdgesOutOfFacesThatMeetTheZone) {
+    Midpoint m;
+    EXPECT_FALSE(m.may_go({.l_max = kLength - 1e-9}, kEverywhere)) << "the restored edge";
+    EXPECT_TRUE(m.may_go({.l_max = kLength + 1e-9}, kEverywhere));
+    EXPECT_TRUE(m.may_go({.l_max = kLength - 1e-9}, kElsewhere));
+    // An outer edge is long, and the zone meets its face only once that is restored: the zone is
+    // in the half of 0, m, 2 that the edge 0-1 does not belong to.
+    Midpoint outer;
+    outer.mesh.set_position(VertexId{1}, {1.5, 0, 0});
+    outer.mesh.set_position(outer.split.m, {0.75, 0.5, 0});
+    const Box near_2{.min = {-0.1, 0.8, -0.1}, .max = {0.05, 1.1, 0.1}};
+    const double half = std::hypot(0.75, 0.5);
+    EXPECT_FALSE(outer.may_go({.l_max = 1.2}, near_2));
+    EXPECT_GT(1.2, half);
+    EXPECT_TRUE(outer.may_go({.l_max = 1.2}, kElsewhere));
+    EXPECT_TRUE(outer.may_go({.l_max = 2.0}, near_2));
+    // The face beyond counts alike.
+    const Box near_3{.min = {0.95, 0.95, -0.1}, .max = {1.1, 1.1, 0.1}};
+    EXPECT_FALSE(outer.may_go({.l_max = 1.2}, near_3));
+}
+
+TEST(MayUnsplit, LetsOnlyStarsThatMeetTheScopeGo) {
+    Midpoint m;
+    EXPECT_TRUE(m.may_go({}, std::nullopt, kEverywhere));
+    EXPECT_FALSE(m.may_go({}, std::nullopt, kElsewhere));
+    // One corner of each of its four faces in turn.
+    for (std::uint32_t v = 0; v < 4; ++v) {
+        const Vec3 p = m.mesh.position(VertexId{v});
+        EXPECT_TRUE(m.may_go({}, std::nullopt, Box{.min = p - 0.01, .max = p + 0.01}));
+    }
+    for (const Vec3& p : {Vec3{0.4, 0.1, 0}, {0.1, 0.4, 0}, {0.9, 0.6, 0}, {0.6, 0.9, 0}}) {
+        EXPECT_TRUE(m.may_go({}, std::nullopt, Box{.min = p - 0.01, .max = p + 0.01}));
+    }
+}
+
+}  // namespace
+}  // namespace pectin
