@@ -120,7 +120,7 @@ std::size_t undo_everything(Session& session) {
 class RandomSession : public testing::TestWithParam<Start> {};
 
 TEST_P(RandomSession, IsValidThroughoutAndUndoesAndRedoesToTheByte) {
-    const int cases = test::case_count(8);
+    const int cases = test::case_count(20);
     for (int i = 0; i < cases; ++i) {
         const auto seed = 4000 + static_cast<std::uint64_t>(i);
         SCOPED_TRACE("seed " + std::to_string(seed));
