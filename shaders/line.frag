@@ -1,8 +1,8 @@
 uniform float strength;
 
 in vec4 line_colour;
-noperspective in float across;
-flat in float half_width;
+in float across;
+in float half_width;
 out vec4 colour;
 
 void main() {

@@ -12,8 +12,8 @@ in End {
 } end[];
 
 out vec4 line_colour;
-noperspective out float across;  // pixels from the middle
-flat out float half_width;
+out float across;  // pixels from the middle
+out float half_width;
 
 // The end that lies behind the near plane moves along the line up to it.
 vec4 clipped(vec4 p, vec4 other) {
@@ -22,10 +22,13 @@ vec4 clipped(vec4 p, vec4 other) {
     return mix(p, other, behind / (p.z - other.z));
 }
 
-void emit(vec4 clip, vec2 side, float pixels, vec4 colour) {
+// Divided by w here, as nothing of the line is behind the eye any more: what follows is then linear
+// on the screen, as the strip's width is.
+void emit(vec4 clip, vec2 side, float pixels, float width, vec4 colour) {
     line_colour = colour;
+    half_width = 0.5 * width;
     across = pixels;
-    gl_Position = clip + vec4(side * pixels * 2.0 / picture_size * clip.w, 0.0, 0.0);
+    gl_Position = vec4(clip.xyz / clip.w + vec3(side * pixels * 2.0 / picture_size, 0.0), 1.0);
     EmitVertex();
 }
 
@@ -36,11 +39,11 @@ void main() {
     vec2 along = (q.xy / q.w - p.xy / p.w) * picture_size;
     if (dot(along, along) < 1e-12) return;
     vec2 side = normalize(vec2(-along.y, along.x));
-    half_width = 0.5 * end[0].width;
-    float reach = half_width + 1.0;  // room for the soft border
-    emit(p, side, reach, end[0].colour);
-    emit(p, side, -reach, end[0].colour);
-    emit(q, side, reach, end[1].colour);
-    emit(q, side, -reach, end[1].colour);
+    float width = end[0].width;
+    float reach = 0.5 * width + 1.0;  // room for the soft border
+    emit(p, side, reach, width, end[0].colour);
+    emit(p, side, -reach, width, end[0].colour);
+    emit(q, side, reach, width, end[1].colour);
+    emit(q, side, -reach, width, end[1].colour);
     EndPrimitive();
 }

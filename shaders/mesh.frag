@@ -16,7 +16,7 @@ out vec4 colour;
 
 // Albedos, as on screen.
 const vec3 kClay = vec3(0.755, 0.625, 0.540);
-const vec3 kInside = vec3(0.330, 0.420, 0.520);  // back faces: cool, so that a fold shows
+const vec3 kInside = vec3(0.300, 0.520, 0.600);  // back faces: cool, so that a fold shows
 const vec3 kBase = vec3(0.800, 0.790, 0.770);    // levels: the base mesh
 const vec3 kEdge = vec3(0.090, 0.070, 0.070);
 
@@ -27,7 +27,7 @@ const vec3 kKey = vec3(1.000, 0.955, 0.890) * 1.00;
 const vec3 kFill = vec3(0.720, 0.820, 1.000) * 0.22;
 const vec3 kRim = vec3(0.900, 0.940, 1.000) * 0.30;
 const vec3 kSky = vec3(0.880, 0.930, 1.000) * 0.17;
-const vec3 kGround = vec3(1.000, 0.860, 0.760) * 0.075;
+const vec3 kGround = vec3(1.000, 0.860, 0.760) * 0.110;
 const float kShininess = 22.0;
 const float kGloss = 0.13;
 
@@ -75,13 +75,13 @@ vec3 shading_normal() {
 
 #ifdef FACES
 // How much of the pixel an edge covers. Where triangles are smaller than a few pixels, edges would
-// cover all of it: they fade.
+// cover all of it: they fade to a tone.
 float edge_cover() {
     vec3 per_pixel = max(fwidth(barycentric), 1e-6);
     vec3 distances = barycentric / per_pixel;  // pixels from each edge
     float nearest = min(distances.x, min(distances.y, distances.z));
     float height = 1.0 / max(per_pixel.x, max(per_pixel.y, per_pixel.z));
-    float fade = smoothstep(0.8, 5.0, height);
+    float fade = mix(0.22, 1.0, smoothstep(0.8, 5.0, height));
     return fade * (1.0 - smoothstep(0.5 * line_width - 0.5, 0.5 * line_width + 0.5, nearest));
 }
 #endif

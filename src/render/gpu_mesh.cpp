@@ -103,6 +103,11 @@ GpuMesh::Upload GpuMesh::upload(const TriMesh& mesh, const Vec3& centre) {
     return upload;
 }
 
+GpuMesh::Upload GpuMesh::upload(const TriMesh& mesh) {
+    const Box box = mesh.bounding_box();
+    return upload(mesh, box.is_empty() ? Vec3{0.0} : box.centre());
+}
+
 GpuMesh::Upload GpuMesh::update(const TriMesh& mesh, std::span<const WedgeId> wedges,
                                 std::span<const FaceId> faces) {
     face_slots_ = mesh.face_slots();

@@ -62,7 +62,8 @@ class GpuMesh {
     // All of the mesh. `centre`: that positions are relative to from now on; near the object, for
     // floats to be fine enough. Cost: O(mesh).
     Upload upload(const TriMesh& mesh, const Vec3& centre);
-    Upload upload(const TriMesh& mesh) { return upload(mesh, mesh.bounding_box().centre()); }
+    // Relative to the centre of its box.
+    Upload upload(const TriMesh& mesh);
 
     // What an edit changed, in any order, repeats allowed. `wedges`: those that moved or came, live
     // or not (what went needs no mention). `faces`: slots whose face came, went or has other

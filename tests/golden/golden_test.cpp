@@ -1,0 +1,167 @@
+// Pictures against references that were looked at: NAME.png beside this file.
+//
+// Another processor or driver rounds differently, so a few pixels may differ. Where a picture is no
+// longer the reference, the test leaves it under pictures/ of the build and says where. After an
+// intended change `scripts/golden` makes the references anew; look at every one.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+
+#include "app/picture.h"
+#include "command/script.h"
+#include "ffd/drag_solver.h"
+#include "io/png.h"
+#include "support/offscreen.h"
+
+namespace pectin {
+namespace {
+
+constexpr int kWidth = 320, kHeight = 240;
+constexpr double kMostMeanDifference = 0.75;  // of 255, over all channels
+constexpr int kSmallDifference = 16;          // of 255: soft borders of lines that moved a little
+constexpr double kMostDifferent = 0.005;      // share of pixels that differ by more
+
+class Golden : public OffscreenTest {
+  protected:
+    // As the screenshot command does; `overlay` on top.
+    Image picture(const Session& session, const command::Screenshot::Show& show,
+                  std::optional<Camera> camera = {}, const Overlay& overlay = {}) {
+        Scene scene =
+            make_scene({.width = kWidth, .height = kHeight, .camera = camera, .show = show},
+                       session.mesh(), session.lattice_in_use());
+        scene.overlay.lines.insert(scene.overlay.lines.end(), overlay.lines.begin(),
+                                   overlay.lines.end());
+        scene.overlay.points.insert(scene.overlay.points.end(), overlay.points.begin(),
+                                    overlay.points.end());
+        return draw(gl(), session.mesh(), scene, {kWidth, kHeight});
+    }
+};
+
+void expect_golden(const std::string& name, const Image& image) {
+    const std::string reference_path = PECTIN_SOURCE_DIR "/tests/golden/" + name + ".png";
+    if (std::getenv("PECTIN_REMAKE_GOLDEN")) {
+        write_png(reference_path, kWidth, kHeight, image.rgba);
+        return;
+    }
+    const PngPixels reference = read_png(reference_path);
+    ASSERT_EQ(reference.rgba.size(), image.rgba.size());
+    double sum = 0.0;
+    int different = 0;
+    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
+        int most = 0;
+        for (std::size_t channel = 0; channel < 3; ++channel) {
+            const int d = std::abs(image.rgba[i + channel] - reference.rgba[i + channel]);
+            sum += d;
+            most = std::max(most, d);
+        }
+        different += most > kSmallDifference;
+    }
+    const double pixels = static_cast<double>(kWidth * kHeight);
+    if (sum / (3.0 * pixels) <= kMostMeanDifference && different / pixels <= kMostDifferent) return;
+    std::filesystem::create_directories(PECTIN_PICTURES);
+    const std::string path = std::string(PECTIN_PICTURES) + "/" + name + ".png";
+    write_png(path, kWidth, kHeight, image.rgba);
+    ADD_FAILURE() << path << " differs from " << reference_path << ": by " << sum / (3.0 * pixels)
+                  << " of 255 on average, and visibly in " << different << " pixels";
+}
+
+std::string sphere(int resolution) {
+    return R"({"cmd": "shape", "kind": "sphere", "resolution": )" + std::to_string(resolution) +
+           "}";
+}
+std::string brush(double radius) {
+    return R"({"cmd": "brush", "radius": )" + std::to_string(radius) + "}";
+}
+std::string drag(const std::string& from, const std::string& to) {
+    return R"({"cmd": "drag", "moves": [{"from": [)" + from + R"(], "to": [)" + to + "]}]}";
+}
+
+// Does what a script of the program's own says, but for its pictures.
+void sculpt(Session& session, const std::string& script) {
+    std::ifstream text(std::string(PECTIN_SOURCE_DIR "/assets/") + script);
+    ScriptReader reader(text);
+    int done = 0;
+    while (const auto line = reader.next()) {
+        ASSERT_TRUE(std::holds_alternative<Command>(line->command)) << script << line->number;
+        const Command& command = std::get<Command>(line->command);
+        if (std::holds_alternative<command::Screenshot>(command)) continue;
+        const auto refusal = session.execute(command);
+        ASSERT_FALSE(refusal) << script << ':' << line->number << ": " << *refusal;
+        ++done;
+    }
+    ASSERT_GT(done, 10) << script;
+}
+
+TEST_F(Golden, Sphere) {
+    Session session;
+    execute(session, {sphere(5)});
+    expect_golden("sphere", picture(session, {}));
+}
+
+TEST_F(Golden, CoarseSphereWithWireframe) {
+    Session session;
+    execute(session, {sphere(3)});
+    expect_golden("wireframe", picture(session, {.wireframe = true}));
+}
+
+TEST_F(Golden, Elephant) {
+    Session session;
+    sculpt(session, "elephant.jsonl");
+    const Camera camera{.eye = Vec3(4.6, 1.3, 3.3), .target = Vec3(0.05, -0.16, 0.5), .fov = 31.0};
+    expect_golden("elephant", picture(session, {}, camera));
+    expect_golden("elephant_wireframe", picture(session, {.wireframe = true}, camera));
+    expect_golden("elephant_levels", picture(session, {.levels = true}, camera));
+}
+
+TEST_F(Golden, CubeKeepsItsCreases) {
+    Session session;
+    execute(session,
+            {R"({"cmd": "shape", "kind": "cube", "resolution": 6})",
+             R"({"cmd": "adapt", "theta_max": 12})", brush(1.6),
+             drag("0.4, 1, 0.4", "0.5, 1.55, 0.5"), drag("1, -0.2, 0.2", "0.7, -0.2, 0.2")});
+    expect_golden("cube", picture(session, {}));
+    expect_golden("cube_wireframe", picture(session, {.wireframe = true}));
+}
+
+TEST_F(Golden, InsideOfAnOpenSurface) {
+    Session session;
+    execute(session,
+            {R"({"cmd": "shape", "kind": "plane", "resolution": 12})",
+             R"({"cmd": "adapt", "theta_max": 10})", brush(1.4), drag("0, 0, 0", "0, 0.8, 0")});
+    const Camera below{.eye = Vec3(1.2, -2.6, 2.2), .target = Vec3(0, 0.1, 0)};
+    expect_golden("inside", picture(session, {}, below));
+}
+
+TEST_F(Golden, DragInProgressWithItsLattice) {
+    Session session;
+    execute(session, {sphere(4), R"({"cmd": "adapt", "theta_max": 12})", brush(0.85)});
+    const std::vector<Vec3> points{Vec3(0, 0, 1)}, pins{glm::normalize(Vec3(0.9, -0.2, 1))},
+        targets{Vec3(-0.1, 0.25, 1.45)};
+    ASSERT_FALSE(session.begin_drag(points, pins));
+    ASSERT_FALSE(session.drag_to(targets));
+    ASSERT_TRUE(session.lattice_in_use());
+    const Lattice lattice = *session.lattice_in_use();
+    const auto solved = DragSolver::create(lattice, points, pins);
+    ASSERT_TRUE(std::holds_alternative<DragSolver>(solved));
+    Overlay overlay;
+    add_lattice(
+        overlay, lattice,
+        std::get<DragSolver>(solved).control_displacements(std::vector{targets[0] - points[0]}));
+    add_drag(overlay, points[0], targets[0]);
+    add_pin(overlay, pins[0]);
+    const Camera camera{.eye = Vec3(2.6, 1.5, 4.0), .target = Vec3(0.1, 0.1, 0.5), .fov = 36.0};
+    expect_golden("drag", picture(session, {}, camera, overlay));
+    session.cancel_drag();
+}
+
+TEST_F(Golden, LatticeOfAScreenshot) {
+    Session session;
+    execute(session, {sphere(4), brush(0.85), drag("0, 0, 1", "0.1, 0.2, 1.2")});
+    expect_golden("lattice", picture(session, {.lattice = true}));
+}
+
+}  // namespace
+}  // namespace pectin

@@ -1,0 +1,250 @@
+// What pictures show, and what happens where none can be drawn.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <filesystem>
+#include <numbers>
+
+#include "app/offscreen_viewport.h"
+#include "io/png.h"
+#include "mesh/build_mesh.h"
+#include "mesh/shapes.h"
+#include "support/offscreen.h"
+
+namespace pectin {
+namespace {
+
+constexpr IVec2 kSize{160, 120};
+
+using RenderTest = OffscreenTest;
+
+struct Pixel {
+    int red, green, blue;
+    int luminance() const { return (2 * red + 5 * green + blue) / 8; }
+};
+Pixel pixel(const Image& image, int x, int y) {
+    const auto at = 4 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(image.size.x) +
+                         static_cast<std::size_t>(x));
+    return {image.rgba[at], image.rgba[at + 1], image.rgba[at + 2]};
+}
+
+TriMesh sphere(int resolution) {
+    return build_mesh(make_shape(ShapeKind::sphere, resolution)).mesh;
+}
+
+// ---- Refusals
+
+TEST(RenderErrors, SayWhatToInstallWhereThereIsNoOpenGl) {
+    try {
+        load_gl([](const char*) -> GLADapiproc { return nullptr; });
+        FAIL() << "was loaded";
+    } catch (const ContextError& error) {
+        EXPECT_NE(std::string(error.what()).find("needs OpenGL 3.3; install"), std::string::npos);
+    }
+}
+
+TEST(RenderErrors, SayWhichVersionIsTooOld) {
+    // The only function that load_gl asks for the version.
+    static constexpr auto kGetString = [](GLenum name) -> const GLubyte* {
+        return reinterpret_cast<const GLubyte*>(name == GL_VERSION ? "2.1 Mesa" : "a toaster");
+    };
+    try {
+        load_gl([](const char* name) -> GLADapiproc {
+            const GLubyte* (*const get_string)(GLenum) = kGetString;
+            return std::string(name) == "glGetString" ? reinterpret_cast<GLADapiproc>(get_string)
+                                                      : nullptr;
+        });
+        FAIL() << "was loaded";
+    } catch (const ContextError& error) {
+        EXPECT_NE(std::string(error.what()).find("OpenGL 2.1 Mesa by a toaster is too old"),
+                  std::string::npos)
+            << error.what();
+    }
+}
+
+TEST_F(RenderTest, NamesTheShaderThatFailsAndWhatTheDriverSays) {
+    const ShaderSource good{"good.vert", "void main() { gl_Position = vec4(0.0); }"};
+    const ShaderSource bad{"bad.frag", "void main() { this is no shader }"};
+    try {
+        const ShaderProgram program(gl(), {good, bad});
+        FAIL() << "was compiled";
+    } catch (const ShaderError& error) {
+        EXPECT_EQ(error.shader(), "bad.frag");
+        EXPECT_FALSE(error.log().empty());
+        EXPECT_EQ(std::string(error.what()).find('\n'), std::string::npos);
+        EXPECT_NE(std::string(error.what()).find("bad.frag"), std::string::npos);
+    }
+}
+
+TEST_F(RenderTest, NamesTheShadersThatDoNotFitTogether) {
+    const ShaderSource vert{"a.vert", "out vec3 v; void main() { v = gl_Position = vec4(0.0); }"};
+    const ShaderSource frag{"b.frag", "in vec3 w; out vec4 c; void main() { c = vec4(w, 1.0); }"};
+    EXPECT_THROW(ShaderProgram(gl(), {vert, frag}), ShaderError);
+}
+
+TEST_F(RenderTest, RefusesAPictureBeyondTheDriversLimits) {
+    try {
+        const Canvas canvas(gl(), {1 << 20, 16});
+        FAIL() << "was made";
+    } catch (const ContextError& error) {
+        EXPECT_NE(std::string(error.what()).find("too large"), std::string::npos);
+    }
+}
+
+// ---- Pictures
+
+TEST_F(RenderTest, HasFewerSamplesWhereMoreWouldTakeGigabytes) {
+    EXPECT_GE(Canvas(gl(), {64, 64}).samples(), 4);
+    EXPECT_EQ(Canvas(gl(), {64, 64}, 1).samples(), 1);
+    EXPECT_EQ(Canvas(gl(), {8192, 8192}).samples(), 1);
+}
+
+TEST_F(RenderTest, ReadsRowsFromTheTop) {
+    const TriMesh mesh = sphere(3);
+    const Scene scene{.camera = {.eye = Vec3(0, -1, 5), .target = Vec3(0, -1, 0)}};
+    const Image image = draw(gl(), mesh, scene, kSize), empty = draw(gl(), TriMesh{}, scene, kSize);
+    EXPECT_NE(pixel(image, 80, 40).red, pixel(empty, 80, 40).red);
+    EXPECT_EQ(pixel(image, 80, 110).red, pixel(empty, 80, 110).red);
+}
+
+TEST_F(RenderTest, ShowsTheInsideInAnotherColour) {
+    const TriMesh mesh = sphere(3);
+    const Pixel outside =
+        pixel(draw(gl(), mesh, {.camera = {.eye = Vec3(0, 0, 3)}}, kSize), 80, 60);
+    const Pixel inside = pixel(
+        draw(gl(), mesh, {.camera = {.eye = Vec3(0, 0, 0.5), .target = Vec3(0)}}, kSize), 80, 60);
+    EXPECT_GT(outside.red, outside.blue + 20);
+    EXPECT_GT(inside.blue, inside.red + 20);
+    EXPECT_GT(inside.luminance(), 40);
+}
+
+TEST_F(RenderTest, ShadesUndefinedNormalsByTheirFaces) {
+    TriMesh mesh = sphere(4);
+    const Scene scene{.camera = {.eye = Vec3(0.4, 0.6, 3)}};
+    const Image smooth = draw(gl(), mesh, scene, kSize);
+    for (std::uint32_t i = 0; i < mesh.wedge_slots(); ++i) mesh.set_normal(WedgeId{i}, Vec3f{0.0f});
+    const Image faceted = draw(gl(), mesh, scene, kSize);
+    for (int y = 0; y < kSize.y; ++y)
+        for (int x = 0; x < kSize.x; ++x)
+            EXPECT_NEAR(pixel(faceted, x, y).luminance(), pixel(smooth, x, y).luminance(), 24);
+}
+
+TEST_F(RenderTest, LooksTheSameFarFromTheOrigin) {
+    const Vec3 far{1e6, -2e6, 3e6};
+    TriMesh mesh = sphere(3);
+    const Image here = draw(gl(), mesh, {.camera = {.eye = Vec3(1, 2, 3)}}, kSize);
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i)
+        mesh.set_position(VertexId{i}, mesh.position(VertexId{i}) + far);
+    const Image there =
+        draw(gl(), mesh, {.camera = {.eye = Vec3(1, 2, 3) + far, .target = far}}, kSize);
+    int different = 0;
+    for (std::size_t i = 0; i < here.rgba.size(); ++i)
+        different += std::abs(here.rgba[i] - there.rgba[i]) > 2;
+    EXPECT_LT(different, 10);
+}
+
+TEST_F(RenderTest, ShowsWhatIsBehindTheObjectFaintly) {
+    const TriMesh mesh = sphere(3);
+    const auto green_at_the_middle = [&](double z) {
+        Scene scene{.camera = {.eye = Vec3(0, 0, 3)}};
+        scene.overlay.points.push_back(
+            {.position = Vec3(0, 0, z), .colour = {0, 255, 0, 255}, .diameter = 20.0f});
+        const Pixel middle = pixel(draw(gl(), mesh, scene, kSize), 80, 60);
+        return middle.green - middle.red;
+    };
+    const int before = green_at_the_middle(1.0), behind = green_at_the_middle(-1.0);
+    EXPECT_GT(before, 240);
+    EXPECT_GT(behind, 10);
+    EXPECT_LT(behind, 120);
+}
+
+TEST_F(RenderTest, DrawsLinesThatPassTheEye) {
+    Scene scene{.camera = {.eye = Vec3(0, 0, 3)}};
+    scene.overlay.lines.push_back(
+        {.from = Vec3(0, -0.2, 9), .to = Vec3(0, 0, 0), .colour = {0, 255, 0, 255}, .width = 3.0f});
+    const Image image = draw(gl(), TriMesh{}, scene, kSize);
+    const Pixel below = pixel(image, 80, 62);
+    EXPECT_GT(below.green, below.red + 50);
+    EXPECT_LT(pixel(image, 80, 20).green, pixel(image, 80, 20).red + 50);
+}
+
+// ---- Screenshots
+
+class ScreenshotTest : public OffscreenTest {
+  protected:
+    ScreenshotTest() { session_.set_viewport(&viewport_); }
+    ~ScreenshotTest() override { std::filesystem::remove(path_); }
+
+    PngPixels shoot(const command::Screenshot& screenshot) {
+        command::Screenshot to_file = screenshot;
+        to_file.path = path_;
+        const auto refusal = session_.execute(to_file);
+        EXPECT_FALSE(refusal) << *refusal;
+        return read_png(path_);
+    }
+
+    OffscreenViewport viewport_;
+    Session session_;
+    const std::string path_ =
+        (std::filesystem::temp_directory_path() / ("pectin" + std::to_string(getpid()) + ".png"))
+            .string();
+};
+
+// A sphere of radius 1 seen from distance d fills a cone of half angle asin(1 / d), which cuts the
+// plane at distance 1 in a circle of radius tan(asin(1 / d)) = 1 / sqrt(d² - 1).
+TEST_F(ScreenshotTest, ShowsTheUnitSphereWithTheRadiusThatTheCameraSays) {
+    execute(session_, {R"({"cmd": "shape", "kind": "sphere", "resolution": 6})"});
+    for (const double distance : {1.5, 3.0, 8.0}) {
+        for (const double fov : {30.0, 60.0, 100.0}) {
+            command::Screenshot screenshot{.width = 500, .height = 400};
+            screenshot.camera = Camera{.eye = distance * glm::normalize(Vec3(1, 2, 3)), .fov = fov};
+            const PngPixels shown = shoot(screenshot);
+            screenshot.camera->target = 2.0 * screenshot.camera->eye;  // away from it
+            const PngPixels background = shoot(screenshot);
+            const double radius =
+                200.0 / std::tan(glm::radians(fov) / 2.0) / std::sqrt(distance * distance - 1.0);
+            if (radius > 200.0) continue;
+            double area = 0.0;
+            int across = 0;
+            for (std::size_t i = 0; i < shown.rgba.size(); i += 4) {
+                const bool covered = shown.rgba[i] != background.rgba[i] ||
+                                     shown.rgba[i + 1] != background.rgba[i + 1] ||
+                                     shown.rgba[i + 2] != background.rgba[i + 2];
+                area += covered;
+                across += covered && i / 4 / 500 == 200;
+            }
+            // Pixels that are covered in part count whole: half a pixel too much on average.
+            EXPECT_NEAR(std::sqrt(area / std::numbers::pi), radius + 0.5, 0.5)
+                << "from " << distance << " at " << fov << " degrees";
+            EXPECT_NEAR(0.5 * across, radius, 1.0);
+        }
+    }
+}
+
+TEST_F(ScreenshotTest, KeepsUndoAndRedo) {
+    execute(session_, {R"({"cmd": "shape", "kind": "sphere", "resolution": 2})",
+                       R"({"cmd": "drag", "moves": [{"from": [0,0,1], "to": [0,0,1.2]}]})",
+                       R"({"cmd": "undo"})"});
+    shoot({.width = 16, .height = 16});
+    execute(session_, {R"({"cmd": "redo"})", R"({"cmd": "undo"})"});
+}
+
+TEST_F(ScreenshotTest, IsRefusedWithoutAnObjectAndWithPanelsThatNoWindowHas) {
+    EXPECT_TRUE(session_.execute(command::Screenshot{.path = path_}));
+    execute(session_, {R"({"cmd": "shape", "kind": "cube", "resolution": 1})"});
+    const auto refusal = session_.execute(command::Screenshot{.path = path_, .show = {.ui = true}});
+    ASSERT_TRUE(refusal);
+    EXPECT_NE(refusal->find("leave \"ui\" out"), std::string::npos);
+    EXPECT_FALSE(std::filesystem::exists(path_));
+}
+
+TEST(Screenshot, IsRefusedWhereNothingDraws) {
+    Session session;
+    execute(session, {R"({"cmd": "shape", "kind": "cube", "resolution": 1})"});
+    const auto refusal = session.execute(command::Screenshot{.path = "a.png"});
+    ASSERT_TRUE(refusal);
+    EXPECT_NE(refusal->find("nothing here to draw with"), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pectin
