@@ -19,7 +19,8 @@ constexpr int kMajorVersion = 0x36, kMinorVersion = 0x37, kRgba = 0x1908;
 // memory once opened, so that a leak checker can still name what it leaks.
 class Library {
   public:
-    Library() : handle_(dlopen("libOSMesa.so.8", RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
+    explicit Library(const char* name)
+        : handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
         if (!handle_) throw ContextError(std::string(dlerror()) + "; " + kWhatHelps);
     }
     ~Library() { dlclose(handle_); }
@@ -40,7 +41,7 @@ class Library {
 }  // namespace
 
 struct OffscreenHost::Context {
-    Context();
+    explicit Context(const char* library_name);
     ~Context() { destroy(context); }
     Context(const Context&) = delete;
     Context& operator=(const Context&) = delete;
@@ -56,7 +57,7 @@ struct OffscreenHost::Context {
     Gl gl{};
 };
 
-OffscreenHost::Context::Context() {
+OffscreenHost::Context::Context(const char* library_name) : library(library_name) {
     auto* const create = library.find<void*(const int*, void*)>("OSMesaCreateContextAttribs");
     auto* const get_proc = library.find<GLADapiproc(const char*)>("OSMesaGetProcAddress");
     const std::array attributes{kFormat,       kRgba, kDepthBits,    24, kProfile, kCoreProfile,
@@ -80,7 +81,7 @@ void OffscreenHost::Context::make_current() {
     }
 }
 
-OffscreenHost::OffscreenHost() : context_(std::make_unique<Context>()) {}
+OffscreenHost::OffscreenHost(const char* library) : context_(std::make_unique<Context>(library)) {}
 OffscreenHost::~OffscreenHost() = default;
 
 const Gl& OffscreenHost::gl() const { return context_->gl; }

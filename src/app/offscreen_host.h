@@ -10,7 +10,7 @@ namespace pectin {
 class OffscreenHost {
   public:
     // Makes the context and makes it current. Throws ContextError where OSMesa is not installed.
-    OffscreenHost();
+    explicit OffscreenHost(const char* library = "libOSMesa.so.8");
     ~OffscreenHost();
     OffscreenHost(const OffscreenHost&) = delete;
     OffscreenHost& operator=(const OffscreenHost&) = delete;

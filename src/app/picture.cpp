@@ -1,8 +1,15 @@
 #include "app/picture.h"
 
+#include <algorithm>
+
 #include "io/png.h"
 
 namespace pectin {
+namespace {
+
+constexpr float kUsualHeight = 960.0f;  // pixels
+
+}  // namespace
 
 std::vector<Vec3> seen_positions(const TriMesh& mesh) {
     std::vector<Vec3> positions;
@@ -16,6 +23,8 @@ std::vector<Vec3> seen_positions(const TriMesh& mesh) {
 Scene make_scene(const command::Screenshot& screenshot, const TriMesh& mesh,
                  const std::optional<Lattice>& lattice) {
     Scene scene{.wireframe = screenshot.show.wireframe, .levels = screenshot.show.levels};
+    // As thick to the eye in a large picture as in one of the usual size.
+    scene.pixel_scale = std::max(1.0f, static_cast<float>(screenshot.height) / kUsualHeight);
     const bool shows_lattice = screenshot.show.lattice && lattice;
     if (shows_lattice) add_lattice(scene.overlay, *lattice, {});
     if (screenshot.camera) {

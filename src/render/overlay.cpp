@@ -47,7 +47,10 @@ IVec3 unit_step(int axis) {
 void add_deformable(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements) {
     const ControlRange range{IVec3{0}, lattice.deformable - 1};
     const IVec3 counts = lattice.deformable;
-    const bool all = glm::max(counts.x, glm::max(counts.y, counts.z)) <= kInnerGrid;
+    const int most = glm::max(counts.x, glm::max(counts.y, counts.z));
+    const bool all = most <= kInnerGrid;
+    // Denser grids are drawn finer, or they would hide the object.
+    const float fine = all ? 1.0f : glm::max(0.4f, 6.0f / static_cast<float>(most));
     const double still = 1e-6 * lattice.smallest_cell_extent();
     const auto displacement = [&](const IVec3& c) {
         return displacements.empty() ? Vec3{0.0} : displacements[lattice.control_index(c)];
@@ -58,11 +61,11 @@ void add_deformable(Overlay& overlay, const Lattice& lattice, std::span<const Ve
         const bool moved = glm::length(displacement(c)) > still;
         overlay.points.push_back({.position = position(c),
                                   .colour = moved ? kDeformableMoved : kDeformable,
-                                  .diameter = moved ? 7.0f : 6.0f});
+                                  .diameter = (moved ? 7.0f : 6.0f) * fine});
         for (int axis = 0; axis < 3; ++axis) {
             const IVec3 next = c + unit_step(axis);
             if (next[axis] > range.last[axis] || (!all && !range.is_on_border(next))) continue;
-            overlay.lines.push_back({position(c), position(next), kDeformable, 1.6f});
+            overlay.lines.push_back({position(c), position(next), kDeformable, 1.6f * fine});
         }
     });
 }

@@ -62,6 +62,19 @@ TEST(RenderErrors, SayWhichVersionIsTooOld) {
     }
 }
 
+TEST(RenderErrors, NameThePackageToInstallWhereOsmesaIsAbsent) {
+    for (const char* library : {"libNoSuchMesa.so.8", "libm.so.6"}) {
+        try {
+            const OffscreenHost host(library);
+            FAIL() << "was made";
+        } catch (const ContextError& error) {
+            EXPECT_NE(std::string(error.what()).find("install the package libosmesa6"),
+                      std::string::npos)
+                << error.what();
+        }
+    }
+}
+
 TEST_F(RenderTest, NamesTheShaderThatFailsAndWhatTheDriverSays) {
     const ShaderSource good{"good.vert", "void main() { gl_Position = vec4(0.0); }"};
     const ShaderSource bad{"bad.frag", "void main() { this is no shader }"};
