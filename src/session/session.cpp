@@ -257,6 +257,19 @@ std::optional<Lattice> Session::lattice_in_use() const {
     return is_dragging() ? state_->in_hand->lattice : state_->lattice_in_use;
 }
 
+std::optional<Pick> Session::pick(const Ray& ray) {
+    if (!state_->has_object() || is_dragging()) return std::nullopt;
+    const auto first = state_->face_tree().first_hit(ray, mesh());
+    if (!first) return std::nullopt;
+    const Vec3 area_normal = mesh().area_normal(first->face);
+    const auto corner = [&](int i) {
+        return mesh().position(mesh().origin(TriMesh::half_edge(first->face, i)));
+    };
+    return Pick{first->face,
+                first->hit.u * corner(0) + first->hit.v * corner(1) + first->hit.w * corner(2),
+                area_normal / glm::length(area_normal)};
+}
+
 DirtyElements Session::take_dirty() {
     DirtyElements taken = std::exchange(state_->dirty, {});
     // Slots that were cut off since have nothing to show.
@@ -271,5 +284,13 @@ DirtyElements Session::take_dirty() {
 }
 
 Statistics Session::statistics() const { return state_->statistics(); }
+
+const AdaptSettings& Session::adapt_settings() const { return state_->adapt_settings; }
+
+const LatticeSettings& Session::lattice_settings() const { return state_->lattice_settings; }
+
+std::size_t Session::undo_count() const { return state_->history.undo_count(); }
+
+std::size_t Session::redo_count() const { return state_->history.redo_count(); }
 
 }  // namespace pectin

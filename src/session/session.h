@@ -10,8 +10,10 @@
 #include "command/command.h"
 #include "command/statistics.h"
 #include "ffd/lattice.h"
+#include "geometry/ray.h"
 #include "mesh/tri_mesh.h"
 #include "session/gesture.h"
+#include "session/settings.h"
 #include "session/viewport.h"
 
 namespace pectin {
@@ -21,6 +23,13 @@ struct DirtyElements {
     bool everything = false;        // another object: the lists below mean nothing
     std::vector<WedgeId> wedges{};  // slots that moved or turned; sorted, each once
     std::vector<FaceId> faces{};  // slots that came, went or have other corners; sorted, each once
+};
+
+// A point of the surface.
+struct Pick {
+    FaceId face = kNone<FaceId>;
+    Vec3 point{0.0};
+    Vec3 normal{0.0};  // of the face, unit, outwards
 };
 
 class Session {
@@ -51,11 +60,20 @@ class Session {
     void set_viewport(Viewport* viewport);
 
     const TriMesh& mesh() const;
+    // The surface point that a ray meets first. Not during a drag. Cost: O(log n), the first time
+    // O(n log n).
+    std::optional<Pick> pick(const Ray& ray);
     // Of the last drag, or of the one in hand.
     std::optional<Lattice> lattice_in_use() const;
     // What has changed since it was last asked. Cost: O(changed).
     DirtyElements take_dirty();
     Statistics statistics() const;  // O(n)
+
+    // --- For who shows them.
+    const AdaptSettings& adapt_settings() const;
+    const LatticeSettings& lattice_settings() const;
+    std::size_t undo_count() const;
+    std::size_t redo_count() const;
 
   private:
     struct State;
