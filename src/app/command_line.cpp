@@ -9,7 +9,9 @@ namespace pectin {
 namespace {
 
 constexpr const char* kUsage =
-    "usage: pectin replay SCRIPT   does what a script says (- reads it from standard input)\n"
+    "usage: pectin [MODEL.obj]     opens the window, on that model or on a sphere\n"
+    "         --record FILE.jsonl  writes every command as it is done, as a script\n"
+    "       pectin replay SCRIPT   does what a script says (- reads it from standard input)\n"
     "       pectin --help          shows this and the commands of a script\n"
     "       pectin --version       shows the version\n";
 
@@ -41,9 +43,7 @@ std::string help() {
 }
 
 CommandLine refuse(const std::string& why) {
-    return {.action = CommandLine::Action::refuse,
-            .script = {},
-            .text = "pectin: " + why + "\n" + kUsage};
+    return {.action = CommandLine::Action::refuse, .text = "pectin: " + why + "\n" + kUsage};
 }
 
 }  // namespace
@@ -52,9 +52,11 @@ CommandLine read_command_line(int argc, char** argv) {
     CLI::App parser;
     parser.set_help_flag();  // this page's own text is shown instead
     bool wants_help = false, wants_version = false;
-    std::string script;
+    std::string script, model, record;
     parser.add_flag("-h,--help", wants_help);
     parser.add_flag("--version", wants_version);
+    CLI::Option* record_option = parser.add_option("--record", record);
+    parser.add_option("MODEL", model);
     CLI::App* replay = parser.add_subcommand("replay");
     replay->add_flag("-h,--help", wants_help);
     CLI::Option* script_option = replay->add_option("SCRIPT", script);
@@ -63,11 +65,19 @@ CommandLine read_command_line(int argc, char** argv) {
     } catch (const CLI::ParseError& error) {
         return refuse(error.what());
     }
-    if (wants_help) return {CommandLine::Action::show, {}, help()};
-    if (wants_version) return {CommandLine::Action::show, {}, "pectin " PECTIN_VERSION "\n"};
-    if (!replay->parsed()) return refuse("there is no window yet; a script must be replayed");
+    if (wants_help) return {.action = CommandLine::Action::show, .text = help()};
+    if (wants_version) {
+        return {.action = CommandLine::Action::show, .text = "pectin " PECTIN_VERSION "\n"};
+    }
+    if (!replay->parsed()) {
+        if (!record_option->empty() && record.empty()) return refuse("--record needs a file");
+        return {.action = CommandLine::Action::window, .model = model, .record = record};
+    }
+    if (!model.empty() || !record_option->empty()) {
+        return refuse("replay opens no window; give it a script and nothing else");
+    }
     if (script_option->empty()) return refuse("replay needs the path of a script");
-    return {CommandLine::Action::replay, script, {}};
+    return {.action = CommandLine::Action::replay, .script = script};
 }
 
 }  // namespace pectin

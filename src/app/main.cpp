@@ -4,6 +4,7 @@
 
 #include "app/command_line.h"
 #include "app/replay.h"
+#include "app/window.h"
 
 namespace {
 
@@ -11,6 +12,9 @@ enum ExitStatus { kDone = 0, kFailed = 1, kBadUsage = 2 };
 
 int run(const pectin::CommandLine& command_line) {
     switch (command_line.action) {
+        case pectin::CommandLine::Action::window:
+            pectin::run_window({.model = command_line.model, .record = command_line.record});
+            return kDone;
         case pectin::CommandLine::Action::replay:
             return pectin::replay(command_line.script, std::cerr) ? kDone : kFailed;
         case pectin::CommandLine::Action::show:

@@ -1,0 +1,387 @@
+#include "app/editor.h"
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <filesystem>
+#include <utility>
+
+#include "app/picture.h"
+
+namespace pectin {
+namespace {
+
+constexpr double kRadiusStep = 1.12;
+constexpr double kPixelsPerDoubling = 160.0;
+// Of the object's box diagonal.
+constexpr double kLeastRadius = 1e-3, kMostRadius = 2.0;
+// The share of the window that panels leave free on both sides of its middle.
+constexpr double kFreeWidth = 0.56, kFreeHeight = 0.78;
+
+bool is_letter(Key key, char letter) { return key == Key{letter}; }
+
+std::string absolute(const std::string& path) {
+    std::error_code error;
+    const std::filesystem::path whole = std::filesystem::absolute(path, error);
+    return error ? path : whole.lexically_normal().string();
+}
+
+}  // namespace
+
+Editor::Editor(std::optional<Recorder> recorder) : workspace_(std::move(recorder)) {
+    frame_all(kFitDirection);
+}
+
+// --- Input.
+
+void Editor::handle(const InputEvent& input, const UiClaims& claims) {
+    if (const auto* press = std::get_if<event::Press>(&input)) {
+        on(*press, claims.mouse);
+    } else if (const auto* release = std::get_if<event::Release>(&input)) {
+        on(*release);
+    } else if (const auto* move = std::get_if<event::Move>(&input)) {
+        on(*move, claims.mouse);
+    } else if (std::holds_alternative<event::Leave>(input)) {
+        cursor_is_ours_ = false;
+    } else if (const auto* scroll = std::get_if<event::Scroll>(&input)) {
+        if (!claims.mouse) on(*scroll);
+    } else if (const auto* down = std::get_if<event::KeyDown>(&input)) {
+        on(*down, claims.keyboard);
+    } else if (const auto* up = std::get_if<event::KeyUp>(&input)) {
+        on(*up);
+    } else if (const auto* character = std::get_if<event::Character>(&input)) {
+        const auto action = action_for(character->code);
+        if (action && !claims.keyboard) perform(*action);
+    } else if (const auto* drop = std::get_if<event::Drop>(&input)) {
+        on(*drop);
+    } else if (const auto* resize = std::get_if<event::Resize>(&input)) {
+        if (resize->size.x > 0 && resize->size.y > 0) size_ = resize->size;
+    } else if (std::holds_alternative<event::Close>(input)) {
+        quit();
+    }
+}
+
+void Editor::on(const event::Press& press, bool is_claimed) {
+    cursor_ = press.at;
+    modifiers_ = press.modifiers;
+    cursor_is_ours_ = !is_claimed;
+    if (radius_drag_) return end_radius_drag(press.button == MouseButton::left);
+    if (is_claimed || is_busy() || navigation_.is_active()) return;
+    const Ray ray = ray_at(press.at);
+    const std::optional<Pick> pick = workspace_.session().pick(ray);
+    if (const auto mode = navigation_mode(press.button, press.modifiers, pick.has_value())) {
+        navigation_.begin(*mode, press.button, press.at);
+    } else {
+        grab(*pick, ray);
+    }
+}
+
+void Editor::on(const event::Release& release) {
+    cursor_ = release.at;
+    modifiers_ = release.modifiers;
+    if (navigation_.button() == release.button) navigation_.end();
+    if (sculptor_.is_dragging() && release.button == MouseButton::left) release_drag();
+}
+
+void Editor::on(const event::Move& move, bool is_claimed) {
+    cursor_ = move.at;
+    modifiers_ = move.modifiers;
+    cursor_is_ours_ = !is_claimed;
+    navigation_.move_to(move.at, size_);
+    moved_ = sculptor_.is_dragging();
+    if (!radius_drag_) return;
+    const double doublings = (move.at.x - radius_drag_->start_x) / kPixelsPerDoubling;
+    radius_drag_->radius = std::clamp(radius_drag_->start_radius * std::exp2(doublings),
+                                      least_radius(), most_radius());
+}
+
+void Editor::on(const event::Scroll& scroll) {
+    if (!is_busy()) navigation_.scroll(scroll.amount, scroll.at, size_);
+}
+
+void Editor::on(const event::KeyDown& key, bool is_claimed) {
+    modifiers_ = key.modifiers;
+    if (key.key == Key::escape) {
+        if (sculptor_.is_dragging()) return cancel_drag();
+        if (radius_drag_) return end_radius_drag(false);
+        if (!escape_dialog() && !is_claimed) workspace_.dismiss();
+        return;
+    }
+    if (key.key == Key::enter) enter_ = browser || question;
+    if (is_claimed) return;
+    if (is_letter(key.key, 'F') && key.modifiers == Modifiers{}) {
+        if (!key.is_repeat) begin_radius_drag();
+        return;
+    }
+    const auto action = action_for(key.key, key.modifiers);
+    const bool repeats = action == Action::undo || action == Action::redo;
+    if (action && (!key.is_repeat || repeats)) perform(*action);
+}
+
+// Whether there was one to leave.
+bool Editor::escape_dialog() {
+    if (!file_to_replace_.empty()) {
+        keep_file();
+    } else if (question) {
+        answer(Answer::cancel);
+    } else if (browser) {
+        close_browser();
+    } else {
+        return false;
+    }
+    return true;
+}
+
+void Editor::on(const event::KeyUp& key) {
+    if (is_letter(key.key, 'F') && radius_drag_) end_radius_drag(true);
+}
+
+void Editor::on(const event::Drop& drop) {
+    if (!drop.paths.empty()) open(drop.paths.front());
+}
+
+void Editor::advance() {
+    if (sculptor_.is_dragging()) {
+        if (std::exchange(moved_, false)) drag();
+        return;
+    }
+    const bool looks = cursor_is_ours_ && !navigation_.is_active() && !browser && !question;
+    if (radius_drag_) return;  // the circle stays where it was
+    hover_.reset();
+    if (looks) hover_ = workspace_.session().pick(ray_at(cursor_));
+}
+
+// --- Drags.
+
+void Editor::grab(const Pick& pick, const Ray& ray) {
+    if (const auto refusal = sculptor_.grab(workspace_.session(), pick, ray)) {
+        workspace_.tell(*refusal);
+        return;
+    }
+    workspace_.dismiss();
+    shows_hint_ = false;
+    hover_.reset();
+    moved_ = false;
+}
+
+void Editor::drag() {
+    const auto start = std::chrono::steady_clock::now();
+    const DragPath path = modifiers_.alt ? DragPath::normal : DragPath::view_plane;
+    const Vec3 before = sculptor_.to();
+    if (const auto refusal =
+            sculptor_.drag(workspace_.session(), camera(), ray_at(cursor_), path)) {
+        workspace_.tell(*refusal);
+        return;
+    }
+    workspace_.dismiss();
+    if (sculptor_.to() == before) return;
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
+    const Frame& frame = session().last_frame();
+    figures_ = {.splits = frame.splits,
+                .unsplits = frame.unsplits,
+                .seconds = taken.count(),
+                .deform_seconds = frame.deform_seconds,
+                .refine_seconds = frame.refine_seconds,
+                .decimate_seconds = frame.decimate_seconds,
+                .floor_hit = frame.floor_hit,
+                .budget_hit = frame.budget_hit};
+}
+
+void Editor::release_drag() {
+    if (std::exchange(moved_, false)) drag();
+    if (const auto done = sculptor_.release(workspace_.session())) workspace_.note_drag(*done);
+}
+
+void Editor::cancel_drag() {
+    sculptor_.cancel(workspace_.session());
+    moved_ = false;
+}
+
+// --- Radius.
+
+double Editor::radius() const { return radius_drag_ ? radius_drag_->radius : workspace_.radius(); }
+double Editor::least_radius() const { return kLeastRadius * workspace_.diagonal(); }
+double Editor::most_radius() const { return kMostRadius * workspace_.diagonal(); }
+
+void Editor::begin_radius_drag() {
+    if (is_busy() || navigation_.is_active()) return;
+    radius_drag_ = RadiusDrag{cursor_.x, workspace_.radius(), workspace_.radius()};
+}
+
+void Editor::end_radius_drag(bool keeps) {
+    const RadiusDrag done = *std::exchange(radius_drag_, std::nullopt);
+    if (keeps && done.radius != done.start_radius) set_radius(done.radius);
+}
+
+void Editor::set_radius(double radius) {
+    execute(command::Brush{.radius = std::clamp(radius, least_radius(), most_radius())});
+}
+
+// --- Actions.
+
+void Editor::perform(Action action) {
+    if (is_busy()) return;
+    switch (action) {
+        case Action::open:
+            browser.emplace(FileBrowser::Purpose::open, workspace_.path());
+            break;
+        case Action::save:
+            begin_save();
+            break;
+        case Action::save_as:
+        case Action::export_obj: {
+            const std::string& path = workspace_.path();
+            browser.emplace(FileBrowser::Purpose::save,
+                            path.empty() ? workspace_.object_name() + ".obj" : path);
+            break;
+        }
+        case Action::save_picture:
+            browser.emplace(
+                FileBrowser::Purpose::save_picture,
+                std::filesystem::path(workspace_.object_name()).replace_extension(".png").string());
+            break;
+        case Action::quit:
+            quit();
+            break;
+        case Action::undo:
+            if (session().undo_count() > 0) execute(command::Undo{});
+            break;
+        case Action::redo:
+            if (session().redo_count() > 0) execute(command::Redo{});
+            break;
+        case Action::frame_all:
+            frame_all();
+            break;
+        case Action::view_front:
+            frame_all(kFrontView);
+            break;
+        case Action::view_right:
+            frame_all(kRightView);
+            break;
+        case Action::view_top:
+            frame_all(kTopView);
+            break;
+        case Action::toggle_wireframe:
+            display.wireframe = !display.wireframe;
+            break;
+        case Action::toggle_lattice:
+            display.lattice = !display.lattice;
+            break;
+        case Action::toggle_levels:
+            display.levels = !display.levels;
+            break;
+        case Action::smaller_radius:
+            set_radius(workspace_.radius() / kRadiusStep);
+            break;
+        case Action::larger_radius:
+            set_radius(workspace_.radius() * kRadiusStep);
+            break;
+    }
+}
+
+bool Editor::execute(const Command& command) {
+    if (is_busy() || !workspace_.execute(command)) return false;
+    hover_.reset();
+    if (std::holds_alternative<command::Open>(command) ||
+        std::holds_alternative<command::Shape>(command)) {
+        figures_ = {};
+        frame_all(kFitDirection);
+    }
+    return true;
+}
+
+void Editor::open(const std::string& path) { ask_or_do({command::Open{.path = absolute(path)}}); }
+
+void Editor::new_shape(command::Shape::Kind kind, int resolution) {
+    ask_or_do({command::Shape{kind, resolution}});
+}
+
+void Editor::quit() { ask_or_do({Question::Quit{}}); }
+
+void Editor::frame_all(const std::optional<Vec3>& direction) {
+    const double aspect = kFreeWidth * size_.x / (kFreeHeight * size_.y);
+    navigation_.frame(seen_positions(session().mesh()), aspect, kFreeHeight, direction);
+}
+
+// --- Files.
+
+void Editor::begin_save() {
+    if (workspace_.path().empty()) {
+        perform(Action::save_as);
+    } else {
+        execute(command::Save{workspace_.path()});
+    }
+}
+
+void Editor::accept_file() {
+    const std::string path = browser->choose();
+    if (path.empty()) return;
+    const bool replaces = browser->purpose() != FileBrowser::Purpose::open &&
+                          path != workspace_.path() && FileBrowser::exists(path);
+    if (replaces && path != file_to_replace_) {
+        file_to_replace_ = path;
+        return;
+    }
+    use_file(browser->purpose(), path);
+}
+
+void Editor::use_file(FileBrowser::Purpose purpose, const std::string& path) {
+    const std::optional<Question> next = std::exchange(after_save_, std::nullopt);
+    close_browser();
+    switch (purpose) {
+        case FileBrowser::Purpose::open:
+            open(path);
+            break;
+        case FileBrowser::Purpose::save:
+            if (execute(command::Save{path}) && next) carry_out(*next);
+            break;
+        case FileBrowser::Purpose::save_picture:
+            execute(command::Screenshot{.path = path,
+                                        .width = std::clamp(size_.x, 16, 8192),
+                                        .height = std::clamp(size_.y, 16, 8192),
+                                        .camera = camera(),
+                                        .show = {.wireframe = display.wireframe,
+                                                 .lattice = display.lattice,
+                                                 .levels = display.levels}});
+            break;
+    }
+}
+
+void Editor::close_browser() {
+    browser.reset();
+    file_to_replace_.clear();
+    after_save_.reset();
+}
+
+void Editor::ask_or_do(Question asked) {
+    if (is_busy()) return;
+    if (workspace_.is_modified()) {
+        question = std::move(asked);
+    } else {
+        carry_out(asked);
+    }
+}
+
+void Editor::carry_out(const Question& asked) {
+    if (const auto* open = std::get_if<command::Open>(&asked.then)) {
+        execute(*open);
+    } else if (const auto* shape = std::get_if<command::Shape>(&asked.then)) {
+        execute(*shape);
+    } else {
+        wants_to_end_ = true;
+    }
+}
+
+void Editor::answer(Answer answer) {
+    const Question asked = *std::exchange(question, std::nullopt);
+    if (answer == Answer::discard) carry_out(asked);
+    if (answer != Answer::save) return;
+    if (workspace_.path().empty()) {
+        perform(Action::save_as);
+        after_save_ = asked;
+    } else if (execute(command::Save{workspace_.path()})) {
+        carry_out(asked);
+    }
+}
+
+}  // namespace pectin

@@ -1,0 +1,141 @@
+// The window's mind: mouse and keys in; commands, a camera and what there is to show out. Knows no
+// window system and draws nothing.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <utility>
+#include <variant>
+
+#include "app/file_browser.h"
+#include "app/input_event.h"
+#include "app/navigation.h"
+#include "app/sculptor.h"
+#include "app/shortcuts.h"
+#include "app/workspace.h"
+
+namespace pectin {
+
+struct Display {
+    bool wireframe = false, levels = false;
+    bool lattice = false;  // also while nothing is dragged
+};
+
+// Of the last frame that changed the object by a drag.
+struct FrameFigures {
+    std::uint64_t splits = 0, unsplits = 0;
+    double seconds = 0.0;  // all of the frame but the picture
+    double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
+    bool floor_hit = false, budget_hit = false;
+};
+
+// What the user interface keeps for itself of what a person does.
+struct UiClaims {
+    bool mouse = false, keyboard = false;
+};
+
+class Editor {
+  public:
+    explicit Editor(std::optional<Recorder> recorder = {});
+
+    // --- Input.
+    void handle(const InputEvent& event, const UiClaims& claims = {});
+    // Once a frame, after its events: moves the drag in hand, or looks what is under the cursor.
+    void advance();
+
+    // --- What menus, panels and keys ask for. Nothing happens during a drag.
+    void perform(Action action);
+    bool execute(const Command& command);
+    // Those that would lose changes ask first.
+    void open(const std::string& path);
+    void new_shape(command::Shape::Kind kind, int resolution);
+    void quit();
+    void set_radius(double radius);  // kept within sensible bounds
+    // As far as the object's size goes.
+    double least_radius() const;
+    double most_radius() const;
+
+    // --- What there is to show.
+    Workspace& workspace() { return workspace_; }
+    const Workspace& workspace() const { return workspace_; }
+    const Session& session() const { return workspace_.session(); }
+    const Camera& camera() const { return navigation_.camera(); }
+    const Sculptor& sculptor() const { return sculptor_; }
+    const std::optional<Pick>& hover() const { return hover_; }
+    // Reach of the brush, also while it is being set.
+    double radius() const;
+    bool is_setting_radius() const { return radius_drag_.has_value(); }
+    const FrameFigures& figures() const { return figures_; }
+    const IVec2& size() const { return size_; }
+    bool shows_hint() const { return shows_hint_; }
+    bool wants_to_end() const { return wants_to_end_; }
+
+    Display display{};
+    // --- Dialogs, while they are open.
+    std::optional<FileBrowser> browser{};
+    // Does with the file named in the browser what it is for and closes it; asks first where a
+    // file would be replaced, and does nothing where no file is named.
+    void accept_file();
+    void close_browser();  // without a choice
+    // The file that accept_file would replace, once it has been asked for.
+    const std::string& file_to_replace() const { return file_to_replace_; }
+    void keep_file() { file_to_replace_.clear(); }
+    // Whether Enter was pressed since it was last asked, for the dialog that is open.
+    bool take_enter() { return std::exchange(enter_, false); }
+    // A thing to do that would lose changes.
+    struct Question {
+        struct Quit {};
+        std::variant<Quit, command::Open, command::Shape> then;
+    };
+    std::optional<Question> question{};
+    enum class Answer { save, discard, cancel };
+    void answer(Answer answer);
+
+  private:
+    void on(const event::Press& press, bool is_claimed);
+    void on(const event::Release& release);
+    void on(const event::Move& move, bool is_claimed);
+    void on(const event::Scroll& scroll);
+    void on(const event::KeyDown& key, bool is_claimed);
+    void on(const event::KeyUp& key);
+    void on(const event::Drop& drop);
+
+    Ray ray_at(const Vec2& at) const { return camera().ray_through(at, size_); }
+    void grab(const Pick& pick, const Ray& ray);
+    void drag();
+    void release_drag();
+    void cancel_drag();
+    void begin_radius_drag();
+    void end_radius_drag(bool keeps);
+    void frame_all(const std::optional<Vec3>& direction = {});
+    void begin_save();
+    bool escape_dialog();
+    void use_file(FileBrowser::Purpose purpose, const std::string& path);
+    void ask_or_do(Question question);
+    void carry_out(const Question& question);
+    bool is_busy() const { return sculptor_.is_dragging() || radius_drag_.has_value(); }
+
+    // F and a move of the mouse: the radius doubles over kPixelsPerDoubling.
+    struct RadiusDrag {
+        double start_x, start_radius, radius;
+    };
+
+    Workspace workspace_;
+    Navigation navigation_;
+    Sculptor sculptor_;
+    IVec2 size_{1280, 800};
+    Vec2 cursor_{0.0};
+    Modifiers modifiers_{};
+    bool cursor_is_ours_ = false;  // over the window and not over its panels
+    bool moved_ = false;           // the drag in hand has to follow
+    std::optional<Pick> hover_;
+    std::optional<RadiusDrag> radius_drag_;
+    FrameFigures figures_;
+    std::optional<Question> after_save_;
+    std::string file_to_replace_;
+    bool enter_ = false;
+    bool shows_hint_ = true;
+    bool wants_to_end_ = false;
+};
+
+}  // namespace pectin

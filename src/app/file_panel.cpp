@@ -1,0 +1,126 @@
+#include "app/file_panel.h"
+
+#include <imgui.h>
+#include <imgui_stdlib.h>
+
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <optional>
+
+namespace pectin {
+namespace {
+
+constexpr ImGuiWindowFlags kDialog = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
+                                     ImGuiWindowFlags_NoCollapse | ImGuiWindowFlags_NoSavedSettings;
+
+std::string size_text(std::uintmax_t bytes) {
+    constexpr std::array kUnits{"B", "KB", "MB", "GB", "TB"};
+    double amount = static_cast<double>(bytes);
+    std::size_t unit = 0;
+    for (; amount >= 1000.0 && unit + 1 < kUnits.size(); ++unit) amount /= 1000.0;
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), unit == 0 ? "%.0f %s" : "%.1f %s", amount,
+                  kUnits[unit]);
+    return text.data();
+}
+
+// The folders above, each a button that leads there.
+void draw_steps(FileBrowser& browser) {
+    std::optional<std::string> target;
+    const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
+    const auto steps = browser.steps();
+    for (std::size_t i = 0; i < steps.size(); ++i) {
+        const float width =
+            ImGui::CalcTextSize(steps[i].name.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+        if (i > 0) {
+            ImGui::SameLine(0.0f, 3.0f);
+            if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
+        }
+        ImGui::PushID(static_cast<int>(i));
+        if (ImGui::Button(steps[i].name.c_str())) target = steps[i].path;
+        ImGui::PopID();
+    }
+    if (target) browser.enter(*target);
+}
+
+// Returns whether a file was chosen by a double click.
+bool draw_entries(FileBrowser& browser) {
+    bool chosen = false;
+    std::optional<std::string> folder;
+    if (browser.entries().empty()) {
+        ImGui::TextDisabled("No folder and no %s file here.", browser.extension().c_str());
+    }
+    for (const FileEntry& entry : browser.entries()) {
+        const bool is_selected = !entry.is_folder && entry.name == browser.name;
+        const std::string label = entry.is_folder ? entry.name + "/" : entry.name;
+        if (ImGui::Selectable(label.c_str(), is_selected, ImGuiSelectableFlags_AllowDoubleClick)) {
+            if (entry.is_folder) {
+                folder = browser.folder() + "/" + entry.name;
+            } else {
+                browser.name = entry.name;
+                chosen = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
+            }
+        }
+        if (entry.is_folder) continue;
+        const std::string size = size_text(entry.bytes);
+        ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(size.c_str()).x);
+        ImGui::TextDisabled("%s", size.c_str());
+    }
+    if (folder) browser.enter(*folder);
+    return chosen;
+}
+
+void draw_replace_question(Editor& editor, float scale) {
+    if (editor.file_to_replace().empty()) return;
+    if (!begin_dialog("Replace the file?", 420.0f * scale, 0.0f)) return;
+    ImGui::TextWrapped("%s is there already.", editor.file_to_replace().c_str());
+    ImGui::Spacing();
+    const ImVec2 size(110.0f * scale, 0.0f);
+    const bool replaces = ImGui::Button("Replace", size);
+    ImGui::SameLine();
+    if (ImGui::Button("Keep it", size)) editor.keep_file();
+    if (replaces || editor.take_enter()) editor.accept_file();
+    ImGui::EndPopup();
+}
+
+}  // namespace
+
+bool begin_dialog(const char* title, float width, float height) {
+    if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
+    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * room.x, 0.5f * room.y), ImGuiCond_Always,
+                            ImVec2(0.5f, 0.5f));
+    ImGui::SetNextWindowSize(
+        ImVec2(std::min(width, 0.94f * room.x), std::min(height, 0.9f * room.y)));
+    return ImGui::BeginPopupModal(title, nullptr, kDialog);
+}
+
+void draw_file_panel(Editor& editor, float scale) {
+    if (!editor.browser) return;
+    if (!begin_dialog(editor.browser->title(), 640.0f * scale, 520.0f * scale)) return;
+    FileBrowser& browser = *editor.browser;
+    draw_steps(browser);
+    if (!browser.complaint().empty()) ImGui::TextWrapped("%s", browser.complaint().c_str());
+    const float below = 2.0f * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
+    ImGui::BeginChild("entries", ImVec2(0.0f, -below), true);
+    bool accepts = draw_entries(browser);
+    ImGui::EndChild();
+    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::InputTextWithHint("##name", "Name or path", &browser.name,
+                             ImGuiInputTextFlags_AutoSelectAll);
+    const ImVec2 size(110.0f * scale, 0.0f);
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * size.x -
+                         ImGui::GetStyle().ItemSpacing.x);
+    const bool cancels = ImGui::Button("Cancel", size);
+    ImGui::SameLine();
+    accepts |= ImGui::Button(browser.verb(), size);
+    draw_replace_question(editor, scale);
+    ImGui::EndPopup();
+    // What follows may close the browser.
+    if (editor.browser && (accepts || editor.take_enter())) editor.accept_file();
+    if (editor.browser && cancels) editor.close_browser();
+}
+
+}  // namespace pectin

@@ -1,0 +1,90 @@
+// What a person does with mouse and keyboard, apart from any window system.
+//
+// Places are in window coordinates: from the top left corner, in the units that the window's size
+// is given in (pixels, or larger than pixels on screens of small ones).
+#pragma once
+
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "geometry/camera.h"
+
+namespace pectin {
+
+struct Modifiers {
+    bool shift = false, control = false, alt = false;
+    bool operator==(const Modifiers&) const = default;
+};
+
+enum class MouseButton { left, middle, right };
+
+// Keys by what is written on them in the present layout: letters and digits are their ASCII
+// capitals, as in Key{'Z'}.
+enum class Key : int {
+    none = 0,
+    escape = 256,
+    enter,
+    home,
+    delete_key,
+    keypad_1,
+    keypad_3,
+    keypad_7
+};
+
+namespace event {
+
+struct Press {
+    MouseButton button = MouseButton::left;
+    Vec2 at{0.0};
+    Modifiers modifiers{};
+};
+struct Release {
+    MouseButton button = MouseButton::left;
+    Vec2 at{0.0};
+    Modifiers modifiers{};
+};
+// Also sent where the cursor stays and a modifier is pressed or released.
+struct Move {
+    Vec2 at{0.0};
+    Modifiers modifiers{};
+};
+struct Leave {};  // the cursor is over the window no more
+struct Scroll {
+    double amount = 0.0;  // notches, up is positive
+    Vec2 at{0.0};
+};
+struct KeyDown {
+    Key key = Key::none;
+    Modifiers modifiers{};
+    bool is_repeat = false;
+};
+struct KeyUp {
+    Key key = Key::none;
+};
+struct Character {
+    unsigned int code = 0;  // Unicode
+};
+struct Drop {
+    std::vector<std::string> paths{};
+};
+struct Resize {
+    IVec2 size{0};
+};
+struct Close {};
+
+}  // namespace event
+
+using InputEvent = std::variant<event::Press, event::Release, event::Move, event::Leave,
+                                event::Scroll, event::KeyDown, event::KeyUp, event::Character,
+                                event::Drop, event::Resize, event::Close>;
+
+// Of moves that follow each other only the last counts.
+inline void append(std::vector<InputEvent>& events, InputEvent event) {
+    const bool replaces = !events.empty() && std::holds_alternative<event::Move>(events.back()) &&
+                          std::holds_alternative<event::Move>(event);
+    if (replaces) events.pop_back();
+    events.push_back(std::move(event));
+}
+
+}  // namespace pectin

@@ -1,0 +1,87 @@
+#include "app/navigation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace pectin {
+namespace {
+
+// Across the height of the window the camera turns half round.
+constexpr double kTurnPerHeight = std::numbers::pi;
+constexpr double kZoomPerNotch = 0.88;
+// Dragging over the height of the window nears the camera by this much.
+constexpr double kZoomPerHeight = 8.0;
+// Nearer or farther than this against the size of the object's fit, numbers of the camera fail.
+constexpr double kNearest = 1e-9, kFarthest = 1e12;
+
+Camera zoomed_within_reason(const Camera& camera, double factor) {
+    const double distance = camera.distance() * factor;
+    const double size = 1.0 + glm::length(camera.target);
+    if (!(distance > kNearest * size && distance < kFarthest * size)) return camera;
+    return zoomed(camera, factor);
+}
+
+}  // namespace
+
+std::optional<NavigationMode> navigation_mode(MouseButton button, const Modifiers& modifiers,
+                                              bool on_surface) {
+    switch (button) {
+        case MouseButton::left:
+            if (on_surface) return std::nullopt;
+            return modifiers.shift ? NavigationMode::pan : NavigationMode::orbit;
+        case MouseButton::middle:
+            if (modifiers.control) return NavigationMode::zoom;
+            return modifiers.shift ? NavigationMode::pan : NavigationMode::orbit;
+        case MouseButton::right:
+            return modifiers.alt || modifiers.shift ? NavigationMode::pan : NavigationMode::orbit;
+    }
+    return std::nullopt;
+}
+
+void Navigation::begin(NavigationMode mode, MouseButton button, const Vec2& at) {
+    gesture_ = Gesture{mode, button, at};
+}
+
+void Navigation::move_to(const Vec2& at, const IVec2& size) {
+    if (!gesture_ || size.y <= 0) return;
+    const Vec2 by = at - gesture_->last;
+    gesture_->last = at;
+    const double height = size.y;
+    switch (gesture_->mode) {
+        case NavigationMode::orbit: {
+            const Vec2 turn = -kTurnPerHeight / height * by;
+            camera_ = orbited(camera_, turn.x, turn.y, camera_.target);
+            break;
+        }
+        case NavigationMode::pan:
+            camera_ = panned(camera_, by, size);
+            break;
+        case NavigationMode::zoom:
+            camera_ = zoomed_within_reason(camera_, std::pow(kZoomPerHeight, by.y / height));
+            break;
+    }
+}
+
+std::optional<MouseButton> Navigation::button() const {
+    if (!gesture_) return std::nullopt;
+    return gesture_->button;
+}
+
+void Navigation::scroll(double amount, const Vec2& at, const IVec2& size) {
+    const Camera nearer =
+        zoomed_within_reason(camera_, std::pow(kZoomPerNotch, std::clamp(amount, -10.0, 10.0)));
+    const double factor = nearer.distance() / camera_.distance();
+    const Vec2 from_middle = at - 0.5 * Vec2(size);
+    camera_ = panned(nearer, (1.0 - 1.0 / factor) * from_middle, size);
+}
+
+void Navigation::frame(std::span<const Vec3> points, double aspect, double share_of_height,
+                       const std::optional<Vec3>& direction) {
+    const Vec3 back = direction.value_or(camera_.eye - camera_.target);
+    Camera fitted = fit(points, aspect, back, camera_.fov);
+    fitted.up = {0.0, 1.0, 0.0};
+    camera_ = zoomed(fitted, 1.0 / share_of_height);
+}
+
+}  // namespace pectin

@@ -1,0 +1,22 @@
+// The session's object in graphics memory.
+#pragma once
+
+#include "render/gpu_mesh.h"
+#include "session/session.h"
+
+namespace pectin {
+
+class ObjectView {
+  public:
+    explicit ObjectView(const Gl& gl) : mesh_(gl) {}
+
+    // Uploads what has changed since it was last called, and nothing else.
+    GpuMesh::Upload follow(Session& session);
+
+    const GpuMesh& mesh() const { return mesh_; }
+
+  private:
+    GpuMesh mesh_;
+};
+
+}  // namespace pectin

@@ -1,0 +1,58 @@
+// The window's menus, panels, dialogs and lines of text, drawn with Dear ImGui.
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "app/editor.h"
+#include "app/refine_panel.h"
+
+namespace pectin {
+
+// What only the one who draws the frames knows.
+struct PictureFigures {
+    std::size_t uploaded_bytes = 0, uploaded_ranges = 0;  // of the last frame that uploaded any
+    std::size_t memory_bytes = 0;                         // of the whole program
+};
+
+class Panels {
+  public:
+    // scale: of the screen, 1 on an ordinary one. Precondition: a context of Dear ImGui is current,
+    // here and in all that follows.
+    explicit Panels(float scale) : scale_(scale) {}
+
+    // Between ImGui::NewFrame and ImGui::Render.
+    void draw(Editor& editor, const PictureFigures& figures);
+
+    // What of the input belongs to the panels, by the last frame's places.
+    UiClaims claims(const Vec2& at) const;
+
+  private:
+    struct Area {
+        Vec2 min, max;
+    };
+    // Of the window being drawn: the mouse over it is the panels'.
+    void claim_window();
+
+    void draw_menus(Editor& editor);
+    void draw_radius(Editor& editor);
+    void draw_settings(Editor& editor);
+    void draw_lattice_settings(Editor& editor);
+    void draw_display_settings(Editor& editor);
+    void draw_status(const Editor& editor, const PictureFigures& figures);
+    void draw_message(Editor& editor);
+    void draw_hint(const Editor& editor);
+    void draw_question(Editor& editor);
+    float scaled(float pixels) const { return pixels * scale_; }
+
+    float scale_;
+    float menu_height_ = 0.0f, status_height_ = 0.0f;
+    std::vector<Area> areas_;
+    bool is_modal_ = false;
+    RefinePanel refine_;
+    std::optional<float> edited_radius_, edited_span_;
+    IVec3 cage_counts_{4};
+};
+
+}  // namespace pectin

@@ -1,0 +1,166 @@
+#include "app/refine_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+namespace pectin {
+namespace {
+
+constexpr float kLeastThetaMax = 2.0f, kMostThetaMax = 90.0f;  // degrees
+constexpr float kLeastThetaMin = 0.5f;
+constexpr double kThetaMinShare = 0.97;                // of theta_max, at most
+constexpr double kLeastLMax = 0.002, kMostLMax = 0.5;  // of the object's box diagonal
+constexpr double kPaperThetaMax = 180.0 / 7.0;
+
+constexpr const char* kThetaMaxHelp =
+    "Edges whose ends' normals diverge by more are split.\nOff: none is split for its angle.";
+constexpr const char* kThetaMinHelp =
+    "Edges whose ends' normals diverge by less may be thinned out again.\nauto: 7/9 of θ max. Off: "
+    "nothing is thinned.";
+constexpr const char* kLMaxHelp =
+    "Longer edges are split where the lattice reaches.\nauto: the smallest cell of the lattice in "
+    "use.";
+
+void apply(Editor& editor, const command::Adapt& change) {
+    if (editor.execute(change) && editor.session().adapt_settings().enabled) {
+        editor.execute(command::Readapt{});
+    }
+}
+
+// The smallest cell of the lattice that the next drag gets.
+double next_cell(const Editor& editor) {
+    return editor.session()
+        .lattice_settings()
+        .lattice(Vec3{0.0}, editor.workspace().diagonal())
+        .smallest_cell_extent();
+}
+
+double value_of(const Setting& setting, double automatic) {
+    return setting.kind == Setting::Kind::value ? setting.value : automatic;
+}
+
+}  // namespace
+
+struct RefinePanel::Row {
+    const char* label;
+    const char* help;
+    bool is_on, is_automatic, may_be_automatic;
+    double value;
+    float least, most;
+    const char* format;
+    Setting when_on, when_off;
+};
+
+std::optional<Setting> RefinePanel::draw_row(const Row& row, std::optional<float>& edited) const {
+    std::optional<Setting> set;
+    ImGui::PushID(row.label);
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    bool is_on = row.is_on;
+    if (ImGui::Checkbox(row.label, &is_on)) set = is_on ? row.when_on : row.when_off;
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", row.help);
+
+    ImGui::TableNextColumn();
+    ImGui::BeginDisabled(!row.is_on);
+    float value = edited.value_or(std::clamp(static_cast<float>(row.value), row.least, row.most));
+    ImGui::SetNextItemWidth(-1.0f);
+    ImGui::SliderFloat("##value", &value, row.least, row.most, row.is_on ? row.format : "off",
+                       ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
+    if (ImGui::IsItemActive()) edited = value;
+    if (ImGui::IsItemDeactivatedAfterEdit()) set = Setting::of(edited.value_or(value));
+    if (!ImGui::IsItemActive()) edited.reset();
+
+    ImGui::TableNextColumn();
+    if (row.may_be_automatic) {
+        bool is_automatic = row.is_automatic && row.is_on;
+        if (ImGui::Checkbox("auto", &is_automatic)) {
+            set = is_automatic ? Setting::automatic() : Setting::of(value);
+        }
+    }
+    ImGui::EndDisabled();
+    ImGui::PopID();
+    return set;
+}
+
+void RefinePanel::draw(Editor& editor) {
+    bool enabled = editor.session().adapt_settings().enabled;
+    if (ImGui::Checkbox("Refine and thin while dragging", &enabled)) {
+        apply(editor, {.enabled = enabled});
+    }
+    ImGui::BeginDisabled(!enabled);
+    if (ImGui::BeginTable("criteria", 3)) {
+        const float em = ImGui::GetFontSize();
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 5.2f * em);
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthStretch);
+        ImGui::TableSetupColumn("", ImGuiTableColumnFlags_WidthFixed, 4.2f * em);
+        draw_angles(editor);
+        draw_length(editor);
+        ImGui::EndTable();
+    }
+    const Setting l_max = editor.session().adapt_settings().l_max;
+    if (l_max.is_off() || value_of(l_max, 0.0) > next_cell(editor)) {
+        ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.93f, 0.74f, 0.45f, 1.0f));
+        ImGui::TextWrapped(
+            "Edges may be longer than a cell of the lattice: what happens inside "
+            "large faces is missed.");
+        ImGui::PopStyleColor();
+    }
+    ImGui::EndDisabled();
+}
+
+void RefinePanel::draw_angles(Editor& editor) {
+    const AdaptSettings settings = editor.session().adapt_settings();
+    const double theta_max = value_of(settings.theta_max, kPaperThetaMax);
+    const Row max_row{.label = "θ max",
+                      .help = kThetaMaxHelp,
+                      .is_on = !settings.theta_max.is_off(),
+                      .is_automatic = false,
+                      .may_be_automatic = false,
+                      .value = theta_max,
+                      .least = kLeastThetaMax,
+                      .most = kMostThetaMax,
+                      .format = "%.1f°",
+                      .when_on = Setting::of(kPaperThetaMax),
+                      .when_off = Setting::off()};
+    if (const auto set = draw_row(max_row, theta_max_)) {
+        command::Adapt change{.theta_max = *set};
+        const bool overtaken = settings.theta_min.kind == Setting::Kind::value &&
+                               !(settings.theta_min.value < value_of(*set, 180.0));
+        if (overtaken) change.theta_min = Setting::automatic();
+        apply(editor, change);
+    }
+    // Below 0 degrees there is no edge: nothing is thinned.
+    const Setting never = Setting::of(0.0);
+    const Row min_row{.label = "θ min",
+                      .help = kThetaMinHelp,
+                      .is_on = settings.theta_min != never,
+                      .is_automatic = settings.theta_min.is_automatic(),
+                      .may_be_automatic = true,
+                      .value = value_of(settings.theta_min, theta_max * 7.0 / 9.0),
+                      .least = kLeastThetaMin,
+                      .most = static_cast<float>(theta_max * kThetaMinShare),
+                      .format = "%.1f°",
+                      .when_on = Setting::automatic(),
+                      .when_off = never};
+    if (const auto set = draw_row(min_row, theta_min_)) apply(editor, {.theta_min = *set});
+}
+
+void RefinePanel::draw_length(Editor& editor) {
+    const Setting l_max = editor.session().adapt_settings().l_max;
+    const double diagonal = editor.workspace().diagonal();
+    const Row row{.label = "L max",
+                  .help = kLMaxHelp,
+                  .is_on = !l_max.is_off(),
+                  .is_automatic = l_max.is_automatic(),
+                  .may_be_automatic = true,
+                  .value = value_of(l_max, next_cell(editor)),
+                  .least = static_cast<float>(kLeastLMax * diagonal),
+                  .most = static_cast<float>(kMostLMax * diagonal),
+                  .format = "%.3g",
+                  .when_on = Setting::automatic(),
+                  .when_off = Setting::off()};
+    if (const auto set = draw_row(row, l_max_)) apply(editor, {.l_max = *set});
+}
+
+}  // namespace pectin

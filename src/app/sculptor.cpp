@@ -1,0 +1,73 @@
+#include "app/sculptor.h"
+
+#include <array>
+#include <cassert>
+
+namespace pectin {
+namespace {
+
+// sin² of the angle between ray and normal below which the nearest point of the line is too far
+// from the hand: about 12 degrees.
+constexpr double kTowardsEye = 0.04;
+// cos of the flattest ray that may meet the view plane.
+constexpr double kFlattest = 1e-6;
+
+}  // namespace
+
+std::optional<Vec3> on_view_plane(const Camera& camera, const Vec3& from, const Ray& ray) {
+    const Vec3 forward = camera.forward();
+    const double slope = glm::dot(ray.direction, forward);
+    if (!(slope > kFlattest)) return std::nullopt;
+    return ray.at(glm::dot(from - ray.origin, forward) / slope);
+}
+
+Vec3 on_normal(const Camera& camera, const Vec3& from, const Vec3& normal, const Ray& first,
+               const Ray& ray) {
+    // Decided by the ray that grabbed, so that one drag keeps to one rule.
+    const double towards = glm::dot(normal, first.direction);
+    if (1.0 - towards * towards < kTowardsEye) {
+        const std::optional<Vec3> now = on_view_plane(camera, from, ray);
+        const double up = now ? glm::dot(*now - from, camera.true_up()) : 0.0;
+        return from + up * normal;
+    }
+    const double cosine = glm::dot(normal, ray.direction), square = 1.0 - cosine * cosine;
+    if (square < 0.25 * kTowardsEye) return from;
+    const Vec3 to_ray = ray.origin - from;
+    const double along =
+        (glm::dot(to_ray, normal) - cosine * glm::dot(to_ray, ray.direction)) / square;
+    return from + along * normal;
+}
+
+std::optional<std::string> Sculptor::grab(Session& session, const Pick& pick, const Ray& ray) {
+    assert(!is_dragging());
+    if (auto refusal = session.begin_drag(std::array{pick.point}, {})) return refusal;
+    grabbed_ = Grabbed{pick, ray, pick.point};
+    return std::nullopt;
+}
+
+std::optional<std::string> Sculptor::drag(Session& session, const Camera& camera, const Ray& ray,
+                                          DragPath path) {
+    assert(is_dragging());
+    const Pick& pick = grabbed_->pick;
+    const std::optional<Vec3> to =
+        path == DragPath::normal ? on_normal(camera, pick.point, pick.normal, grabbed_->ray, ray)
+                                 : on_view_plane(camera, pick.point, ray);
+    if (!to || *to == grabbed_->to) return std::nullopt;
+    if (auto refusal = session.drag_to(std::array{*to})) return refusal;
+    grabbed_->to = *to;
+    return std::nullopt;
+}
+
+std::optional<command::Drag> Sculptor::release(Session& session) {
+    assert(is_dragging());
+    grabbed_.reset();
+    return session.end_drag();
+}
+
+void Sculptor::cancel(Session& session) {
+    assert(is_dragging());
+    grabbed_.reset();
+    session.cancel_drag();
+}
+
+}  // namespace pectin

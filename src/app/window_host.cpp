@@ -1,0 +1,217 @@
+#include "app/window_host.h"
+
+#define GLFW_INCLUDE_NONE
+#include <GLFW/glfw3.h>
+
+#include <algorithm>
+#include <cctype>
+#include <cstring>
+#include <optional>
+#include <utility>
+
+namespace pectin {
+namespace {
+
+std::string last_error() {
+    const char* description = nullptr;
+    glfwGetError(&description);
+    return description ? description : "no reason given";
+}
+
+WindowHost& host_of(GLFWwindow* window) {
+    return *static_cast<WindowHost*>(glfwGetWindowUserPointer(window));
+}
+
+Modifiers modifiers_of(int bits) {
+    return {.shift = (bits & GLFW_MOD_SHIFT) != 0,
+            .control = (bits & GLFW_MOD_CONTROL) != 0,
+            .alt = (bits & GLFW_MOD_ALT) != 0};
+}
+
+// As they are held now; during a key's own event its modifier is not yet among that event's.
+Modifiers held_modifiers(GLFWwindow* window) {
+    const auto is_down = [window](int left, int right) {
+        return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
+    };
+    return {.shift = is_down(GLFW_KEY_LEFT_SHIFT, GLFW_KEY_RIGHT_SHIFT),
+            .control = is_down(GLFW_KEY_LEFT_CONTROL, GLFW_KEY_RIGHT_CONTROL),
+            .alt = is_down(GLFW_KEY_LEFT_ALT, GLFW_KEY_RIGHT_ALT)};
+}
+
+bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
+
+// What is written on the key; where that is no Latin letter, what a US keyboard has there.
+Key key_of(int key, int scancode) {
+    switch (key) {
+        case GLFW_KEY_ESCAPE:
+            return Key::escape;
+        case GLFW_KEY_ENTER:
+        case GLFW_KEY_KP_ENTER:
+            return Key::enter;
+        case GLFW_KEY_HOME:
+            return Key::home;
+        case GLFW_KEY_DELETE:
+            return Key::delete_key;
+        case GLFW_KEY_KP_1:
+            return Key::keypad_1;
+        case GLFW_KEY_KP_3:
+            return Key::keypad_3;
+        case GLFW_KEY_KP_7:
+            return Key::keypad_7;
+        default:
+            break;
+    }
+    const char* const name = glfwGetKeyName(key, scancode);
+    if (name && std::strlen(name) == 1) {
+        return Key{std::toupper(static_cast<unsigned char>(name[0]))};
+    }
+    return key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? Key{key} : Key::none;
+}
+
+std::optional<MouseButton> button_of(int button) {
+    switch (button) {
+        case GLFW_MOUSE_BUTTON_LEFT:
+            return MouseButton::left;
+        case GLFW_MOUSE_BUTTON_MIDDLE:
+            return MouseButton::middle;
+        case GLFW_MOUSE_BUTTON_RIGHT:
+            return MouseButton::right;
+        default:
+            return std::nullopt;
+    }
+}
+
+GLFWwindow* make_window(const std::string& title, const IVec2& size) {
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
+    glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
+    glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
+    glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
+    // The program draws into a framebuffer of its own.
+    glfwWindowHint(GLFW_DEPTH_BITS, 0);
+    glfwWindowHint(GLFW_STENCIL_BITS, 0);
+    glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
+    glfwWindowHintString(GLFW_X11_CLASS_NAME, "pectin");
+    glfwWindowHintString(GLFW_X11_INSTANCE_NAME, "pectin");
+    return glfwCreateWindow(size.x, size.y, title.c_str(), nullptr, nullptr);
+}
+
+}  // namespace
+
+WindowHost::Library::Library() {
+    if (glfwInit() == GLFW_TRUE) return;
+    throw ContextError("there is no display to open a window on (" + last_error() +
+                       "); start pectin in a desktop session, or do without a window: "
+                       "pectin replay SCRIPT");
+}
+
+WindowHost::Library::~Library() { glfwTerminate(); }
+
+void WindowHost::Destroy::operator()(GLFWwindow* window) const { glfwDestroyWindow(window); }
+
+WindowHost::WindowHost(const std::string& title, const IVec2& size)
+    : window_(make_window(title, size)), title_(title) {
+    if (!window_) {
+        throw ContextError("the window needs OpenGL 3.3, and there is none (" + last_error() +
+                           "); install a newer graphics driver, or libgl1-mesa-dri, which draws "
+                           "without a graphics card");
+    }
+    glfwMakeContextCurrent(window_.get());
+    gl_ = load_gl(glfwGetProcAddress);
+    glfwSwapInterval(1);
+    glfwSetWindowSizeLimits(window_.get(), 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    install_callbacks();
+    events_.push_back(event::Resize{this->size()});
+}
+
+WindowHost::~WindowHost() = default;
+
+std::vector<InputEvent> WindowHost::take_events(bool waits) {
+    if (waits && events_.empty()) {
+        glfwWaitEvents();
+    } else {
+        glfwPollEvents();
+    }
+    return std::exchange(events_, {});
+}
+
+void WindowHost::show() { glfwSwapBuffers(window_.get()); }
+
+void WindowHost::set_title(const std::string& title) {
+    if (title != title_) glfwSetWindowTitle(window_.get(), title.c_str());
+    title_ = title;
+}
+
+IVec2 WindowHost::size() const {
+    IVec2 size{0};
+    glfwGetWindowSize(window_.get(), &size.x, &size.y);
+    return size;
+}
+
+IVec2 WindowHost::framebuffer_size() const {
+    IVec2 size{0};
+    glfwGetFramebufferSize(window_.get(), &size.x, &size.y);
+    return size;
+}
+
+float WindowHost::content_scale() const {
+    float x = 1.0f, y = 1.0f;
+    glfwGetWindowContentScale(window_.get(), &x, &y);
+    // Where window coordinates are larger than pixels, they have the scale in them already.
+    const int width = size().x;
+    const float ratio =
+        width > 0 ? static_cast<float>(framebuffer_size().x) / static_cast<float>(width) : 1.0f;
+    return std::clamp(std::max(x, y) / std::max(ratio, 1.0f), 0.5f, 4.0f);
+}
+
+void WindowHost::install_callbacks() {
+    GLFWwindow* const window = window_.get();
+    glfwSetWindowUserPointer(window, this);
+    glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
+        WindowHost& host = host_of(w);
+        host.cursor_ = {x, y};
+        append(host.events_, event::Move{host.cursor_, held_modifiers(w)});
+    });
+    glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
+        if (!entered) append(host_of(w).events_, event::Leave{});
+    });
+    glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
+        WindowHost& host = host_of(w);
+        const auto which = button_of(button);
+        if (!which) return;
+        if (action == GLFW_PRESS) {
+            append(host.events_, event::Press{*which, host.cursor_, modifiers_of(mods)});
+        } else {
+            append(host.events_, event::Release{*which, host.cursor_, modifiers_of(mods)});
+        }
+    });
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
+        WindowHost& host = host_of(w);
+        append(host.events_, event::Scroll{y, host.cursor_});
+    });
+    glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
+        WindowHost& host = host_of(w);
+        const Key which = key_of(key, scancode);
+        if (is_modifier(key)) {
+            append(host.events_, event::Move{host.cursor_, held_modifiers(w)});
+        } else if (action == GLFW_RELEASE) {
+            append(host.events_, event::KeyUp{which});
+        } else {
+            append(host.events_, event::KeyDown{which, modifiers_of(mods), action == GLFW_REPEAT});
+        }
+    });
+    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int code) {
+        append(host_of(w).events_, event::Character{code});
+    });
+    glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
+        append(host_of(w).events_, event::Drop{{paths, paths + count}});
+    });
+    glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int width, int height) {
+        append(host_of(w).events_, event::Resize{{width, height}});
+    });
+    glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
+        glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides
+        append(host_of(w).events_, event::Close{});
+    });
+}
+
+}  // namespace pectin

@@ -1,0 +1,55 @@
+// A window of the desktop with an OpenGL context, and what is done to it: GLFW.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/input_event.h"
+#include "render/gl.h"
+
+struct GLFWwindow;
+
+namespace pectin {
+
+class WindowHost {
+  public:
+    // Opens the window and makes its context current. Throws ContextError, saying what to do,
+    // where there is no display or no OpenGL 3.3.
+    WindowHost(const std::string& title, const IVec2& size);
+    ~WindowHost();
+    WindowHost(const WindowHost&) = delete;
+    WindowHost& operator=(const WindowHost&) = delete;
+
+    // Stays where it is as long as the host does.
+    const Gl& gl() const { return gl_; }
+    GLFWwindow* handle() const { return window_.get(); }
+
+    // What has been done since the last call; waits for something where there is nothing to draw.
+    std::vector<InputEvent> take_events(bool waits);
+    void show();  // what has been drawn
+    void set_title(const std::string& title);
+
+    IVec2 size() const;              // in window coordinates
+    IVec2 framebuffer_size() const;  // in pixels; 0 while it is an icon
+    float content_scale() const;     // of fonts and style, 1 on an ordinary screen
+
+  private:
+    struct Library {
+        Library();
+        ~Library();
+    };
+    struct Destroy {
+        void operator()(GLFWwindow* window) const;
+    };
+    void install_callbacks();
+
+    Library library_;
+    std::unique_ptr<GLFWwindow, Destroy> window_;
+    Gl gl_{};
+    std::vector<InputEvent> events_;
+    Vec2 cursor_{0.0};  // as the cursor callback last said
+    std::string title_;
+};
+
+}  // namespace pectin

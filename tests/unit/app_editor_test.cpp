@@ -1,0 +1,303 @@
+// The window's mind, driven by events.
+#include "app/editor.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "command/script.h"
+
+namespace pectin {
+namespace {
+
+namespace fs = std::filesystem;
+constexpr IVec2 kSize{1280, 800};
+constexpr Vec2 kMiddle{640, 400}, kBeside{20, 780};
+
+class EditorTest : public testing::Test {
+  protected:
+    EditorTest() {
+        std::string name = (fs::temp_directory_path() / "pectin editor XXXXXX").string();
+        folder_ = mkdtemp(name.data());
+    }
+    ~EditorTest() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name), std::ios::binary) << text;
+    }
+    std::string read(const std::string& name) const {
+        std::ifstream file(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    // On a sphere of the given resolution.
+    Editor editor(std::optional<Recorder> recorder = {}, int resolution = 3) const {
+        Editor made(std::move(recorder));
+        made.handle(event::Resize{kSize});
+        made.new_shape(command::Shape::Kind::sphere, resolution);
+        return made;
+    }
+    static void drag(Editor& editor, const Vec2& from, const Vec2& to, Modifiers modifiers = {}) {
+        press(editor, from, modifiers);
+        for (int i = 1; i <= 4; ++i) move(editor, from + i / 4.0 * (to - from), modifiers);
+        editor.handle(event::Release{MouseButton::left, to, modifiers});
+        editor.advance();
+    }
+    static void press(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
+        editor.handle(event::Move{at, modifiers});
+        editor.advance();
+        editor.handle(event::Press{MouseButton::left, at, modifiers});
+        editor.advance();
+    }
+    static void move(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
+        editor.handle(event::Move{at, modifiers});
+        editor.advance();
+    }
+    static void key(Editor& editor, Key key, Modifiers modifiers = {}) {
+        editor.handle(event::KeyDown{key, modifiers});
+        editor.handle(event::KeyUp{key});
+        editor.advance();
+    }
+
+  private:
+    fs::path folder_;
+};
+
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+TEST_F(EditorTest, DragOnTheSurfaceIsOneStepAndEndsTheHint) {
+    Editor editor = this->editor();
+    EXPECT_TRUE(editor.shows_hint());
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    EXPECT_EQ(editor.session().undo_count(), 1u);
+    EXPECT_FALSE(editor.shows_hint());
+    EXPECT_TRUE(editor.workspace().is_modified());
+    EXPECT_GT(editor.figures().seconds, 0.0);
+}
+
+TEST_F(EditorTest, GrabbedPointStaysUnderTheCursor) {
+    Editor editor = this->editor();
+    press(editor, kMiddle);
+    ASSERT_TRUE(editor.sculptor().is_dragging());
+    move(editor, {700, 310});
+    const auto seen = editor.camera().project(editor.sculptor().to(), kSize);
+    ASSERT_TRUE(seen);
+    EXPECT_NEAR(glm::distance(*seen, Vec2(700, 310)), 0.0, 1e-6);
+}
+
+TEST_F(EditorTest, DragBesideTheObjectTurnsTheCameraAndNothingElse) {
+    Editor editor = this->editor();
+    const Camera before = editor.camera();
+    drag(editor, kBeside, kBeside + Vec2(200, -100));
+    EXPECT_EQ(editor.session().undo_count(), 0u);
+    EXPECT_EQ(editor.camera().target, before.target);
+    EXPECT_NE(editor.camera().eye, before.eye);
+}
+
+TEST_F(EditorTest, PanelsKeepTheirClicks) {
+    Editor editor = this->editor();
+    const Camera before = editor.camera();
+    editor.handle(event::Press{MouseButton::left, kMiddle, {}}, {.mouse = true});
+    move(editor, kMiddle + Vec2(50, 50));
+    EXPECT_FALSE(editor.sculptor().is_dragging());
+    EXPECT_EQ(editor.camera(), before);
+}
+
+TEST_F(EditorTest, EscapeDuringADragGivesEverythingBackAndReleaseDoesNothingMore) {
+    Editor editor = this->editor(), untouched = this->editor();
+    press(editor, kMiddle);
+    move(editor, {760, 300});
+    EXPECT_FALSE(editor.session().mesh() == untouched.session().mesh());
+    key(editor, Key::escape);
+    EXPECT_EQ(editor.session().mesh(), untouched.session().mesh());
+    editor.handle(event::Release{MouseButton::left, {760, 300}, {}});
+    editor.advance();
+    EXPECT_EQ(editor.session().undo_count(), 0u);
+    EXPECT_FALSE(editor.workspace().is_modified());
+}
+
+TEST_F(EditorTest, KeysDuringADragAreLeftAlone) {
+    Editor editor = this->editor();
+    drag(editor, kMiddle, kMiddle + Vec2(40, 40));
+    press(editor, kMiddle - Vec2(60, 60));
+    move(editor, kMiddle);
+    key(editor, Key{'Z'}, {.control = true});
+    key(editor, Key{'F'});
+    editor.handle(event::Drop{{path("none.obj")}});
+    EXPECT_TRUE(editor.sculptor().is_dragging());
+    editor.handle(event::Release{MouseButton::left, kMiddle, {}});
+    EXPECT_EQ(editor.session().undo_count(), 2u);
+}
+
+TEST_F(EditorTest, UndoAndRedoByKeysGiveBackTheVeryMesh) {
+    Editor editor = this->editor(), untouched = this->editor();
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    const TriMesh dragged = editor.session().mesh();
+    key(editor, Key{'Z'}, {.control = true});
+    EXPECT_EQ(editor.session().mesh(), untouched.session().mesh());
+    key(editor, Key{'Y'}, {.control = true});
+    EXPECT_EQ(editor.session().mesh(), dragged);
+    key(editor, Key{'Y'}, {.control = true});
+    EXPECT_TRUE(editor.workspace().message().empty()) << "nothing to redo is no error";
+}
+
+TEST_F(EditorTest, HoldingFAndMovingSetsTheRadius) {
+    Editor editor = this->editor();
+    const double before = editor.radius();
+    move(editor, kMiddle);
+    editor.handle(event::KeyDown{Key{'F'}, {}});
+    move(editor, kMiddle + Vec2(160, 0));
+    EXPECT_NEAR(editor.radius(), 2.0 * before, 1e-9);
+    editor.handle(event::KeyUp{Key{'F'}});
+    EXPECT_NEAR(*editor.session().lattice_settings().radius, 2.0 * before, 1e-9);
+    // Escape takes it back.
+    editor.handle(event::KeyDown{Key{'F'}, {}});
+    move(editor, kMiddle);
+    key(editor, Key::escape);
+    editor.handle(event::KeyUp{Key{'F'}});
+    EXPECT_NEAR(editor.radius(), 2.0 * before, 1e-9);
+}
+
+TEST_F(EditorTest, BracketsStepTheRadiusWithinBounds) {
+    Editor editor = this->editor();
+    const double before = editor.radius();
+    editor.handle(event::Character{']'});
+    EXPECT_GT(editor.radius(), before);
+    for (int i = 0; i < 300; ++i) editor.handle(event::Character{'['});
+    EXPECT_EQ(editor.radius(), editor.least_radius());
+}
+
+TEST_F(EditorTest, RecordReplaysToTheSameMesh) {
+    {
+        Editor editor = this->editor(Recorder(path("record.jsonl")));
+        drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+        editor.handle(event::Character{'['});
+        drag(editor, kMiddle, kMiddle + Vec2(10, 90), {.alt = true});
+        key(editor, Key{'Z'}, {.control = true});
+        editor.execute(command::Adapt{.theta_max = Setting::of(12.0)});
+        editor.execute(command::Readapt{});
+        editor.execute(command::Undo{.count = 99});  // refused, so not recorded
+        editor.execute(command::Save{path("window.obj")});
+    }
+    std::istringstream text(read("record.jsonl"));
+    ScriptReader reader(text);
+    Session session;
+    int commands = 0;
+    while (const auto line = reader.next()) {
+        ++commands;
+        Command command = std::get<Command>(line->command);
+        if (auto* save = std::get_if<command::Save>(&command)) save->path = path("replay.obj");
+        EXPECT_FALSE(session.execute(command));
+    }
+    EXPECT_EQ(commands, 8);
+    EXPECT_EQ(read("window.obj"), read("replay.obj"));
+    EXPECT_FALSE(read("window.obj").empty());
+}
+
+TEST_F(EditorTest, ARecordKeepsALineAsSoonAsTheCommandIsDone) {
+    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    EXPECT_EQ(read("record.jsonl"),
+              "{\"pectin\": 1}\n{\"cmd\": \"shape\", \"kind\": \"sphere\", \"resolution\": 3}\n");
+}
+
+TEST_F(EditorTest, APathThatIsNotUtf8IsDoneButSaidToBeMissingFromTheRecord) {
+    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    const std::string before = read("record.jsonl");
+    EXPECT_TRUE(editor.execute(command::Save{path("caf\xe9.obj")}));
+    EXPECT_NE(editor.workspace().message().find("UTF-8"), std::string::npos);
+    EXPECT_EQ(read("record.jsonl"), before);
+}
+
+TEST_F(EditorTest, DroppingAModelOpensIt) {
+    write("tetrahedron.obj", kTetrahedron);
+    Editor editor = this->editor();
+    editor.handle(event::Drop{{path("tetrahedron.obj")}});
+    EXPECT_EQ(editor.session().mesh().face_count(), 4u);
+    EXPECT_EQ(editor.workspace().object_name(), "tetrahedron.obj");
+}
+
+TEST_F(EditorTest, DroppingWhatIsNoModelSaysSoAndLeavesTheObject) {
+    write("letter.obj", "Dear v,\nf 1 2 3\n");
+    Editor editor = this->editor(), untouched = this->editor();
+    for (const char* name : {"letter.obj", "absent.obj", "."}) {
+        editor.handle(event::Drop{{path(name)}});
+        EXPECT_FALSE(editor.workspace().message().empty()) << name;
+        EXPECT_EQ(editor.session().mesh(), untouched.session().mesh());
+        editor.workspace().dismiss();
+    }
+}
+
+TEST_F(EditorTest, OpeningOverUnsavedChangesAsksFirst) {
+    write("tetrahedron.obj", kTetrahedron);
+    Editor editor = this->editor();
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    editor.handle(event::Drop{{path("tetrahedron.obj")}});
+    ASSERT_TRUE(editor.question);
+    EXPECT_EQ(editor.session().undo_count(), 1u);
+    editor.answer(Editor::Answer::cancel);
+    EXPECT_EQ(editor.session().undo_count(), 1u);
+    editor.handle(event::Drop{{path("tetrahedron.obj")}});
+    editor.answer(Editor::Answer::discard);
+    EXPECT_EQ(editor.session().mesh().face_count(), 4u);
+}
+
+TEST_F(EditorTest, ClosingWithChangesSavesThemWhereAsked) {
+    Editor editor = this->editor();
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    editor.handle(event::Close{});
+    ASSERT_TRUE(editor.question);
+    EXPECT_FALSE(editor.wants_to_end());
+    editor.answer(Editor::Answer::save);
+    ASSERT_TRUE(editor.browser);
+    editor.browser->name = path("kept");
+    editor.accept_file();
+    EXPECT_TRUE(fs::exists(path("kept.obj")));
+    EXPECT_TRUE(editor.wants_to_end());
+}
+
+TEST_F(EditorTest, SaveGoesToTheOpenFileOnceThereIsOne) {
+    Editor editor = this->editor();
+    key(editor, Key{'S'}, {.control = true});
+    ASSERT_TRUE(editor.browser);
+    editor.browser->name = path("ball.obj");
+    editor.accept_file();
+    EXPECT_FALSE(editor.browser);
+    const std::string first = read("ball.obj");
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    key(editor, Key{'S'}, {.control = true});
+    EXPECT_FALSE(editor.browser);
+    EXPECT_NE(read("ball.obj"), first);
+    EXPECT_FALSE(editor.workspace().is_modified());
+}
+
+TEST_F(EditorTest, ReplacingAnotherFileIsAskedFor) {
+    write("other.obj", "precious");
+    Editor editor = this->editor();
+    editor.perform(Action::save_as);
+    editor.browser->name = path("other.obj");
+    editor.accept_file();
+    EXPECT_EQ(editor.file_to_replace(), path("other.obj"));
+    EXPECT_EQ(read("other.obj"), "precious");
+    key(editor, Key::escape);
+    EXPECT_TRUE(editor.browser);
+    EXPECT_TRUE(editor.file_to_replace().empty());
+    editor.accept_file();
+    editor.accept_file();
+    EXPECT_FALSE(editor.browser);
+    EXPECT_NE(read("other.obj"), "precious");
+}
+
+TEST_F(EditorTest, SavingWhereOneMayNotSaysSo) {
+    Editor editor = this->editor();
+    editor.perform(Action::save_as);
+    editor.browser->name = path("no such folder/ball.obj");
+    editor.accept_file();
+    EXPECT_FALSE(editor.workspace().message().empty());
+    EXPECT_TRUE(editor.workspace().path().empty());
+}
+
+}  // namespace
+}  // namespace pectin

@@ -1,0 +1,101 @@
+// Choosing files.
+#include "app/file_browser.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+
+#include "io/file_error.h"
+
+namespace pectin {
+namespace {
+
+namespace fs = std::filesystem;
+using Purpose = FileBrowser::Purpose;
+
+class FileBrowserTest : public testing::Test {
+  protected:
+    FileBrowserTest() {
+        std::string name = (fs::temp_directory_path() / "pectin files XXXXXX").string();
+        folder_ = mkdtemp(name.data());
+        fs::create_directory(folder_ / "models");
+        fs::create_directory(folder_ / "Attic");
+        for (const char* file : {"b.obj", "A.OBJ", "notes.txt", ".hidden.obj", "models/c.obj"}) {
+            std::ofstream(folder_ / file) << "v 0 0 0\n";
+        }
+    }
+    ~FileBrowserTest() override { fs::remove_all(folder_); }
+    std::string path(const std::string& name = "") const {
+        return name.empty() ? folder_.string() : (folder_ / name).string();
+    }
+
+  private:
+    fs::path folder_;
+};
+
+TEST_F(FileBrowserTest, ListsFoldersFirstThenModelsWithoutRegardToCase) {
+    const std::vector<FileEntry> expected{
+        {"Attic", true, 0}, {"models", true, 0}, {"A.OBJ", false, 8}, {"b.obj", false, 8}};
+    EXPECT_EQ(list_folder(path(), ".obj"), expected);
+    EXPECT_THROW(list_folder(path("absent"), ".obj"), FileError);
+}
+
+TEST_F(FileBrowserTest, StartsInTheFolderOfTheFileAndSavesUnderItsName) {
+    const FileBrowser opening(Purpose::open, path("b.obj"));
+    EXPECT_EQ(opening.folder(), path());
+    EXPECT_TRUE(opening.name.empty());
+    const FileBrowser saving(Purpose::save, path("b.obj"));
+    EXPECT_EQ(saving.name, "b.obj");
+}
+
+TEST_F(FileBrowserTest, NamesCountFromTheFolderShownOrStandForThemselves) {
+    FileBrowser browser(Purpose::open, path("b.obj"));
+    browser.name = "b.obj";
+    EXPECT_EQ(browser.choose(), path("b.obj"));
+    browser.name = "models/../models/c.obj";
+    EXPECT_EQ(browser.choose(), path("models/c.obj"));
+    browser.name = "/etc/passwd";
+    EXPECT_EQ(browser.choose(), "/etc/passwd");
+    browser.name = "";
+    EXPECT_EQ(browser.choose(), "");
+}
+
+TEST_F(FileBrowserTest, TheNameOfAFolderLeadsThere) {
+    FileBrowser browser(Purpose::open, path("b.obj"));
+    browser.name = "models";
+    EXPECT_EQ(browser.choose(), "");
+    EXPECT_EQ(browser.folder(), path("models"));
+    browser.enter_parent();
+    EXPECT_EQ(browser.folder(), path());
+}
+
+TEST_F(FileBrowserTest, SavingAddsTheExtensionWhereItIsMissing) {
+    FileBrowser browser(Purpose::save, path("b.obj"));
+    browser.name = "ball";
+    EXPECT_EQ(browser.choose(), path("ball.obj"));
+    browser.name = "ball.OBJ";
+    EXPECT_EQ(browser.choose(), path("ball.OBJ"));
+    FileBrowser picture(Purpose::save_picture, path("ball.png"));
+    picture.name = "ball";
+    EXPECT_EQ(picture.choose(), path("ball.png"));
+}
+
+TEST_F(FileBrowserTest, AFolderThatCannotBeReadIsComplainedOfAndNotEntered) {
+    FileBrowser browser(Purpose::open, path("b.obj"));
+    browser.enter(path("absent"));
+    EXPECT_EQ(browser.folder(), path());
+    EXPECT_FALSE(browser.complaint().empty());
+}
+
+TEST_F(FileBrowserTest, StepsLeadFromTheRootToTheFolder) {
+    const FileBrowser browser(Purpose::open, path("models/c.obj"));
+    const auto steps = browser.steps();
+    ASSERT_GE(steps.size(), 3u);
+    EXPECT_EQ(steps.front().path, "/");
+    EXPECT_EQ(steps.back().name, "models");
+    EXPECT_EQ(steps.back().path, path("models"));
+}
+
+}  // namespace
+}  // namespace pectin

@@ -1,0 +1,67 @@
+// What a drag in the window uploads.
+#include "app/object_view.h"
+
+#include <gtest/gtest.h>
+
+#include "app/editor.h"
+#include "app/editor_scene.h"
+#include "support/offscreen.h"
+
+namespace pectin {
+namespace {
+
+class ObjectViewTest : public OffscreenTest {};
+
+// 1.3 million faces; the brush reaches a few hundred of them.
+TEST_F(ObjectViewTest, FramesOfADragUploadAsMuchAsTheyTouch) {
+    Editor editor;
+    editor.handle(event::Resize{{1280, 800}});
+    editor.new_shape(command::Shape::Kind::sphere, 8);
+    editor.set_radius(0.02);
+    ObjectView view(gl());
+    Session& session = editor.workspace().session();
+    const std::size_t whole = view.follow(session).bytes;
+    ASSERT_GT(whole, 30'000'000u);
+    EXPECT_EQ(view.follow(session).bytes, 0u) << "nothing has changed since";
+
+    editor.handle(event::Move{{640, 400}});
+    editor.handle(event::Press{MouseButton::left, {640, 400}});
+    ASSERT_TRUE(editor.sculptor().is_dragging());
+    for (int i = 1; i <= 6; ++i) {
+        editor.handle(event::Move{{640 + i, 400 - i}});
+        editor.advance();
+        const std::size_t bytes = view.follow(session).bytes;
+        EXPECT_GT(bytes, 0u);
+        EXPECT_LT(bytes, whole / 100) << "frame " << i;
+    }
+    editor.handle(event::Release{MouseButton::left, {646, 394}});
+    const std::size_t commit = view.follow(session).bytes;
+    EXPECT_GT(commit, 0u);
+    EXPECT_LT(commit, whole / 100);
+}
+
+TEST_F(ObjectViewTest, PictureAfterADragAndUndoIsThePictureBefore) {
+    Editor editor;
+    editor.handle(event::Resize{{320, 240}});
+    editor.new_shape(command::Shape::Kind::sphere, 3);
+    ObjectView view(gl());
+    Session& session = editor.workspace().session();
+    view.follow(session);
+    const auto picture = [&] {
+        return draw(gl(), view.mesh(), editor_scene(editor, 1.0f), {320, 240}).rgba;
+    };
+    const auto before = picture();
+    editor.handle(event::Press{MouseButton::left, {160, 120}});
+    editor.handle(event::Move{{190, 90}});
+    editor.advance();
+    view.follow(session);
+    EXPECT_NE(picture(), before);
+    editor.handle(event::Release{MouseButton::left, {190, 90}});
+    view.follow(session);
+    editor.perform(Action::undo);
+    view.follow(session);
+    EXPECT_EQ(picture(), before);
+}
+
+}  // namespace
+}  // namespace pectin
