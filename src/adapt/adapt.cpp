@@ -33,12 +33,17 @@ Assessment assess(const ActiveSet& active, const Criteria& criteria,
         if (!mesh.is_live(e)) continue;
         const HalfEdgeId h = mesh.half_edge(e);
         if (mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h))) {
-            greatest = std::max(greatest, Criteria::divergence(active, e));
+            greatest = std::max(greatest, Criteria::full_divergence(mesh, e));
         }
-        if (!criteria.needs_refinement(active, e)) continue;
+        const bool needs = criteria.needs_refinement(active, e);
+        if (!needs && !criteria.diverges(mesh, e)) continue;
         const bool held = criteria.is_below_floor(mesh, e) || !mesh.may_split(e) ||
                           std::binary_search(blocked.begin(), blocked.end(), e);
-        ++(held ? result.held_back : result.needing_refinement);
+        if (held) {
+            ++result.held_back;
+        } else if (needs) {
+            ++result.needing_refinement;
+        }
     }
     // greatest = 1 - cos(angle) = 2 sin^2(angle / 2)
     result.divergence_max_deg =

@@ -8,8 +8,9 @@ namespace pectin {
 namespace {
 
 // Rest normals more than 120 degrees apart (n1.n2 < -1/2) are a spike or a fold that was there
-// before: refining cannot bring them together.
-constexpr float kOpposedCosine = -0.5f;
+// before: refining cannot bring them together. A drag may open it; then it counts again, so that
+// the mesh after the drag, for which rest is the present, needs nothing that the drag did not see.
+constexpr double kOpposedDivergence = 1.5;
 
 double one_minus_cosine(double degrees) {
     return degrees >= 180.0 ? kOff : 1.0 - std::cos(degrees * std::numbers::pi / 180.0);
@@ -18,6 +19,12 @@ double one_minus_cosine(double degrees) {
 double square(double x) { return x * x; }
 
 bool is_defined(const Vec3f& n) { return n != Vec3f{0.0f}; }
+
+// 1 - n1.n2 of unit normals.
+double normal_divergence(const Vec3f& n1, const Vec3f& n2) {
+    const Vec3f difference = n1 - n2;
+    return 0.5 * static_cast<double>(glm::dot(difference, difference));
+}
 
 // The corners of the two ends of an edge on one side of it.
 struct SideEnds {
@@ -32,12 +39,14 @@ SideEnds side_of(const TriMesh& mesh, HalfEdgeId h) {
 // tested is only looked up where the answer is `enough` or more.
 double side_divergence(const ActiveSet& active, SideEnds side, double enough) {
     const Vec3f n1 = active.mesh().normal(side.first), n2 = active.mesh().normal(side.second);
-    const Vec3f difference = n1 - n2;
-    const double divergence = 0.5 * static_cast<double>(glm::dot(difference, difference));
+    const double divergence = normal_divergence(n1, n2);
     if (divergence < enough) return divergence;
     if (!is_defined(n1) || !is_defined(n2)) return 0.0;
-    const Vec3f rest1 = active.rest_normal(side.first), rest2 = active.rest_normal(side.second);
-    return glm::dot(rest1, rest2) < kOpposedCosine ? 0.0 : divergence;
+    if (divergence <= kOpposedDivergence) return divergence;
+    const bool opposed_at_rest =
+        normal_divergence(active.rest_normal(side.first), active.rest_normal(side.second)) >
+        kOpposedDivergence;
+    return opposed_at_rest ? 0.0 : divergence;
 }
 
 bool has_deformed_end(const TriMesh& mesh, HalfEdgeId h) {
@@ -65,6 +74,21 @@ double Criteria::divergence(const ActiveSet& active, EdgeId e, double enough) {
         if (!smooth) greatest = std::max(greatest, side_divergence(active, right, enough));
     }
     return greatest;
+}
+
+double Criteria::full_divergence(const TriMesh& mesh, EdgeId e) {
+    const auto of_side = [&](HalfEdgeId h) {
+        const SideEnds side = side_of(mesh, h);
+        const Vec3f n1 = mesh.normal(side.first), n2 = mesh.normal(side.second);
+        return is_defined(n1) && is_defined(n2) ? normal_divergence(n1, n2) : 0.0;
+    };
+    const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
+    return exists(twin) ? std::max(of_side(h), of_side(twin)) : of_side(h);
+}
+
+bool Criteria::diverges(const TriMesh& mesh, EdgeId e) const {
+    return has_deformed_end(mesh, mesh.half_edge(e)) &&
+           full_divergence(mesh, e) > refine_divergence_;
 }
 
 bool Criteria::needs_refinement(const ActiveSet& active, EdgeId e) const {

@@ -20,7 +20,7 @@ struct AdaptLimits {
     double theta_min = kOff;   // less than theta_max: one that diverges by less may go
     double l_max = kOff;       // an edge longer than this in the zone is refined
     double flatness = kOff;    // farthest an unsplit may move the surface, in edge lengths
-    double floor = 0.0;        // no edge shorter than this comes to be
+    double floor = 0.0;        // an edge shorter than twice this is not split
     double propagation = 1.0;  // rho in [1, 1.5): longest-edge propagation
     std::uint64_t budget = std::numeric_limits<std::uint64_t>::max();  // triangles
 };
@@ -47,9 +47,15 @@ class Criteria {
     bool may_unsplit(const ActiveSet& active, const Star& star) const;
 
     // The greatest same-side divergence of the end normals, as 1 - cos; sides with an undefined
-    // normal or whose rest normals oppose each other do not count. Below `enough` it may be that
+    // normal do not count, nor do those whose normals oppose each other (by more than 120 degrees)
+    // at rest as well as now. Below `enough` it may be that
     // of a side which does not count: what is asked is only whether it reaches that far.
     static double divergence(const ActiveSet& active, EdgeId e, double enough = 0.0);
+
+    // The same with opposed sides, too.
+    static double full_divergence(const TriMesh& mesh, EdgeId e);
+    // Whether that is beyond theta_max and an end is deformed.
+    bool diverges(const TriMesh& mesh, EdgeId e) const;
 
   private:
     bool star_meets_scope(const ActiveSet& active, const Star& star) const;

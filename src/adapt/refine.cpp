@@ -124,7 +124,9 @@ class Refiner {
     }
 
     bool split(EdgeId e) {
-        if (std::uint64_t{active_.mesh().face_count()} + 2 > criteria_.limits().budget) {
+        const TriMesh& mesh = active_.mesh();
+        const std::uint64_t added = exists(mesh.twin(mesh.half_edge(e))) ? 2 : 1;
+        if (mesh.face_count() + added > criteria_.limits().budget) {
             result_.budget_hit = true;
             return false;
         }

@@ -25,7 +25,7 @@ struct Problem : std::runtime_error {
 };
 
 constexpr int kMaxInt = std::numeric_limits<int>::max();
-constexpr int kMaxSpan = 16, kMaxDeformable = 64;
+constexpr int kMaxSpan = 16, kMaxDeformable = 256;
 constexpr int kLeastPixels = 16, kMostPixels = 8192;  // of a picture, each way
 constexpr double kMaxBudget = 9007199254740992.0;     // 2^53: a double counts no further
 constexpr std::size_t kMostShown = 40;                // of a text that is quoted in an error

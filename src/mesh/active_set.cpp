@@ -272,12 +272,44 @@ MeshChange ActiveSet::finish() {
     change.slots_before = slots_at_begin_;
     record_states(change);
     change.edits = edits_;
-    change.faces = faces_;
+    for (std::size_t i = 0; i < faces_.size(); ++i) {
+        if (i >= original_faces_ || has_changed(faces_[i])) change.faces.push_back(faces_[i]);
+    }
     std::sort(change.faces.begin(), change.faces.end());
     change.faces.erase(std::unique(change.faces.begin(), change.faces.end()), change.faces.end());
     change.faces.shrink_to_fit();
     forget();
     return change;
+}
+
+bool ActiveSet::has_changed(FaceId original) const {
+    if (!mesh_.is_live(original)) return true;
+    for (int corner = 0; corner < 3; ++corner) {
+        const HalfEdge& h = mesh_.half_edge(TriMesh::half_edge(original, corner));
+        if (!same_bytes(mesh_.position(h.origin), rest_position(h.origin)) ||
+            !same_bytes(mesh_.normal(h.wedge), rest_normal(h.wedge))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+void ActiveSet::abandon() {
+    faces_.clear();
+    vertices_.clear();
+    rest_positions_.clear();
+    was_deformed_.clear();
+    wedges_.clear();
+    rest_normals_.clear();
+    wedge_owners_.clear();
+    edges_.clear();
+    vertex_entry_.clear();
+    wedge_entry_.clear();
+    edge_states_.clear();
+    measured_edges_.clear();
+    original_ids_.clear();
+    original_wedge_ids_.clear();
+    forget();
 }
 
 void ActiveSet::record_states(MeshChange& change) const {
@@ -331,9 +363,10 @@ std::size_t ActiveSet::memory_bytes() const {
            capacity_bytes(rest_positions_) + capacity_bytes(was_deformed_) +
            capacity_bytes(wedges_) + capacity_bytes(original_wedge_ids_) +
            capacity_bytes(rest_normals_) + capacity_bytes(wedge_owners_) + capacity_bytes(edges_) +
-           capacity_bytes(measured_edges_) + capacity_bytes(edits_) +
-           capacity_bytes(vertex_entry_) + capacity_bytes(wedge_entry_) +
-           capacity_bytes(edge_states_);
+           capacity_bytes(measured_edges_) + capacity_bytes(edits_) + capacity_bytes(lost_wedges_) +
+           capacity_bytes(lost_normals_) + capacity_bytes(free_vertex_entries_) +
+           capacity_bytes(free_wedge_entries_) + capacity_bytes(vertex_entry_) +
+           capacity_bytes(wedge_entry_) + capacity_bytes(edge_states_);
 }
 
 }  // namespace pectin

@@ -32,6 +32,8 @@ class ActiveSet {
     void begin(std::span<const FaceId> faces, const Box& zone);
     // Takes back all edits and gives every element its rest state. Cost: O(touched).
     void roll_back();
+    // Forgets a gesture that has not edited anything yet, also one whose begin has thrown.
+    void abandon();
     // What was done since begin, as one change, and the end of the gesture. Cost: O(touched).
     MeshChange finish();
     bool is_begun() const { return begun_; }
@@ -88,6 +90,7 @@ class ActiveSet {
     Inserted split(EdgeId e);
     // Precondition: star.m has an entry.
     void unsplit(const Star& star);
+    std::uint64_t edit_count() const { return edits_.size(); }
     std::uint64_t splits() const { return splits_; }
     std::uint64_t unsplits() const { return edits_.size() - splits_; }
 
@@ -116,6 +119,7 @@ class ActiveSet {
     void drop_inserted();
     void forget();
     void record_states(MeshChange& change) const;
+    bool has_changed(FaceId original) const;
 
     TriMesh& mesh_;
     Box zone_;

@@ -29,7 +29,8 @@ struct BuiltMesh {
 
 // Positions become base vertices in input order, triangles base faces in input order. Corners
 // at one vertex whose normal and texture coordinate are the same share a wedge.
-// Precondition: indices in range, positions finite. Cost: O(n).
+// Precondition: indices in range, positions finite. Cost: O(n), and
+// quadratic in the wedges of one vertex.
 BuiltMesh build_mesh(const IndexedFaceSet& input, const BuildOptions& options = {});
 
 }  // namespace pectin

@@ -34,7 +34,8 @@ class FaceTree {
     // Cost: O(log n) for a ray that meets little.
     std::optional<FaceHit> first_hit(const Ray& ray, const TriMesh& mesh) const;
 
-    // To be told of every slot whose face moved, came or went. Cost: O(k log n).
+    // To be told of every slot whose face moved, came or went. Cost: O(k log n), at most O(n); O(n
+    // log n) where it is built anew.
     void update(std::span<const FaceId> changed, const TriMesh& mesh);
 
     std::size_t memory_bytes() const;

@@ -79,6 +79,7 @@ Split TriMesh::split(EdgeId e) {
 //  Allocation order: m; its wedges; mc, am, dm; faces 3, 4. unsplit releases in reverse.
 Split TriMesh::insert_midpoint(EdgeId e) {
     assert(is_live(e) && may_split(e));
+    make_room();
     const Split s = allocate_midpoint(e);
     connect_left(s);
     if (s.right) connect_right(s);
@@ -91,6 +92,23 @@ Split TriMesh::insert_midpoint(EdgeId e) {
     }
     deformed_[index(s.m)] = is_deformed(s.b) || is_deformed(s.c) ? 1 : 0;
     return s;
+}
+
+// For the most a split adds, before it changes anything: without the memory nothing has happened.
+void TriMesh::make_room() {
+    const auto room = [](auto& slots, std::size_t added) {
+        if (slots.capacity() - slots.size() < added) slots.reserve(2 * slots.size() + added);
+    };
+    room(positions_, 1);
+    room(vertex_half_edges_, 1);
+    room(vertex_levels_, 1);
+    room(deformed_, 1);
+    room(normals_, 2);
+    if (has_uvs()) room(uvs_, 2);
+    room(edge_half_edges_, 3);
+    room(edge_levels_, 3);
+    room(half_edges_, 6);
+    room(face_bases_, 2);
 }
 
 Split TriMesh::allocate_midpoint(EdgeId e) {

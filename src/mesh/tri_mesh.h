@@ -214,6 +214,7 @@ class TriMesh {
 
     void move_half_edge(HalfEdgeId from, HalfEdgeId to);
     void link(HalfEdgeId h, HalfEdgeId twin);
+    void make_room();
     Split allocate_midpoint(EdgeId e);
     void connect_left(const Split& split);
     void connect_right(const Split& split);

@@ -39,17 +39,19 @@ Refusal Session::State::begin_drag(std::span<const Vec3> points, std::span<const
 
     command::Drag drag{{}, {pins.begin(), pins.end()}};
     for (const Vec3& point : points) drag.moves.push_back({point, point});
-    in_hand = std::make_unique<DragInHand>(
+    auto begun = std::make_unique<DragInHand>(
         DragInHand{std::move(drag), lattice, std::move(std::get<DragSolver>(solved)), {}});
-    in_hand->measured.seconds.solve = stopwatch.lap();
+    begun->measured.seconds.solve = stopwatch.lap();
     const Box zone = lattice.influenced_zone();
-    active->begin(face_tree().faces_meeting(zone, *mesh), zone);
-    Warp warp{{{in_hand->solver.field(), std::vector<Vec3>(points.size())}}};
-    in_hand->gesture = std::make_unique<Gesture>(
-        *active, std::move(warp),
+    const std::vector<FaceId> faces = face_tree().faces_meeting(zone, *mesh);
+    Warp warp{{{begun->solver.field(), std::vector<Vec3>(points.size())}}};
+    // From here on what throws (memory) ends the gesture, and the session is as it was.
+    begun->gesture = std::make_unique<Gesture>(
+        *active, faces, std::move(warp),
         adapt_settings.enabled ? std::optional(limits(lattice)) : std::nullopt);
-    in_hand->measured.influenced_vertices = in_hand->gesture->influenced_vertices();
-    in_hand->measured.seconds.begin = stopwatch.lap();
+    begun->measured.influenced_vertices = begun->gesture->influenced_vertices();
+    begun->measured.seconds.begin = stopwatch.lap();
+    in_hand = std::move(begun);
     return std::nullopt;
 }
 
@@ -75,12 +77,10 @@ Refusal Session::State::set_targets(std::span<const Vec3> targets) {
 Refusal Session::State::drag_to(std::span<const Vec3> targets) {
     assert(in_hand);
     if (Refusal refusal = set_targets(targets)) return refusal;
-    const std::size_t edited = in_hand->gesture->edited_faces().size();
     in_hand->gesture->frame(in_hand->displacements());
-    const auto faces = in_hand->gesture->edited_faces().subspan(edited);
-    dirty.faces.insert(dirty.faces.end(), faces.begin(), faces.end());
-    const std::vector<WedgeId> wedges = in_hand->gesture->moved_wedges();
-    dirty.wedges.insert(dirty.wedges.end(), wedges.begin(), wedges.end());
+    // Corners of new faces may lie where nothing moves: they are shown with their faces.
+    show(in_hand->gesture->take_edited_faces());
+    if (!dirty.everything) in_hand->gesture->append_moved_wedges(dirty.wedges);
     return std::nullopt;
 }
 
@@ -91,18 +91,15 @@ std::optional<command::Drag> Session::State::end_drag() {
     const bool moves_nothing = std::all_of(displacements.begin(), displacements.end(),
                                            [](const Vec3& d) { return d == Vec3{0.0}; });
     last = in_hand->measured;
-    lattice_in_use = in_hand->lattice;
-    folded = 0;
-    floor_hit = budget_hit = false;
     if (moves_nothing) {
         cancel_drag();
         return std::nullopt;
     }
     Stopwatch stopwatch;
-    // What the frames have shown and the commit takes back has to be shown anew, too.
-    const auto shown = in_hand->gesture->edited_faces();
-    dirty.faces.insert(dirty.faces.end(), shown.begin(), shown.end());
     MeshChange change = in_hand->gesture->commit(displacements);
+    // What frames have shown and the commit has taken back is shown anew, too.
+    show(in_hand->gesture->take_edited_faces());
+    lattice_in_use = in_hand->lattice;
     note(in_hand->gesture->last_frame());
     folded = in_hand->gesture->folded_vertices();
     const command::Drag drag = std::move(in_hand->drag);
@@ -129,11 +126,16 @@ Refusal Session::State::run(const command::Drag& drag) {
         targets.push_back(move.to);
     }
     if (Refusal refusal = begin_drag(points, drag.pins)) return refusal;
-    if (Refusal refusal = set_targets(targets)) {
-        cancel_drag();
-        return refusal;
+    try {
+        if (Refusal refusal = set_targets(targets)) {
+            cancel_drag();
+            return refusal;
+        }
+        end_drag();
+    } catch (...) {
+        if (in_hand) cancel_drag();
+        throw;
     }
-    end_drag();
     return std::nullopt;
 }
 

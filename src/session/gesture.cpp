@@ -6,14 +6,27 @@
 #include <utility>
 
 namespace pectin {
+namespace {
 
-Gesture::Gesture(ActiveSet& active, Warp warp, const std::optional<AdaptLimits>& limits)
+// Edits a vertex of the active set, past which frames are rolled back before the next.
+constexpr std::uint64_t kMostEdits = 4;
+
+}  // namespace
+
+Gesture::Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
+                 const std::optional<AdaptLimits>& limits)
     : active_(active), warp_(std::move(warp)), embedding_(active_, warp_) {
-    assert(active_.is_begun() && !warp_.steps.empty());
+    assert(!warp_.steps.empty());
     const Box zone = warp_.zone();
     if (limits) criteria_.emplace(*limits, zone, zone);
+    try {
+        active_.begin(faces, zone);
+        embedding_.embed();
+    } catch (...) {  // no memory: nothing has been edited yet
+        active_.abandon();
+        throw;
+    }
     influenced_ = active_.influenced_at_begin();
-    embedding_.embed();
 }
 
 Gesture::~Gesture() {
@@ -21,6 +34,8 @@ Gesture::~Gesture() {
 }
 
 const Frame& Gesture::frame(std::span<const Vec3> displacements) {
+    // A long drag makes and undoes more than it keeps; from the rest state it starts lean again.
+    if (active_.edit_count() > kMostEdits * (active_.vertex_entries() + 1000)) roll_back();
     std::vector<Vec3>& d = warp_.steps.back().displacements;
     assert(displacements.size() == d.size());
     // At the budget, refinement rests until the drag changes: thinning would make room for a few
@@ -47,8 +62,7 @@ const Frame& Gesture::frame(std::span<const Vec3> displacements) {
 }
 
 MeshChange Gesture::commit(std::span<const Vec3> displacements) {
-    if (has_frames_) active_.roll_back();
-    has_frames_ = false;
+    if (has_frames_) roll_back();
     frame(displacements);
     folded_ = embedding_.folded_vertices();
     return active_.finish();
@@ -56,20 +70,36 @@ MeshChange Gesture::commit(std::span<const Vec3> displacements) {
 
 std::vector<FaceId> Gesture::cancel() {
     std::vector<FaceId> faces = active_.faces();
+    faces.insert(faces.end(), rolled_back_faces_.begin(), rolled_back_faces_.end());
     active_.roll_back();
     active_.finish();
     return faces;
 }
 
-std::vector<WedgeId> Gesture::moved_wedges() const {
-    std::vector<WedgeId> wedges;
-    wedges.reserve(active_.influenced_wedges_at_begin());
+void Gesture::roll_back() {
+    const auto edited = active_.edited_faces();
+    rolled_back_faces_.insert(rolled_back_faces_.end(), edited.begin(), edited.end());
+    taken_faces_ = 0;
+    has_frames_ = false;
+    active_.roll_back();
+}
+
+std::vector<FaceId> Gesture::take_edited_faces() {
+    std::vector<FaceId> faces = std::exchange(rolled_back_faces_, {});
+    if (!active_.is_begun()) return faces;
+    const auto edited = active_.edited_faces();
+    faces.insert(faces.end(), edited.begin() + static_cast<std::ptrdiff_t>(taken_faces_),
+                 edited.end());
+    taken_faces_ = edited.size();
+    return faces;
+}
+
+void Gesture::append_moved_wedges(std::vector<WedgeId>& wedges) const {
     for (std::uint32_t i = 0; i < active_.wedge_entries(); ++i) {
         if (exists(active_.wedge(i)) && active_.is_influenced_at(active_.wedge_owner(i))) {
             wedges.push_back(active_.wedge(i));
         }
     }
-    return wedges;
 }
 
 }  // namespace pectin

@@ -22,13 +22,15 @@ struct Frame {
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 };
 
-// Works on an active set that has begun; cancel or commit ends it, the destructor cancels. What a
+// Begins the active set; cancel or commit ends it, the destructor cancels. What a
 // commit does depends only on the mesh before the gesture, the displacements and the limits: the
 // frames before it are rolled back first.
 class Gesture {
   public:
-    // limits: none to deform only. Cost: weights of the active set.
-    Gesture(ActiveSet& active, Warp warp, const std::optional<AdaptLimits>& limits);
+    // faces: those that meet the warp's zone, sorted. limits: none to deform only. Cost: weights of
+    // the active set.
+    Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
+            const std::optional<AdaptLimits>& limits);
     ~Gesture();
     Gesture(const Gesture&) = delete;
     Gesture& operator=(const Gesture&) = delete;
@@ -42,16 +44,20 @@ class Gesture {
     std::vector<FaceId> cancel();
 
     // --- For who shows the frames.
-    // Slots that edits have made, cut or freed since the beginning, in the order of the edits.
-    std::span<const FaceId> edited_faces() const { return active_.edited_faces(); }
+    // Slots that edits have made, cut or freed since it was last asked, those that were rolled back
+    // among them.
+    std::vector<FaceId> take_edited_faces();
     // The live wedges that the last frame has placed. Cost: O(active set).
-    std::vector<WedgeId> moved_wedges() const;
+    std::size_t memory_bytes() const { return embedding_.memory_bytes(); }
+    void append_moved_wedges(std::vector<WedgeId>& wedges) const;
 
     const Frame& last_frame() const { return last_; }
     std::uint64_t influenced_vertices() const { return influenced_; }
     std::uint64_t folded_vertices() const { return folded_; }  // of the commit
 
   private:
+    void roll_back();
+
     ActiveSet& active_;
     Warp warp_;
     Embedding embedding_;
@@ -59,6 +65,8 @@ class Gesture {
     std::uint64_t influenced_ = 0, folded_ = 0;
     Frame last_;
     bool has_frames_ = false;
+    std::vector<FaceId> rolled_back_faces_;
+    std::size_t taken_faces_ = 0;  // of the active set's edited ones
 };
 
 }  // namespace pectin

@@ -19,6 +19,10 @@ const History::Step& History::step_back() { return steps_[--done_]; }
 
 const History::Step& History::step_forward() { return steps_[done_++]; }
 
+void History::forget_outcomes() {
+    for (Step& step : steps_) step.outcome = {};
+}
+
 std::size_t History::memory_bytes() const {
     std::size_t bytes = steps_.capacity() * sizeof(Step);
     for (const Step& step : steps_) bytes += step.change.memory_bytes();

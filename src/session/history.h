@@ -11,11 +11,18 @@
 
 namespace pectin {
 
+// Where adaptive meshing stopped short, for the mesh as a step left it.
+struct AdaptOutcome {
+    bool floor_hit = false, budget_hit = false;
+    std::vector<EdgeId> blocked{};  // sorted; see Refinement::blocked
+};
+
 class History {
   public:
     struct Step {
         Command command;
         MeshChange change;
+        AdaptOutcome outcome;
     };
 
     // A new step drops what could be redone.
@@ -29,6 +36,11 @@ class History {
     // applies its change. Precondition: there is one.
     const Step& step_back();
     const Step& step_forward();
+    // The step that led to the mesh as it is; none at the beginning.
+    const Step* latest() const { return done_ > 0 ? &steps_[done_ - 1] : nullptr; }
+
+    // Other settings: where a step stopped by the old ones means nothing any more.
+    void forget_outcomes();
 
     std::size_t memory_bytes() const;
 

@@ -1,6 +1,8 @@
 #include "session/session.h"
 
 #include <algorithm>
+#include <cctype>
+#include <string_view>
 #include <utility>
 
 #include "command/json.h"
@@ -29,6 +31,16 @@ ShapeKind shape_kind(command::Shape::Kind kind) {
     return ShapeKind::sphere;
 }
 
+bool has_extension(const std::string& path, std::string_view extension) {
+    if (path.size() < extension.size()) return false;
+    const auto same = [](char x, char y) {
+        return std::tolower(static_cast<unsigned char>(x)) == y;
+    };
+    return std::equal(extension.begin(), extension.end(),
+                      path.end() - static_cast<std::ptrdiff_t>(extension.size()),
+                      [&](char y, char x) { return same(x, y); });
+}
+
 }  // namespace
 
 // The new object starts a new history; settings stay.
@@ -37,13 +49,17 @@ void Session::State::take(BuiltMesh built) {
     active = std::make_unique<ActiveSet>(*mesh);
     tree.reset();
     history.clear();
-    diagonal = mesh->bounding_box().diagonal();
+    input_report = built.report;
+    const Box box = mesh->bounding_box();
+    diagonal = box.diagonal();
+    const Vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+    largest_coordinate = glm::max(farthest.x, glm::max(farthest.y, farthest.z));
     lattice_in_use.reset();
     last = {};
     folded = 0;
-    floor_hit = budget_hit = false;
-    blocked_edges.clear();
-    dirty = {.everything = true};
+    outcome = {};
+    dirty = {};
+    dirty.everything = true;
 }
 
 const FaceTree& Session::State::face_tree() {
@@ -53,6 +69,16 @@ const FaceTree& Session::State::face_tree() {
 
 void Session::State::follow(std::span<const FaceId> faces) {
     if (tree) tree->update(faces, *mesh);
+    show(faces);
+}
+
+void Session::State::show(std::span<const FaceId> faces) {
+    // Nobody has looked for so long that a picture is better drawn from scratch.
+    if (dirty.faces.size() > 2 * std::size_t{mesh->face_slots()}) {
+        dirty = {};
+        dirty.everything = true;
+    }
+    if (dirty.everything) return;
     dirty.faces.insert(dirty.faces.end(), faces.begin(), faces.end());
     for (FaceId f : faces) {
         if (index(f) >= mesh->face_slots() || !mesh->is_live(f)) continue;
@@ -68,15 +94,23 @@ void Session::State::note(const Frame& frame) {
     last.seconds.deform = frame.deform_seconds;
     last.seconds.refine = frame.refine_seconds;
     last.seconds.decimate = frame.decimate_seconds;
-    floor_hit = frame.floor_hit;
-    budget_hit = frame.budget_hit;
-    blocked_edges.insert(blocked_edges.end(), frame.blocked.begin(), frame.blocked.end());
-    std::sort(blocked_edges.begin(), blocked_edges.end());
+    outcome.floor_hit = frame.floor_hit;
+    outcome.budget_hit = frame.budget_hit;
+    std::vector<EdgeId>& blocked = outcome.blocked;
+    blocked.insert(blocked.end(), frame.blocked.begin(), frame.blocked.end());
+    std::erase_if(blocked,
+                  [this](EdgeId e) { return index(e) >= mesh->edge_slots() || !mesh->is_live(e); });
+    std::sort(blocked.begin(), blocked.end());
+    blocked.erase(std::unique(blocked.begin(), blocked.end()), blocked.end());
+}
+
+void Session::State::restore_outcome() {
+    outcome = history.latest() ? history.latest()->outcome : AdaptOutcome{};
 }
 
 void Session::State::add_step(Command command, MeshChange change) {
     follow(change.faces);
-    if (!change.is_empty()) history.add({std::move(command), std::move(change)});
+    if (!change.is_empty()) history.add({std::move(command), std::move(change), outcome});
 }
 
 Refusal Session::State::run(const command::Open& open) {
@@ -106,7 +140,8 @@ Refusal Session::State::run(const command::Adapt& adapt) {
     const auto changed = adapt_settings.with(adapt);
     if (const auto* refusal = std::get_if<std::string>(&changed)) return *refusal;
     adapt_settings = std::get<AdaptSettings>(changed);
-    budget_hit = floor_hit = false;
+    outcome = {};
+    history.forget_outcomes();
     return std::nullopt;
 }
 
@@ -146,6 +181,7 @@ Refusal Session::State::run(const command::Undo& undo_command) {
         undo(change, *mesh);
         follow(change.faces);
     }
+    restore_outcome();
     return std::nullopt;
 }
 
@@ -160,29 +196,33 @@ Refusal Session::State::run(const command::Redo& redo_command) {
         redo(change, *mesh);
         follow(change.faces);
     }
+    restore_outcome();
     return std::nullopt;
 }
 
 Refusal Session::State::run(const command::Readapt& readapt) {
     if (!has_object()) return kNoObject;
-    if (!adapt_settings.enabled) {
-        return "adaptive meshing is switched off; use {\"cmd\": \"adapt\", \"enabled\": true} "
-               "first";
-    }
     Stopwatch stopwatch;
     std::vector<FaceId> faces;
     for (std::uint32_t i = 0; i < mesh->face_slots(); ++i) {
         if (mesh->is_live(FaceId{i})) faces.push_back(FaceId{i});
     }
     last = {};
+    if (const auto zone = zone_in_use()) {
+        for (std::uint32_t i = 0; i < mesh->vertex_slots(); ++i) {
+            const VertexId v{i};
+            if (!mesh->is_live(v) || !exists(mesh->half_edge(v))) continue;
+            last.influenced_vertices += zone->contains_strictly(mesh->position(v)) ? 1 : 0;
+        }
+    }
     active->begin(faces, Box{});
     last.seconds.begin = stopwatch.lap();
     const Warp no_warp;
     Embedding embedding(*active, no_warp);
     AdaptLimits adapt_limits = limits(lattice_in_use);
     // At the budget, refinement rests until a drag or the settings change.
-    if (budget_hit) adapt_limits.budget = 0;
-    const bool was_hit = budget_hit;
+    const bool was_hit = outcome.budget_hit;
+    if (was_hit) adapt_limits.budget = 0;
     const Adaptation adaptation =
         adapt(*active, embedding, Criteria(adapt_limits, zone_in_use(), std::nullopt));
     MeshChange change = active->finish();
@@ -192,7 +232,7 @@ Refusal Session::State::run(const command::Readapt& readapt) {
     frame.floor_hit = adaptation.refinement.floor_hit;
     frame.budget_hit = adaptation.refinement.budget_hit || was_hit;
     frame.blocked = adaptation.refinement.blocked;
-    blocked_edges.clear();
+    outcome.blocked.clear();
     frame.refine_seconds = adaptation.refine_seconds;
     frame.decimate_seconds = adaptation.decimate_seconds;
     stopwatch.lap();
@@ -204,6 +244,9 @@ Refusal Session::State::run(const command::Readapt& readapt) {
 
 Refusal Session::State::run(const command::Save& save) {
     if (!has_object()) return kNoObject;
+    if (!has_extension(save.path, ".obj")) {
+        return "'" + save.path + "' does not end in .obj; save writes OBJ files";
+    }
     write_obj(*mesh, save.path);
     return std::nullopt;
 }

@@ -64,12 +64,14 @@ struct Session::State {
     std::optional<Lattice> lattice_in_use;  // the last drag's
     Statistics::Last last;
     std::uint64_t folded = 0;
-    bool floor_hit = false, budget_hit = false;
-    std::vector<EdgeId> blocked_edges;  // sorted; what drags since the last readapt found blocked
+    AdaptOutcome outcome;             // of the mesh as it is
+    BuildReport input_report;         // what opening the object took
+    double largest_coordinate = 0.0;  // of the object as it was opened
 
     bool has_object() const { return mesh->face_slots() > 0; }
     AdaptLimits limits(const std::optional<Lattice>& lattice) const {
-        return adapt_settings.limits(lattice ? lattice->smallest_cell_extent() : kOff, diagonal);
+        return adapt_settings.limits(lattice ? lattice->smallest_cell_extent() : kOff, diagonal,
+                                     largest_coordinate);
     }
     std::optional<Box> zone_in_use() const {
         if (!lattice_in_use) return std::nullopt;
@@ -79,8 +81,11 @@ struct Session::State {
     const FaceTree& face_tree();
     void note(const Frame& frame);
     void add_step(Command command, MeshChange change);
-    // For an edit that is in the mesh now: the tree and the picture have to follow.
+    // The picture has to learn these faces and their corners anew.
+    void show(std::span<const FaceId> faces);
+    // The same, and the tree has to follow.
     void follow(std::span<const FaceId> faces);
+    void restore_outcome();
 
     // --- One for each command.
     Refusal run(const command::Open& open);

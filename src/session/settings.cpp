@@ -1,5 +1,6 @@
 #include "session/settings.h"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -10,6 +11,8 @@ namespace {
 
 constexpr double kAutoThetaMin = 7.0 / 9.0;  // of theta_max: the paper's pi/7 and pi/9
 constexpr double kAutoFloor = 1e-4;          // of the box diagonal
+// Of the largest coordinate: 2^10 units in the last place, so that halves of edges are halves.
+constexpr double kLeastFloor = 0x1p-42;
 
 double value_or_off(const Setting& s) { return s.kind == Setting::Kind::value ? s.value : kOff; }
 
@@ -34,15 +37,15 @@ std::variant<AdaptSettings, std::string> AdaptSettings::with(const command::Adap
     s.budget = change.budget.value_or(budget);
     s.propagation = change.propagation.value_or(propagation);
     const double upper = angle_or_off(value_or_off(s.theta_max)), lower = theta_min_of(s);
-    if (!s.theta_min.is_automatic() && upper < kOff && !(lower < upper)) {
-        return "theta_min (" + (lower < kOff ? decimal(lower) : std::string("off")) +
-               ") must be less than theta_max (" + decimal(upper) +
+    if (s.theta_min.kind == Setting::Kind::value && upper < kOff && !(lower < upper)) {
+        return "theta_min (" + decimal(lower) + ") must be less than theta_max (" + decimal(upper) +
                "); set both, or theta_min to \"auto\"";
     }
     return s;
 }
 
-AdaptLimits AdaptSettings::limits(double smallest_cell, double diagonal) const {
+AdaptLimits AdaptSettings::limits(double smallest_cell, double diagonal,
+                                  double largest_coordinate) const {
     AdaptLimits limits;
     limits.theta_max = angle_or_off(value_or_off(theta_max));
     limits.theta_min = angle_or_off(
@@ -54,7 +57,8 @@ AdaptLimits AdaptSettings::limits(double smallest_cell, double diagonal) const {
         // The sagitta of an arc that turns by theta_max, in units of its chord.
         limits.flatness = 0.5 * std::tan(limits.theta_max / 4.0 * std::numbers::pi / 180.0);
     }
-    limits.floor = floor.is_automatic() ? kAutoFloor * diagonal : floor.value;
+    limits.floor = std::max(floor.is_automatic() ? kAutoFloor * diagonal : floor.value,
+                            kLeastFloor * largest_coordinate);
     limits.propagation = propagation;
     limits.budget = budget;
     return limits;

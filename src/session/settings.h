@@ -23,9 +23,9 @@ struct AdaptSettings {
 
     // The settings with the command's given ones, or why they do not go together.
     std::variant<AdaptSettings, std::string> with(const command::Adapt& change) const;
-    // smallest_cell: of the lattice in use, kOff if there is none. diagonal: of the object's box
-    // as it was opened.
-    AdaptLimits limits(double smallest_cell, double diagonal) const;
+    // smallest_cell: of the lattice in use, kOff if there is none. diagonal and largest coordinate:
+    // of the object's box as it was opened. The floor stays well above what coordinates resolve.
+    AdaptLimits limits(double smallest_cell, double diagonal, double largest_coordinate = 0.0) const;
 };
 
 inline constexpr double kAutoRadius = 0.25;  // of a brush, of the box diagonal

@@ -9,16 +9,17 @@ Statistics Session::State::statistics() const {
     Statistics s;
     measure(*mesh, s);
     s.last = last;
-    const Assessment assessment = assess(
-        *active, Criteria(limits(lattice_in_use), zone_in_use(), std::nullopt), blocked_edges);
+    const Criteria criteria(limits(lattice_in_use), zone_in_use(), std::nullopt);
+    const Assessment assessment = assess(*active, criteria, outcome.blocked);
     s.divergence_max_deg = assessment.divergence_max_deg;
-    s.needing_refinement = budget_hit ? 0 : assessment.needing_refinement;
-    s.held_back = assessment.held_back + (budget_hit ? assessment.needing_refinement : 0);
-    s.floor_hit = floor_hit;
-    s.budget_hit = budget_hit;
+    s.needing_refinement = outcome.budget_hit ? 0 : assessment.needing_refinement;
+    s.held_back = assessment.held_back + (outcome.budget_hit ? assessment.needing_refinement : 0);
+    s.floor_hit = outcome.floor_hit;
+    s.budget_hit = outcome.budget_hit;
     s.folded_vertices = folded;
     s.memory_bytes = mesh->memory_bytes() + active->memory_bytes() + history.memory_bytes() +
-                     (tree ? tree->memory_bytes() : 0);
+                     (tree ? tree->memory_bytes() : 0) +
+                     (in_hand ? in_hand->gesture->memory_bytes() : 0);
     return s;
 }
 

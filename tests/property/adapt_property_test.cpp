@@ -48,6 +48,38 @@ std::uint64_t active_edges_needing_refinement(const ActiveSet& active, const Cri
     return count;
 }
 
+// From e to ever longer neighbours at rest that may be split: at the end one longer still lies
+// below the floor, in a face that another cut would make thinner than 1 : 512.
+bool is_rightly_blocked(ActiveSet& active, const Criteria& criteria, EdgeId e) {
+    const TriMesh& mesh = active.mesh();
+    const double rho = criteria.limits().propagation;
+    while (true) {
+        EdgeId longest = e;
+        bool thin = false;
+        double length = rho * static_cast<double>(active.rest_length(e));
+        for (HalfEdgeId side : {mesh.half_edge(e), mesh.twin(mesh.half_edge(e))}) {
+            if (!exists(side)) continue;
+            const Vec3 a = active.rest_position(mesh.origin(TriMesh::prev(side)));
+            const Vec3 b = active.rest_position(mesh.origin(side));
+            const Vec3 c = active.rest_position(mesh.target(side));
+            for (HalfEdgeId other : {TriMesh::next(side), TriMesh::prev(side)}) {
+                const EdgeId neighbour = mesh.edge(other);
+                const double rest = static_cast<double>(active.rest_length(neighbour));
+                if (rest <= rho * static_cast<double>(active.rest_length(e))) continue;
+                if (criteria.is_below_floor(mesh, neighbour)) {
+                    const double doubled_area = glm::length(glm::cross(b - a, c - a));
+                    thin |= 0.5 * doubled_area < rest * rest / 512.0 * 1.001;
+                } else if (rest > length) {
+                    length = rest;
+                    longest = neighbour;
+                }
+            }
+        }
+        if (longest == e) return thin;
+        e = longest;
+    }
+}
+
 // One gesture, adapted once more before it ends.
 MeshChange checked_gesture(TriMesh& mesh, const Warp& warp, const AdaptLimits& limits) {
     const Box zone = warp.zone();
@@ -60,6 +92,10 @@ MeshChange checked_gesture(TriMesh& mesh, const Warp& warp, const AdaptLimits& l
     const Adaptation first = adapt(active, embedding, criteria);
     EXPECT_FALSE(first.refinement.budget_hit) << "ran away: " << first.refinement.splits;
     EXPECT_EQ(active_edges_needing_refinement(active, criteria, first.refinement.blocked), 0u);
+    for (EdgeId e : first.refinement.blocked) {
+        if (!mesh.is_live(e) || criteria.is_below_floor(mesh, e)) continue;
+        EXPECT_TRUE(is_rightly_blocked(active, criteria, e)) << "edge " << index(e);
+    }
     if (!first.refinement.budget_hit) {
         const Adaptation again = adapt(active, embedding, criteria);
         EXPECT_EQ(again.refinement.splits, 0u);
@@ -72,8 +108,7 @@ MeshChange interactive_gesture(TriMesh& mesh, const Warp& warp, const AdaptLimit
                                Random& random) {
     const Box zone = warp.zone();
     ActiveSet active(mesh);
-    active.begin(FaceTree(mesh).faces_meeting(zone, mesh), zone);
-    Gesture gesture(active, warp, limits);
+    Gesture gesture(active, FaceTree(mesh).faces_meeting(zone, mesh), warp, limits);
     const std::vector<Vec3>& target = warp.steps.back().displacements;
     const int frames = random.integer(1, 5);
     for (int i = 0; i < frames; ++i) {

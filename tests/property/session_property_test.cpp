@@ -83,8 +83,9 @@ Command random_command(const TriMesh& mesh, Random& random) {
         command::Cage::Fit{{random.integer(1, 5), random.integer(1, 5), random.integer(1, 5)}}};
 }
 
-// Now and then frame by frame, as a mouse does it.
-bool execute(Session& session, const Command& command, Random& random) {
+// Now and then frame by frame, as a mouse does it; each_frame() is called after every frame.
+template <typename EachFrame>
+bool execute(Session& session, const Command& command, Random& random, EachFrame each_frame) {
     const auto* drag = std::get_if<command::Drag>(&command);
     if (!drag || random.chance(0.6)) return !session.execute(command).has_value();
     std::vector<Vec3> points, targets;
@@ -98,6 +99,7 @@ bool execute(Session& session, const Command& command, Random& random) {
         for (const auto& move : drag->moves) targets.push_back(glm::mix(move.from, move.to, share));
         session.drag_to(targets);
         EXPECT_EQ(session.mesh().validate(), kValid);
+        each_frame();
     }
     targets.clear();
     for (const auto& move : drag->moves) targets.push_back(move.to);
@@ -109,6 +111,10 @@ bool execute(Session& session, const Command& command, Random& random) {
     }
     session.end_drag();
     return true;
+}
+
+bool execute(Session& session, const Command& command, Random& random) {
+    return execute(session, command, random, [] {});
 }
 
 std::size_t undo_everything(Session& session) {
@@ -175,6 +181,38 @@ std::map<WedgeId, std::pair<Vec3, Vec3f>> shown_wedges(const TriMesh& mesh) {
     return wedges;
 }
 
+// What has changed since `seen` is named dirty; `seen` is then the present.
+void expect_all_named(Session& session, TriMesh& seen) {
+    const DirtyElements dirty = session.take_dirty();
+    const TriMesh& mesh = session.mesh();
+    if (!dirty.everything) {
+        ASSERT_TRUE(std::is_sorted(dirty.faces.begin(), dirty.faces.end()));
+        ASSERT_TRUE(std::is_sorted(dirty.wedges.begin(), dirty.wedges.end()));
+        const auto has = [](const auto& ids, auto id) {
+            return std::binary_search(ids.begin(), ids.end(), id);
+        };
+        const auto shown = shown_wedges(seen);
+        for (const auto& [w, seen_as] : shown_wedges(mesh)) {
+            const auto before = shown.find(w);
+            const bool same = before != shown.end() && before->second == seen_as;
+            ASSERT_TRUE(same || has(dirty.wedges, w)) << "wedge " << index(w);
+        }
+        for (FaceId f : test::live_faces(mesh)) {
+            bool same = index(f) < seen.face_slots() && seen.is_live(f);
+            for (int c = 0; same && c < 3; ++c) {
+                const HalfEdgeId h = TriMesh::half_edge(f, c);
+                same = seen.wedge(h) == mesh.wedge(h);
+            }
+            ASSERT_TRUE(same || has(dirty.faces, f)) << "face " << index(f);
+        }
+        for (FaceId f : test::live_faces(seen)) {
+            if (index(f) >= mesh.face_slots()) continue;  // cut off: nothing to show
+            ASSERT_TRUE(mesh.is_live(f) || has(dirty.faces, f));
+        }
+    }
+    seen = mesh;
+}
+
 TEST(DirtyElements, NameEverythingAPictureHasToLearn) {
     const int cases = test::case_count(20);
     for (int i = 0; i < cases; ++i) {
@@ -188,34 +226,9 @@ TEST(DirtyElements, NameEverythingAPictureHasToLearn) {
         for (int k = 0; k < 40; ++k) {
             const Command command = random_command(session.mesh(), random);
             SCOPED_TRACE("command " + std::to_string(k) + ": " + name(command));
-            execute(session, command, random);
-            const DirtyElements dirty = session.take_dirty();
-            ASSERT_FALSE(dirty.everything);
-            ASSERT_TRUE(std::is_sorted(dirty.faces.begin(), dirty.faces.end()));
-            ASSERT_TRUE(std::is_sorted(dirty.wedges.begin(), dirty.wedges.end()));
-            const TriMesh& mesh = session.mesh();
-            const auto has = [](const auto& ids, auto id) {
-                return std::binary_search(ids.begin(), ids.end(), id);
-            };
-            const auto shown = shown_wedges(seen);
-            for (const auto& [w, seen_as] : shown_wedges(mesh)) {
-                const auto before = shown.find(w);
-                const bool same = before != shown.end() && before->second == seen_as;
-                ASSERT_TRUE(same || has(dirty.wedges, w)) << "wedge " << index(w);
-            }
-            for (FaceId f : test::live_faces(mesh)) {
-                bool same = index(f) < seen.face_slots() && seen.is_live(f);
-                for (int c = 0; same && c < 3; ++c) {
-                    const HalfEdgeId h = TriMesh::half_edge(f, c);
-                    same = seen.wedge(h) == mesh.wedge(h);
-                }
-                ASSERT_TRUE(same || has(dirty.faces, f)) << "face " << index(f);
-            }
-            for (FaceId f : test::live_faces(seen)) {
-                if (index(f) >= mesh.face_slots()) continue;  // cut off: nothing to show
-                ASSERT_TRUE(mesh.is_live(f) || has(dirty.faces, f));
-            }
-            seen = mesh;
+            execute(session, command, random, [&] { expect_all_named(session, seen); });
+            expect_all_named(session, seen);
+            if (HasFatalFailure()) return;
         }
     }
 }

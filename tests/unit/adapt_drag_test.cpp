@@ -135,8 +135,8 @@ struct Frames {
             DragSolver::create(brush_lattice(points[0], radius, 3), points, {}));
         Warp warp{{{solver.field(), std::vector<Vec3>(1)}}};
         const Box zone = warp.zone();
-        active.begin(FaceTree(mesh).faces_meeting(zone, mesh), zone);
-        gesture = std::make_unique<Gesture>(active, std::move(warp), limits);
+        const std::vector<FaceId> faces = FaceTree(mesh).faces_meeting(zone, mesh);
+        gesture = std::make_unique<Gesture>(active, faces, std::move(warp), limits);
     }
     Frame drag(const Vec3& by) { return gesture->frame(std::vector<Vec3>{by}); }
 };

@@ -289,7 +289,7 @@ TEST(CommandErrors, NameThePlaceInsideLatticesAndPoints) {
          {BadLine{R"({"cmd": "cage"})", "cage", {"no lattice", "either", "fit"}},
           BadLine{R"({"cmd": "cage", "fit": [1,1,1], "cell": [1,1,1]})", "cage", {"both"}},
           BadLine{R"({"cmd": "cage", "fit": [1,1]})", "cage", {"three whole", "length 2"}},
-          BadLine{R"({"cmd": "cage", "fit": [1,1,65]})", "cage", {"fit[2]", "1 to 64"}},
+          BadLine{R"({"cmd": "cage", "fit": [1,1,257]})", "cage", {"fit[2]", "1 to 256"}},
           BadLine{R"({"cmd": "cage", "origin": [0,0,0], "cell": [1,1,1]})", "cage", {"deformable"}},
           BadLine{R"({"cmd": "cage", "origin": [0,0,0], "cell": [1,0,1], "deformable": [1,1,1]})",
                   "cage",

@@ -51,9 +51,8 @@ MeshChange random_gesture(TriMesh& mesh, const FaceTree& tree, Random& random) {
     const Box zone = warp.zone();
     const double diagonal = mesh.bounding_box().diagonal();
     ActiveSet active(mesh);
-    active.begin(tree.faces_meeting(zone, mesh), zone);
     const double theta = random.scale(3.0, 60.0);
-    Gesture gesture(active, warp,
+    Gesture gesture(active, tree.faces_meeting(zone, mesh), warp,
                     AdaptLimits{.theta_max = theta,
                                 .theta_min = 0.7 * theta,
                                 .l_max = warp.smallest_cell_extent(),
