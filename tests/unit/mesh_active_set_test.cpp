@@ -50,15 +50,18 @@ void deform_at_random(ActiveSet& active, Random& random) {
     }
 }
 
-// Splits anywhere in the mesh, as propagation may; unsplits only what has an entry.
+EdgeId random_edge(const TriMesh& mesh, Random& random) {
+    const auto edges = test::live_edges(mesh);
+    const int last = static_cast<int>(edges.size()) - 1;
+    return edges[static_cast<std::size_t>(random.integer(0, last))];
+}
+
+// Splits and measures anywhere in the mesh, as propagation may; unsplits only what has an entry.
 void edit_at_random(ActiveSet& active, Random& random, int edits) {
     for (int i = 0; i < edits; ++i) {
+        if (random.chance(0.5)) active.rest_length(random_edge(active.mesh(), random));
         if (random.chance(0.55) || active.vertex_entries() == 0) {
-            const auto edges = test::live_edges(active.mesh());
-            const EdgeId e = edges[static_cast<std::size_t>(
-                random.integer(0, static_cast<int>(edges.size()) - 1))];
-            if (random.chance(0.5)) active.rest_length(e);
-            active.split(e);
+            active.split(random_edge(active.mesh(), random));
         } else {
             const VertexId v = active.vertex(static_cast<std::uint32_t>(
                 random.integer(0, static_cast<int>(active.vertex_entries()) - 1)));
@@ -147,13 +150,15 @@ TEST(ActiveSet, IsAfterAGestureAsIfItHadNeverBegun) {
         Random random(seed);
         TriMesh mesh = test::random_mesh(random).mesh;
         ActiveSet used(mesh);
+        std::vector<MeshChange> done;
         for (int gesture = 0; gesture < 3; ++gesture) {
             begin(used, random_zone(mesh, random));
             edit_at_random(used, random, 40);
             if (random.chance(0.5)) used.roll_back();
             if (random.chance(0.5)) edit_at_random(used, random, 40);
-            used.finish();
+            done.push_back(used.finish());
         }
+        for (; !done.empty() && random.chance(0.5); done.pop_back()) undo(done.back(), mesh);
         TriMesh same = mesh;
         ActiveSet fresh(same);
         const Box zone = random_zone(mesh, random);
@@ -285,6 +290,24 @@ TEST(ActiveSet, RestsInsertedNormalsOnTheFaceWhereEndNormalsCancel) {
     EXPECT_EQ(active.rest_normal(inserted.split.left.m), split.normal(s.left.m));
     EXPECT_EQ(active.rest_normal(inserted.split.right->m), split.normal(s.right->m));
     active.roll_back();
+    active.finish();
+}
+
+TEST(ActiveSet, UsesTheEntriesOfRemovedVerticesAgain) {
+    TriMesh mesh = test::mesh_of(
+        "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 3/2 2/2 4/2\n");
+    ActiveSet active(mesh);
+    begin(active, {.min = Vec3{-2.0}, .max = Vec3{2.0}});
+    const EdgeId seam = edge_between(mesh, 1, 2);
+    const float length = active.rest_length(seam);
+    for (int frame = 0; frame < 100; ++frame) {
+        const Split s = active.split(seam).split;
+        active.unsplit(*mesh.removable(s.m));
+    }
+    EXPECT_EQ(active.rest_length(seam), length);
+    EXPECT_EQ(active.vertex_entries(), 5u);
+    EXPECT_EQ(active.wedge_entries(), 8u);
+    EXPECT_EQ(active.edges().size(), 5u);
     active.finish();
 }
 

@@ -50,6 +50,10 @@ constexpr Literal kHalfCrease{"half-crease",  // the normals differ at vertex 3 
                               "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\n"
                               "vn 0 0 1\nvn 1 0 0\n"
                               "f 1//1 2//1 3//1\nf 3//2 2//1 4//1\n"};
+constexpr Literal kOtherHalfCrease{"other half-crease",  // at vertex 2 only
+                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\n"
+                                   "vn 0 0 1\nvn 1 0 0\n"
+                                   "f 1//1 2//1 3//1\nf 3//1 2//2 4//1\n"};
 constexpr Literal kBowTie{"bow-tie",  // two sheets meet in one vertex
                           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n"};
 constexpr Literal kBook{"book",  // three faces at one edge, cut into boundaries
@@ -245,7 +249,8 @@ TEST_P(SplitOf, AnEdgeMarksTheMidpointDeformedIfAnEndIs) {
 
 INSTANTIATE_TEST_SUITE_P(EveryShape, SplitOf,
                          testing::Values(kSingleTriangle, kTwoTriangles, kTetrahedron, kPillow,
-                                         kCube, kSeam, kHalfCrease, kBowTie, kBook, kHalfTextured));
+                                         kCube, kSeam, kHalfCrease, kOtherHalfCrease, kBowTie,
+                                         kBook, kHalfTextured));
 
 TEST(Split, MakesTwoWedgesAcrossACreaseASeamAndAHalfCreaseOnly) {
     const auto wedges_made = [](const Literal& literal, std::uint32_t v, std::uint32_t w) {
@@ -257,6 +262,7 @@ TEST(Split, MakesTwoWedgesAcrossACreaseASeamAndAHalfCreaseOnly) {
     EXPECT_EQ(wedges_made(kTwoTriangles, 1, 2), 1u);
     EXPECT_EQ(wedges_made(kSeam, 1, 2), 2u);
     EXPECT_EQ(wedges_made(kHalfCrease, 1, 2), 2u);
+    EXPECT_EQ(wedges_made(kOtherHalfCrease, 1, 2), 2u);
     EXPECT_EQ(wedges_made(kHalfTextured, 1, 2), 2u);
     EXPECT_EQ(wedges_made(kCube, 0, 1), 2u);  // an edge of the cube
     EXPECT_EQ(wedges_made(kCube, 0, 2), 1u);  // the diagonal of a side
@@ -281,17 +287,34 @@ TEST(Split, ReusesFreedIdsSoThatTheSameEditsGiveTheSameBytes) {
     EXPECT_TRUE(mesh == once);
 }
 
-TEST(Split, IsRefusedWhereTheLevelWouldNotFitSixteenBits) {
-    TriMesh mesh = mesh_of(kSingleTriangle.obj);
-    EdgeId e{0};
-    for (int level = 1; level <= 65535; ++level) {
-        ASSERT_TRUE(mesh.may_split(e));
-        const Split s = mesh.split(e);
-        ASSERT_EQ(int{mesh.level(s.m)}, level);
-        e = s.am;
+// Whether one of the corners of the edge's faces, beyond it or at its ends, has no level above it.
+bool is_full_around(const TriMesh& mesh, EdgeId e) {
+    for (HalfEdgeId h : {mesh.half_edge(e), mesh.twin(mesh.half_edge(e))}) {
+        if (!exists(h)) continue;
+        for (HalfEdgeId corner : {h, TriMesh::next(h), TriMesh::prev(h)}) {
+            if (mesh.level(mesh.origin(corner)) == 65535) return true;
+        }
     }
-    EXPECT_FALSE(mesh.may_split(e));
-    EXPECT_EQ(mesh.validate(), kValid);
+    return false;
+}
+
+TEST(Split, IsRefusedWhereTheLevelWouldNotFitSixteenBits) {
+    const TriMesh whole = mesh_of(kTetrahedron.obj);
+    for (EdgeId first : live_edges(whole)) {
+        TriMesh mesh = whole;
+        EdgeId e = first;
+        for (int level = 1; level <= 65535; ++level) {
+            ASSERT_TRUE(mesh.may_split(e));
+            const Split s = mesh.split(e);
+            ASSERT_EQ(int{mesh.level(s.m)}, level);
+            e = level % 2 == 0 ? s.am : s.dm;
+        }
+        EXPECT_FALSE(mesh.may_split(e));
+        for (EdgeId each : live_edges(mesh)) {
+            ASSERT_EQ(mesh.may_split(each), !is_full_around(mesh, each));
+        }
+        EXPECT_EQ(mesh.validate(), kValid);
+    }
 }
 
 TEST(Unsplit, IsRefusedToBaseVerticesAndWhereSplitsHaveCutTheStarFurther) {
