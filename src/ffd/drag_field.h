@@ -125,7 +125,7 @@ inline Vec3f covariant_normal(const Vec3f& n, const DragWeight& weight, const Ve
     const Vec3 normal{n};
     const Vec3 gradient{weight.gradient};
     const Vec3 image = (1.0 + glm::dot(gradient, d)) * normal - glm::dot(d, normal) * gradient;
-    const Vec3f unit = unit_or_zero(image);
+    const Vec3f unit{unit_or_zero(image)};
     return bends(weight, d) ? unit : n;
 }
 inline Vec3f covariant_normal(const Vec3f& n, std::span<const DragWeight> weights,
@@ -133,7 +133,7 @@ inline Vec3f covariant_normal(const Vec3f& n, std::span<const DragWeight> weight
     if (weights.size() == 1) return covariant_normal(n, weights[0], d[0]);
     bool any = false;
     for (std::size_t c = 0; c < weights.size() && !any; ++c) any = bends(weights[c], d[c]);
-    return any ? unit_or_zero(cofactor_times(jacobian(weights, d), Vec3{n})) : n;
+    return any ? Vec3f{unit_or_zero(cofactor_times(jacobian(weights, d), Vec3{n}))} : n;
 }
 
 }  // namespace pectin

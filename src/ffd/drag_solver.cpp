@@ -65,10 +65,6 @@ DragRefusal refuse_pinned(const Vec3& point, const Vec3& d) {
 
 // --- Constraints ---
 
-bool is_finite(const Vec3& x) {
-    return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-}
-
 // The distinct constrained points and their rows, moves first.
 struct Constraints {
     std::vector<Vec3> points;

@@ -11,10 +11,6 @@ namespace {
 // of that size would leave the influenced zone at the first touch.
 constexpr double kFlatShare = 1e-6;
 
-bool is_finite(const Vec3& x) {
-    return std::isfinite(x.x) && std::isfinite(x.y) && std::isfinite(x.z);
-}
-
 bool counts_are_valid(const IVec3& deformable) {
     const auto [least, most] = std::minmax({deformable.x, deformable.y, deformable.z});
     return least >= kMinDeformable && most <= kMaxDeformable;

@@ -74,7 +74,7 @@ Mat3 LatticeField::jacobian(const Vec3& x) const {
 
 Vec3f covariant(const Mat3& jacobian, const Vec3f& n) {
     if (jacobian == Mat3{1.0}) return n;
-    return unit_or_zero(cofactor_times(jacobian, Vec3{n}));
+    return Vec3f{unit_or_zero(cofactor_times(jacobian, Vec3{n}))};
 }
 
 Vec3 contravariant(const Mat3& jacobian, const Vec3& t) { return jacobian * t; }

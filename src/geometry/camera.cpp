@@ -17,10 +17,6 @@ constexpr double kFitMargin = 1.14;
 // cos of the steepest view that an orbit may reach: 0.6 degrees off up and down.
 constexpr double kSteepest = 0.99995;
 
-bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 double half_height(const Camera& camera) { return std::tan(glm::radians(camera.fov) / 2.0); }
 
 Vec3 corner(const Box& box, int i) {

@@ -2,26 +2,17 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <utility>
+
+#include "mesh/array_bytes.h"
 
 namespace pectin {
 namespace {
-
-template <typename T>
-bool same_bytes(const T& x, const T& y) {
-    return std::memcmp(&x, &y, sizeof(T)) == 0;
-}
 
 template <typename T, typename Id>
 T& grown(std::vector<T>& values, Id id, T fill) {
     if (index(id) >= values.size()) values.resize(index(id) + index(id) / 2 + 1, fill);
     return values[index(id)];
-}
-
-template <typename T>
-std::size_t capacity_bytes(const std::vector<T>& v) {
-    return v.capacity() * sizeof(T);
 }
 
 }  // namespace

@@ -7,11 +7,6 @@
 namespace pectin {
 namespace {
 
-Vec3 unit_or_zero(const Vec3& v) {
-    const double length = glm::length(v);
-    return length > 0.0 && std::isfinite(length) ? v / length : Vec3{0.0};
-}
-
 // Corners that see one normal at their vertex, as a disjoint-set forest over half-edges.
 class SmoothCorners {
   public:

@@ -2,23 +2,12 @@
 
 #include <algorithm>
 #include <cassert>
-#include <cstring>
 #include <numeric>
+
+#include "mesh/array_bytes.h"
 
 namespace pectin {
 namespace {
-
-template <typename T>
-std::size_t capacity_bytes(const std::vector<T>& v) {
-    return v.capacity() * sizeof(T);
-}
-
-// Bitwise: NaN equals itself and -0 differs from 0.
-template <typename T>
-bool same_bytes(const std::vector<T>& x, const std::vector<T>& y) {
-    return x.size() == y.size() &&
-           (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0);
-}
 
 // Drops the ids past `count`. They lie below all others: slots are only added while the free
 // list is empty.

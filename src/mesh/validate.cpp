@@ -12,10 +12,6 @@ constexpr float kUnitTolerance = 1e-5f;
 // Enough to tell what is wrong without flooding the reader.
 constexpr std::size_t kMostMessages = 20;
 
-bool all_finite(const Vec3& p) {
-    return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
-}
-
 }  // namespace
 
 class TriMesh::Validator {
@@ -105,7 +101,7 @@ class TriMesh::Validator {
         expect(exists(h) || mesh_.is_base(v), "5: no face at inserted vertex", v);
         expect(!exists(h) || mesh_.origin(h) == v, "5: another's half-edge at vertex", v);
         expect(mesh_.is_base(v) == (mesh_.level(v) == 0), "7: wrong level at vertex", v);
-        expect(all_finite(mesh_.position(v)), "8: position not finite at vertex", v);
+        expect(is_finite(mesh_.position(v)), "8: position not finite at vertex", v);
         const auto star = mesh_.removable(v);
         if (!star) return;
         expect(star->mc == half_edge(face(star->mc), 0) &&

@@ -13,10 +13,6 @@ namespace {
 // squares of lengths would lose all digits of what stays.
 constexpr double kLargestDrag = 1e6;
 
-bool is_finite(const Vec3& v) {
-    return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
-}
-
 }  // namespace
 
 std::vector<Vec3> Session::State::DragInHand::displacements() const {

@@ -1,0 +1,26 @@
+// Arrays as bytes: what they hold and whether they hold the same.
+#pragma once
+
+#include <cstddef>
+#include <cstring>
+#include <vector>
+
+namespace pectin {
+
+template <typename T>
+std::size_t capacity_bytes(const std::vector<T>& v) {
+    return v.capacity() * sizeof(T);
+}
+
+// Bitwise, for types without padding: NaN equals itself and -0 differs from 0.
+template <typename T>
+bool same_bytes(const T& x, const T& y) {
+    return std::memcmp(&x, &y, sizeof(T)) == 0;
+}
+template <typename T>
+bool same_bytes(const std::vector<T>& x, const std::vector<T>& y) {
+    return x.size() == y.size() &&
+           (x.empty() || std::memcmp(x.data(), y.data(), x.size() * sizeof(T)) == 0);
+}
+
+}  // namespace pectin
