@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cctype>
+#include <cmath>
 #include <string_view>
 #include <utility>
 
 #include "command/json.h"
+#include "geometry/decimal.h"
 #include "io/atomic_file.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
@@ -146,6 +148,13 @@ Refusal Session::State::run(const command::Adapt& adapt) {
 }
 
 Refusal Session::State::run(const command::Brush& brush) {
+    if (brush.radius && !(*brush.radius > 0.0 && std::isfinite(*brush.radius))) {
+        return "the radius " + decimal(*brush.radius) + " must be a number above 0";
+    }
+    if (brush.span && (*brush.span < kMinDeformable || *brush.span > kMaxDeformable)) {
+        return "the span " + std::to_string(*brush.span) + " must be from " +
+               std::to_string(kMinDeformable) + " to " + std::to_string(kMaxDeformable);
+    }
     if (brush.radius) lattice_settings.radius = brush.radius;
     lattice_settings.span = brush.span.value_or(lattice_settings.span);
     lattice_settings.cage.reset();
@@ -158,8 +167,8 @@ Refusal Session::State::run(const command::Cage& cage) {
         lattice = {grid->origin, grid->cell, grid->deformable};
     } else {
         if (!has_object()) return kNoObject;
-        lattice = fit_lattice(mesh->bounding_box(),
-                              std::get<command::Cage::Fit>(cage.lattice).deformable);
+        lattice.deformable = std::get<command::Cage::Fit>(cage.lattice).deformable;
+        if (lattice.is_valid()) lattice = fit_lattice(mesh->bounding_box(), lattice.deformable);
     }
     if (!lattice.is_valid()) {
         return "the cage must be finite, with cells above 0 and from " +

@@ -65,7 +65,9 @@ AdaptLimits AdaptSettings::limits(double smallest_cell, double diagonal,
 }
 
 Lattice LatticeSettings::lattice(const Vec3& grabbed, double diagonal) const {
-    return cage ? *cage : brush_lattice(grabbed, radius.value_or(kAutoRadius * diagonal), span);
+    if (cage) return *cage;
+    const double used = radius.value_or(kAutoRadius * diagonal);
+    return used > 0.0 ? brush_lattice(grabbed, used, span) : Lattice{.cell = Vec3{0.0}};
 }
 
 }  // namespace pectin

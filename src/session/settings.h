@@ -25,7 +25,8 @@ struct AdaptSettings {
     std::variant<AdaptSettings, std::string> with(const command::Adapt& change) const;
     // smallest_cell: of the lattice in use, kOff if there is none. diagonal and largest coordinate:
     // of the object's box as it was opened. The floor stays well above what coordinates resolve.
-    AdaptLimits limits(double smallest_cell, double diagonal, double largest_coordinate = 0.0) const;
+    AdaptLimits limits(double smallest_cell, double diagonal,
+                       double largest_coordinate = 0.0) const;
 };
 
 inline constexpr double kAutoRadius = 0.25;  // of a brush, of the box diagonal
@@ -36,7 +37,8 @@ struct LatticeSettings {
     int span = 3;                  // brush
     std::optional<Lattice> cage;   // in use instead of the brush, if set
 
-    // For a drag whose first moved point is `grabbed`.
+    // For a drag whose first moved point is `grabbed`. Not valid where an object without extent
+    // gives the brush no radius.
     Lattice lattice(const Vec3& grabbed, double diagonal) const;
 };
 

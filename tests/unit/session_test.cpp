@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <fstream>
 #include <numbers>
 
 #include "io/obj_writer.h"
@@ -265,6 +266,34 @@ TEST(Session, RefusesCagesWithoutUsableCells) {
     EXPECT_FALSE(refusal_of(session, Cage{Cage::Grid{Vec3{0.0}, Vec3{1.0}, {2, 0, 2}}}).empty());
     EXPECT_FALSE(refusal_of(session, Cage{Cage::Grid{Vec3{NAN}, Vec3{1.0}, {2, 2, 2}}}).empty());
     EXPECT_FALSE(refusal_of(session, Cage{Cage::Fit{{2, 1000, 2}}}).empty());
+}
+
+TEST(Session, RefusesBrushesWithoutUsableSize) {
+    Session session = sphere();
+    for (double radius : {0.0, -1.0, double{NAN}, double{INFINITY}}) {
+        EXPECT_TRUE(contains(refusal_of(session, Brush{.radius = radius}), "radius"));
+    }
+    for (int span : {0, -3, 257}) {
+        EXPECT_TRUE(contains(refusal_of(session, Brush{.span = span}), "span"));
+    }
+    EXPECT_FALSE(refusal_of(session, Brush{.radius = 0.5, .span = 0}).empty());
+    expect_done(session, drag(kTop, {0, 0.1, 0}));  // by the brush as it was
+    EXPECT_NEAR(session.lattice_in_use()->influenced_zone().max.x, 0.25 * std::sqrt(12.0), 1e-12);
+}
+
+TEST(Session, AsksForABrushWhereTheObjectHasNoSize) {
+    const auto path = std::filesystem::path(testing::TempDir()) / "pectin point.obj";
+    std::ofstream(path) << "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n";
+    Session session;
+    expect_done(session, command::Open{.path = path.string()});
+    std::filesystem::remove(path);
+    EXPECT_TRUE(contains(refusal_of(session, drag({1, 2, 3}, {0, 1, 0})), "radius"));
+    EXPECT_EQ(session.statistics().edge_max, 0.0);
+    expect_done(session, Brush{.radius = 1.0});
+    expect_done(session, drag({1, 2, 3}, {0, 1, 0}));
+    EXPECT_EQ(session.mesh().position(VertexId{2}), Vec3(1, 3, 3));
+    EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
+    expect_done(session, Cage{Cage::Fit{{2, 2, 2}}});
 }
 
 TEST(Session, KeepsTheObjectWhereAFileCannotBeOpened) {
