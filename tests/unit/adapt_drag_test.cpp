@@ -178,6 +178,37 @@ TEST(Floor, IsKeptAndReported) {
     EXPECT_EQ(coarse.active.splits(), 0u);
 }
 
+// Also where warps crush edges that are long at rest, and others wait for them to be split.
+TEST(Floor, IsNeverCrossedByASplit) {
+    int crushed = 0;
+    for (std::uint64_t seed = 700; seed < 800; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        test::Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        const Warp warp = test::random_warp(mesh, random);
+        const Box zone = warp.zone();
+        const double floor = mesh.bounding_box().diagonal() * random.scale(0.01, 0.05);
+        ActiveSet active(mesh);
+        active.begin(FaceTree(mesh).faces_meeting(zone, mesh), zone);
+        Embedding embedding(active, warp);
+        embedding.embed();
+        embedding.deform();
+        TriMesh replayed = mesh;
+        const AdaptLimits limits{.theta_max = random.scale(1.0, 20.0), .floor = floor};
+        refine(active, embedding, Criteria(limits, zone, zone));
+        for (const TopologyEdit& edit : active.finish().edits) {
+            ASSERT_TRUE(edit.is_split());
+            ASSERT_GE(replayed.length(edit.edge()), 2.0 * floor);
+            const VertexId m = replayed.insert_midpoint(edit.edge()).m;
+            replayed.set_position(m, mesh.position(m));
+        }
+        for (EdgeId e : test::live_edges(replayed)) {
+            crushed += replayed.length(e) < 2.0 * floor ? 1 : 0;
+        }
+    }
+    EXPECT_GT(crushed, 1000);
+}
+
 TEST(Gesture, ThinsWhatEarlierFramesRefinedAsTheDragComesHome) {
     Frames frames({.theta_max = 5.0, .theta_min = 4.0, .flatness = 0.02, .floor = 1e-3}, 0.8);
     const TriMesh before = frames.mesh;
