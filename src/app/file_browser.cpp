@@ -98,6 +98,7 @@ void FileBrowser::enter(const std::string& folder) {
         entries_ = list_folder(whole, extension_);
         folder_ = whole;
         complaint_.clear();
+        takes_typing = true;
     } catch (const FileError& error) {
         complaint_ = error.what();
     }

@@ -47,6 +47,8 @@ class FileBrowser {
 
     // What stands in the name's field.
     std::string name{};
+    // Whether typing is to go there; set at the start and in each folder entered.
+    bool takes_typing = true;
 
     // The file that the name means, absolute: a name with a folder counts from this one, and ~ is
     // the home folder. When saving, the extension is added where it is missing. Empty where there

@@ -7,6 +7,7 @@
 #include <array>
 #include <cstdio>
 #include <optional>
+#include <utility>
 
 namespace pectin {
 namespace {
@@ -72,8 +73,8 @@ bool draw_entries(FileBrowser& browser) {
 }
 
 void draw_replace_question(Editor& editor, float scale) {
-    if (editor.file_to_replace().empty()) return;
-    if (!begin_dialog("Replace the file?", 420.0f * scale, 0.0f)) return;
+    const bool is_wanted = !editor.file_to_replace().empty();
+    if (!begin_dialog(is_wanted, "Replace the file?", 420.0f * scale, 0.0f)) return;
     ImGui::TextWrapped("%s is there already.", editor.file_to_replace().c_str());
     ImGui::Spacing();
     const ImVec2 size(110.0f * scale, 0.0f);
@@ -86,7 +87,18 @@ void draw_replace_question(Editor& editor, float scale) {
 
 }  // namespace
 
-bool begin_dialog(const char* title, float width, float height) {
+bool begin_dialog(bool is_wanted, const char* title, float width, float height) {
+    if (!is_wanted) {
+        if (!ImGui::IsPopupOpen(title)) return false;
+        // Its last frame, in which it is told to close, is not to be seen; at 0 it would not begin.
+        ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1e-3f);
+        if (ImGui::BeginPopupModal(title, nullptr, kDialog)) {
+            ImGui::CloseCurrentPopup();
+            ImGui::EndPopup();
+        }
+        ImGui::PopStyleVar();
+        return false;
+    }
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(0.5f * room.x, 0.5f * room.y), ImGuiCond_Always,
@@ -97,8 +109,12 @@ bool begin_dialog(const char* title, float width, float height) {
 }
 
 void draw_file_panel(Editor& editor, float scale) {
-    if (!editor.browser) return;
-    if (!begin_dialog(editor.browser->title(), 640.0f * scale, 520.0f * scale)) return;
+    // One dialog, whatever stands over it.
+    const std::string title =
+        (editor.browser ? editor.browser->title() : std::string()) + "###files";
+    if (!begin_dialog(editor.browser.has_value(), title.c_str(), 640.0f * scale, 520.0f * scale)) {
+        return;
+    }
     FileBrowser& browser = *editor.browser;
     draw_steps(browser);
     if (!browser.complaint().empty()) ImGui::TextWrapped("%s", browser.complaint().c_str());
@@ -106,20 +122,24 @@ void draw_file_panel(Editor& editor, float scale) {
     ImGui::BeginChild("entries", ImVec2(0.0f, -below), true);
     bool accepts = draw_entries(browser);
     ImGui::EndChild();
-    if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
+    const bool has_enter = editor.file_to_replace().empty() && editor.take_enter();
+    // A field of its own for each folder: one being typed into keeps its text whatever is set.
+    ImGui::PushID(browser.folder().c_str());
+    if (std::exchange(browser.takes_typing, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputTextWithHint("##name", "Name or path", &browser.name,
                              ImGuiInputTextFlags_AutoSelectAll);
+    ImGui::PopID();
     const ImVec2 size(110.0f * scale, 0.0f);
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * size.x -
                          ImGui::GetStyle().ItemSpacing.x);
     const bool cancels = ImGui::Button("Cancel", size);
     ImGui::SameLine();
-    accepts |= ImGui::Button(browser.verb(), size);
+    accepts |= ImGui::Button(browser.verb(), size) || has_enter;
     draw_replace_question(editor, scale);
     ImGui::EndPopup();
     // What follows may close the browser.
-    if (editor.browser && (accepts || editor.take_enter())) editor.accept_file();
+    if (editor.browser && accepts) editor.accept_file();
     if (editor.browser && cancels) editor.close_browser();
 }
 

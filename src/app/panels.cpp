@@ -55,6 +55,7 @@ std::string grouped(std::uint64_t number) {
 }  // namespace
 
 void Panels::draw(Editor& editor, const PictureFigures& figures) {
+    const bool had_dialog = editor.browser || editor.question;
     areas_.clear();
     draw_menus(editor);
     draw_status(editor, figures);
@@ -64,16 +65,18 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     draw_message(editor);
     draw_question(editor);
     draw_file_panel(editor, scale_);
-    is_modal_ = editor.browser || editor.question ||
-                ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId | ImGuiPopupFlags_AnyPopupLevel);
+    // A dialog that has just been closed claims nothing more, though Dear ImGui knows it yet.
+    has_popup_ = editor.browser || editor.question ||
+                 (!had_dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
+                                                            ImGuiPopupFlags_AnyPopupLevel));
+    has_text_field_ = !had_dialog && ImGui::IsAnyItemActive() && ImGui::GetIO().WantTextInput;
 }
 
 UiClaims Panels::claims(const Vec2& at) const {
     const bool is_inside = std::any_of(areas_.begin(), areas_.end(), [&at](const Area& area) {
         return area.min.x <= at.x && at.x < area.max.x && area.min.y <= at.y && at.y < area.max.y;
     });
-    return {.mouse = is_modal_ || is_inside || ImGui::IsAnyItemActive(),
-            .keyboard = is_modal_ || ImGui::GetIO().WantTextInput};
+    return {.mouse = has_popup_ || is_inside, .keyboard = has_popup_ || has_text_field_};
 }
 
 void Panels::claim_window() {
@@ -278,8 +281,9 @@ void Panels::draw_hint(const Editor& editor) {
 }
 
 void Panels::draw_question(Editor& editor) {
-    if (!editor.question) return;
-    if (!begin_dialog("Save the changes?", scaled(440.0f), 0.0f)) return;
+    if (!begin_dialog(editor.question.has_value(), "Save the changes?", scaled(440.0f), 0.0f)) {
+        return;
+    }
     ImGui::TextWrapped("%s has changes that are not saved.",
                        editor.workspace().object_name().c_str());
     ImGui::Spacing();

@@ -49,7 +49,8 @@ class Panels {
     float scale_;
     float menu_height_ = 0.0f, status_height_ = 0.0f;
     std::vector<Area> areas_;
-    bool is_modal_ = false;
+    bool has_popup_ = false;       // a menu or a dialog is open
+    bool has_text_field_ = false;  // one is being typed into
     RefinePanel refine_;
     std::optional<float> edited_radius_, edited_span_;
     IVec3 cage_counts_{4};

@@ -3,6 +3,9 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <array>
+#include <cstdio>
+#include <cstdlib>
 
 namespace pectin {
 namespace {
@@ -34,6 +37,13 @@ double next_cell(const Editor& editor) {
         .lattice_settings()
         .lattice(Vec3{0.0}, editor.workspace().diagonal())
         .smallest_cell_extent();
+}
+
+// A slider's value as its text has it: what is set is what is read.
+double shown(float value) {
+    std::array<char, 32> text{};
+    std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(value));
+    return std::strtod(text.data(), nullptr);
 }
 
 double value_of(const Setting& setting, double automatic) {
@@ -68,14 +78,14 @@ std::optional<Setting> RefinePanel::draw_row(const Row& row, std::optional<float
     ImGui::SliderFloat("##value", &value, row.least, row.most, row.is_on ? row.format : "off",
                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemActive()) edited = value;
-    if (ImGui::IsItemDeactivatedAfterEdit()) set = Setting::of(edited.value_or(value));
+    if (ImGui::IsItemDeactivatedAfterEdit()) set = Setting::of(shown(edited.value_or(value)));
     if (!ImGui::IsItemActive()) edited.reset();
 
     ImGui::TableNextColumn();
     if (row.may_be_automatic) {
         bool is_automatic = row.is_automatic && row.is_on;
         if (ImGui::Checkbox("auto", &is_automatic)) {
-            set = is_automatic ? Setting::automatic() : Setting::of(value);
+            set = is_automatic ? Setting::automatic() : Setting::of(shown(value));
         }
     }
     ImGui::EndDisabled();

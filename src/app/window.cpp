@@ -72,6 +72,8 @@ class Window {
     void run() {
         while (!editor_.wants_to_end()) {
             take_input();
+            if (frames_to_draw_ == 0) continue;
+            --frames_to_draw_;
             editor_.advance();
             lay_out_panels();
             follow_object();
@@ -98,7 +100,6 @@ class Window {
             if (const auto* move = std::get_if<event::Move>(&event)) cursor_ = move->at;
             editor_.handle(event, panels_.claims(cursor_));
         }
-        if (frames_to_draw_ > 0) --frames_to_draw_;
     }
 
     void lay_out_panels() {

@@ -12,6 +12,8 @@
 namespace pectin {
 namespace {
 
+constexpr double kLongestWait = 0.1;  // seconds
+
 std::string last_error() {
     const char* description = nullptr;
     glfwGetError(&description);
@@ -127,7 +129,9 @@ WindowHost::~WindowHost() = default;
 
 std::vector<InputEvent> WindowHost::take_events(bool waits) {
     if (waits && events_.empty()) {
-        glfwWaitEvents();
+        // Not for ever: while drawing, the driver reads from the same connection, and what it reads
+        // there does not wake who waits.
+        glfwWaitEventsTimeout(kLongestWait);
     } else {
         glfwPollEvents();
     }

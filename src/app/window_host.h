@@ -25,7 +25,7 @@ class WindowHost {
     const Gl& gl() const { return gl_; }
     GLFWwindow* handle() const { return window_.get(); }
 
-    // What has been done since the last call; waits for something where there is nothing to draw.
+    // What has been done since the last call; waits for something, a while, where `waits`.
     std::vector<InputEvent> take_events(bool waits);
     void show();  // what has been drawn
     void set_title(const std::string& title);

@@ -1,0 +1,252 @@
+// The real window, on a display in memory, driven by mouse and keyboard.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <memory>
+
+#include "replay/program.h"
+#include "window/desktop.h"
+
+namespace pectin {
+namespace {
+
+using namespace std::chrono_literals;
+
+constexpr int kMiddleX = 640, kMiddleY = 400;
+
+class WindowTest : public testing::Test {
+  protected:
+    void SetUp() override {
+        if (const std::string missing = missing_for_windows(); !missing.empty()) {
+            GTEST_SKIP() << "the window cannot be tested here: " << missing;
+        }
+        desktop_ = std::make_unique<Desktop>();
+        ASSERT_TRUE(desktop_->is_running()) << "Xvfb does not start";
+    }
+    void TearDown() override {
+        const bool has_words = folder_.holds("err") && !folder_.read("err").empty();
+        if (HasFailure() && has_words) std::cerr << "pectin said: " << folder_.read("err");
+    }
+
+    void open_window(std::vector<std::string> arguments = {}) {
+        arguments.insert(arguments.begin(), {PECTIN_BINARY, "--record", path("record.jsonl")});
+        program_ = std::make_unique<Process>(arguments, desktop_->environment(), path("err"));
+        ASSERT_TRUE(desktop_->shows_window());
+        ASSERT_TRUE(eventually([&] { return recorded("\"shape\"") + recorded("\"open\"") > 0; }));
+        desktop_->move(kMiddleX, kMiddleY);
+    }
+    // Through the browser; the path is typed.
+    void save_as(const std::string& name) {
+        desktop_->key("ctrl+shift+s");
+        desktop_->wait_for_dialog();
+        desktop_->type(path(name));
+        desktop_->key("Return");
+        ASSERT_TRUE(eventually([&] { return folder_.holds(name); })) << record();
+        ASSERT_TRUE(records(name));
+        desktop_->wait_for_dialog();
+    }
+    void quit() {
+        desktop_->key("ctrl+q");
+        ASSERT_EQ(program_->wait(20s), 0);
+    }
+    // What the record's replay saves in place of the window's last save.
+    std::string replayed() const {
+        std::string script = record();
+        const std::size_t line = script.rfind("{\"cmd\": \"save\"");
+        const std::size_t begin = script.find("\"path\": ", line), end = script.find('}', begin);
+        script.replace(begin, end - begin, "\"path\": \"replayed.obj\"");
+        folder_.write("replay.jsonl", script);
+        const Outcome outcome = run_program({"replay", path("replay.jsonl")});
+        EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+        return folder_.read("replayed.obj");
+    }
+
+    std::string path(const std::string& name) const { return folder_.path(name); }
+    std::string record() const { return folder_.read("record.jsonl"); }
+    std::size_t recorded(const std::string& what) const {
+        const std::string text = folder_.holds("record.jsonl") ? record() : "";
+        std::size_t count = 0;
+        for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; ++at) ++count;
+        return count;
+    }
+    bool records(const std::string& what, std::size_t times = 1) const {
+        return eventually([&] { return recorded(what) >= times; });
+    }
+    const Desktop& desktop() const { return *desktop_; }
+    const ScratchFolder& folder() const { return folder_; }
+
+  private:
+    ScratchFolder folder_;
+    std::unique_ptr<Desktop> desktop_;
+    std::unique_ptr<Process> program_;
+};
+
+TEST_F(WindowTest, ReplayOfTheRecordGivesTheBytesThatTheWindowSaved) {
+    open_window();
+    desktop().drag(kMiddleX, kMiddleY, 760, 290);
+    ASSERT_TRUE(records("\"drag\"", 1));
+    desktop().key("bracketleft");
+    ASSERT_TRUE(records("\"brush\""));
+    desktop().drag(560, 420, 520, 470);
+    ASSERT_TRUE(records("\"drag\"", 2));
+    save_as("window.obj");
+    quit();
+    EXPECT_TRUE(folder().read("window.obj") == replayed());
+}
+
+TEST_F(WindowTest, EscapeDuringADragGivesTheSphereBack) {
+    open_window();
+    save_as("before.obj");
+    desktop().move(kMiddleX, kMiddleY);
+    desktop().press();
+    desktop().move(700, 330);
+    desktop().move(760, 290);
+    desktop().key("Escape");
+    desktop().release();
+    save_as("after.obj");
+    quit();
+    EXPECT_EQ(recorded("\"drag\""), 0u);
+    EXPECT_TRUE(folder().read("after.obj") == folder().read("before.obj"));
+}
+
+TEST_F(WindowTest, KeysUndoAndRedoADragToTheByte) {
+    open_window();
+    save_as("sphere.obj");
+    desktop().drag(kMiddleX, kMiddleY, 760, 290);
+    ASSERT_TRUE(records("\"drag\""));
+    save_as("dragged.obj");
+    desktop().key("ctrl+z");
+    ASSERT_TRUE(records("\"undo\""));
+    save_as("undone.obj");
+    desktop().key("ctrl+shift+z");
+    ASSERT_TRUE(records("\"redo\""));
+    save_as("redone.obj");
+    quit();
+    EXPECT_TRUE(folder().read("dragged.obj") != folder().read("sphere.obj"));
+    EXPECT_TRUE(folder().read("undone.obj") == folder().read("sphere.obj"));
+    EXPECT_TRUE(folder().read("redone.obj") == folder().read("dragged.obj"));
+    EXPECT_TRUE(folder().read("redone.obj") == replayed());
+}
+
+TEST_F(WindowTest, AltDragsAlongTheNormal) {
+    open_window();
+    desktop().key("KP_1");
+    desktop().move(kMiddleX, kMiddleY);
+    desktop().press();
+    desktop().hold("alt");
+    desktop().move(kMiddleX, kMiddleY - 30);
+    desktop().move(kMiddleX, kMiddleY - 60);
+    desktop().release();
+    desktop().let_go("alt");
+    ASSERT_TRUE(records("\"drag\""));
+    // From the front the sphere's foremost point goes along z and keeps x and y.
+    const std::string text = record();
+    const std::string to = text.substr(text.find("\"to\": ["));
+    double x = 1, y = 1, z = 0;
+    ASSERT_EQ(std::sscanf(to.c_str(), "\"to\": [%lf, %lf, %lf]", &x, &y, &z), 3) << to;
+    EXPECT_NEAR(x, 0.0, 0.03);
+    EXPECT_NEAR(y, 0.0, 0.03);
+    EXPECT_GT(z, 1.1);
+}
+
+// Wherever the panel has its slider: a press and a pull on every row, from the top down.
+TEST_F(WindowTest, LettingGoOfASliderReadaptsTheObject) {
+    open_window();
+    desktop().drag(kMiddleX, kMiddleY, 760, 290);
+    ASSERT_TRUE(records("\"drag\""));
+    for (int y = 145; y < 260 && recorded("\"theta_max\"") == 0; y += 10) {
+        desktop().move(1110, y);
+        desktop().press();
+        desktop().move(1085, y);
+        desktop().release();
+        eventually([&] { return recorded("\"theta_max\"") > 0; }, 300ms);
+    }
+    ASSERT_TRUE(records("\"theta_max\""));
+    ASSERT_TRUE(records("\"readapt\""));
+    desktop().move(kMiddleX, kMiddleY);
+    save_as("window.obj");
+    quit();
+    EXPECT_TRUE(folder().read("window.obj") == replayed());
+}
+
+TEST_F(WindowTest, FileBrowserOpensAModel) {
+    folder().write("models/wedge.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    open_window();
+    desktop().key("ctrl+o");
+    desktop().wait_for_dialog();
+    desktop().type(path("models"));  // a folder: the browser goes there
+    desktop().key("Return");
+    desktop().wait_for_dialog();
+    desktop().type("wedge.obj");
+    desktop().key("Return");
+    ASSERT_TRUE(records("\"open\"")) << record();
+    EXPECT_EQ(recorded("wedge.obj"), 1u);
+    save_as("window.obj");
+    quit();
+    EXPECT_TRUE(folder().read("window.obj") == replayed());
+}
+
+TEST_F(WindowTest, ModelOfTheCommandLineIsOpenAndOneThatIsNoneLeavesASphere) {
+    folder().write("wedge.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    open_window({path("wedge.obj")});
+    EXPECT_EQ(recorded("\"shape\""), 0u);
+    quit();
+    folder().write("letter.obj", "Dear sphere\n");
+    open_window({path("letter.obj")});
+    EXPECT_EQ(recorded("\"open\""), 0u);
+    EXPECT_EQ(recorded("\"shape\""), 1u);
+    quit();
+}
+
+TEST_F(WindowTest, QuittingWithChangesAsksAndSaves) {
+    open_window();
+    save_as("ball.obj");
+    const std::string before = folder().read("ball.obj");
+    desktop().drag(kMiddleX, kMiddleY, 760, 290);
+    ASSERT_TRUE(records("\"drag\""));
+    desktop().key("ctrl+q");
+    ASSERT_TRUE(eventually([&] {
+        desktop().key("Return");  // the question's first answer: save
+        return recorded("\"save\"") == 2;
+    }));
+    const std::string after = folder().read("ball.obj");
+    EXPECT_TRUE(after != before);
+    EXPECT_TRUE(after == replayed());
+}
+
+// What the program says and how it ends where there can be no window.
+Outcome open_without(const Environment& environment) {
+    const ScratchFolder folder;
+    Process program({PECTIN_BINARY}, environment, folder.path("err"));
+    const auto status = program.wait(60s);
+    return {.exit_status = status.value_or(-2), .out = "", .err = folder.read("err")};
+}
+
+TEST(NoWindow, WithoutADisplayOneSentenceSaysWhatToDo) {
+    const Outcome outcome = open_without({{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_TRUE(outcome.err.starts_with("pectin: there is no display")) << outcome.err;
+    EXPECT_NE(outcome.err.find("pectin replay SCRIPT"), std::string::npos);
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
+}
+
+TEST_F(WindowTest, WithoutOpenGl33OneSentenceSaysWhatToInstall) {
+    Environment old = desktop().environment();
+    old.emplace_back("MESA_GL_VERSION_OVERRIDE", "2.1");
+    const Outcome outcome = open_without(old);
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_NE(outcome.err.find("OpenGL 3.3"), std::string::npos) << outcome.err;
+    EXPECT_NE(outcome.err.find("install"), std::string::npos) << outcome.err;
+}
+
+TEST_F(WindowTest, ARecordThatCannotBeWrittenOpensNoWindow) {
+    Process program({PECTIN_BINARY, "--record", path("no/such/folder.jsonl")},
+                    desktop().environment(), path("err"));
+    EXPECT_EQ(program.wait(60s), 1);
+    EXPECT_NE(folder().read("err").find("no/such/folder.jsonl: "), std::string::npos);
+}
+
+}  // namespace
+}  // namespace pectin
