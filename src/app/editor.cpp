@@ -34,7 +34,9 @@ Editor::Editor(std::optional<Recorder> recorder) : workspace_(std::move(recorder
 
 // --- Input.
 
-void Editor::handle(const InputEvent& input, const UiClaims& claims) {
+void Editor::handle(const InputEvent& input, const UiClaims& asked) {
+    // A dialog takes all, also what comes in before it has been drawn.
+    const UiClaims claims = browser || question ? UiClaims{.mouse = true, .keyboard = true} : asked;
     if (const auto* press = std::get_if<event::Press>(&input)) {
         on(*press, claims.mouse);
     } else if (const auto* release = std::get_if<event::Release>(&input)) {
@@ -107,7 +109,7 @@ void Editor::on(const event::KeyDown& key, bool is_claimed) {
         if (!escape_dialog() && !is_claimed) workspace_.dismiss();
         return;
     }
-    if (key.key == Key::enter) enter_ = browser || question;
+    if (key.key == Key::enter && !key.is_repeat) enter_ = browser || question;
     if (is_claimed) return;
     if (is_letter(key.key, 'F') && key.modifiers == Modifiers{}) {
         if (!key.is_repeat) begin_radius_drag();
@@ -153,7 +155,24 @@ void Editor::advance() {
 
 // --- Drags.
 
+// Runs a part of a drag; where it throws (no memory) the object is as before the drag.
+template <typename Part>
+bool Editor::attempt(Part part) {
+    try {
+        part();
+        return true;
+    } catch (const std::exception& error) {
+        if (sculptor_.is_dragging()) cancel_drag();
+        workspace_.tell(std::string("the drag was given up: ") + error.what());
+        return false;
+    }
+}
+
 void Editor::grab(const Pick& pick, const Ray& ray) {
+    attempt([&] { begin_drag(pick, ray); });
+}
+
+void Editor::begin_drag(const Pick& pick, const Ray& ray) {
     if (const auto refusal = sculptor_.grab(workspace_.session(), pick, ray)) {
         workspace_.tell(*refusal);
         return;
@@ -165,6 +184,10 @@ void Editor::grab(const Pick& pick, const Ray& ray) {
 }
 
 void Editor::drag() {
+    attempt([&] { follow_cursor(); });
+}
+
+void Editor::follow_cursor() {
     const auto start = std::chrono::steady_clock::now();
     const DragPath path = modifiers_.alt ? DragPath::normal : DragPath::view_plane;
     const Vec3 before = sculptor_.to();
@@ -189,7 +212,21 @@ void Editor::drag() {
 
 void Editor::release_drag() {
     if (std::exchange(moved_, false)) drag();
-    if (const auto done = sculptor_.release(workspace_.session())) workspace_.note_drag(*done);
+    if (!sculptor_.is_dragging()) return;
+    attempt([&] {
+        const std::size_t steps = session().undo_count();
+        const auto done = sculptor_.release(workspace_.session());
+        if (done) workspace_.note_drag(*done, session().undo_count() > steps);
+    });
+}
+
+FrameFigures Editor::figures() const {
+    FrameFigures figures = figures_;
+    if (!sculptor_.is_dragging()) {
+        figures.floor_hit = session().outcome().floor_hit;
+        figures.budget_hit = session().outcome().budget_hit;
+    }
+    return figures;
 }
 
 void Editor::cancel_drag() {
@@ -349,6 +386,7 @@ void Editor::use_file(FileBrowser::Purpose purpose, const std::string& path) {
 
 void Editor::close_browser() {
     browser.reset();
+    enter_ = false;
     file_to_replace_.clear();
     after_save_.reset();
 }
@@ -356,6 +394,7 @@ void Editor::close_browser() {
 void Editor::ask_or_do(Question asked) {
     if (is_busy()) return;
     if (workspace_.is_modified()) {
+        close_browser();  // one dialog at a time
         question = std::move(asked);
     } else {
         carry_out(asked);
@@ -374,6 +413,7 @@ void Editor::carry_out(const Question& asked) {
 
 void Editor::answer(Answer answer) {
     const Question asked = *std::exchange(question, std::nullopt);
+    enter_ = false;
     if (answer == Answer::discard) carry_out(asked);
     if (answer != Answer::save) return;
     if (workspace_.path().empty()) {

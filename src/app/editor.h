@@ -65,7 +65,7 @@ class Editor {
     // Reach of the brush, also while it is being set.
     double radius() const;
     bool is_setting_radius() const { return radius_drag_.has_value(); }
-    const FrameFigures& figures() const { return figures_; }
+    FrameFigures figures() const;
     const IVec2& size() const { return size_; }
     bool shows_hint() const { return shows_hint_; }
     bool wants_to_end() const { return wants_to_end_; }
@@ -101,8 +101,12 @@ class Editor {
     void on(const event::Drop& drop);
 
     Ray ray_at(const Vec2& at) const { return camera().ray_through(at, size_); }
+    template <typename Part>
+    bool attempt(Part part);
     void grab(const Pick& pick, const Ray& ray);
+    void begin_drag(const Pick& pick, const Ray& ray);
     void drag();
+    void follow_cursor();
     void release_drag();
     void cancel_drag();
     void begin_radius_drag();

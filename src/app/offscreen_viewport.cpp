@@ -18,7 +18,7 @@ std::optional<std::string> OffscreenViewport::screenshot(const TriMesh& mesh,
                                                          const std::optional<Lattice>& lattice,
                                                          const command::Screenshot& screenshot) {
     if (screenshot.show.ui) {
-        return "there is no window here, so no user interface to show; leave \"ui\" out of show";
+        return "the panels cannot be in the picture; leave \"ui\" out of show";
     }
     if (!studio_) studio_ = std::make_unique<Studio>();
     studio_->host.make_current();

@@ -1,14 +1,29 @@
 #include "app/recorder.h"
 
 #include <cstring>
+#include <fstream>
 
 #include "command/json.h"
 #include "io/file_error.h"
 
 namespace pectin {
 
+namespace {
+
+// A slip of the hand must not turn a model into a record.
+const std::string& checked(const std::string& path) {
+    std::ifstream file(path);
+    std::string line;
+    if (file && std::getline(file, line) && !line.starts_with("{\"pectin\"")) {
+        throw FileError(path, "is there already and is no record; record to a new file");
+    }
+    return path;
+}
+
+}  // namespace
+
 Recorder::Recorder(const std::string& path)
-    : path_(path), file_(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666) {
+    : path_(checked(path)), file_(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666) {
     if (!file_.is_open()) {
         throw FileError(path_, std::string("cannot be written: ") + std::strerror(errno) +
                                    "; record to a file in a folder of yours");

@@ -60,8 +60,9 @@ std::optional<std::string> Sculptor::drag(Session& session, const Camera& camera
 
 std::optional<command::Drag> Sculptor::release(Session& session) {
     assert(is_dragging());
+    auto done = session.end_drag();  // where it throws, the drag is still to be cancelled
     grabbed_.reset();
-    return session.end_drag();
+    return done;
 }
 
 void Sculptor::cancel(Session& session) {

@@ -50,8 +50,8 @@ bool Workspace::execute(const Command& command) {
     return true;
 }
 
-void Workspace::note_drag(const command::Drag& drag) {
-    is_modified_ = true;
+void Workspace::note_drag(const command::Drag& drag, bool has_changed) {
+    is_modified_ |= has_changed;
     record(drag);
 }
 

@@ -19,7 +19,7 @@ class Workspace {
     // Does and records it, or tells why not and leaves everything as it was.
     bool execute(const Command& command);
     // The same for a drag that the session has done already.
-    void note_drag(const command::Drag& drag);
+    void note_drag(const command::Drag& drag, bool has_changed);
 
     Session& session() { return session_; }
     const Session& session() const { return session_; }

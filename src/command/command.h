@@ -114,7 +114,7 @@ struct Stats {
 struct Screenshot {
     struct Show {
         bool wireframe = false, lattice = false, levels = false;
-        bool ui = false;  // the window's panels, where there is a window
+        bool ui = false;  // the window's panels; viewports may refuse
         bool operator==(const Show&) const = default;
     };
     std::string path{};

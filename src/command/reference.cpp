@@ -48,7 +48,7 @@ std::vector<CommandReference> make_reference() {
          {{"path", "a PNG file"},
           {"size", "[width, height] in pixels, each 16 to 8192 ([1280, 960])"},
           {"camera", "\"fit\", or {\"eye\": [x, y, z], \"target\": [x, y, z]} with up and fov"},
-          {"show", "any of [\"wireframe\", \"lattice\", \"levels\", \"ui\"]; ui needs a window"}}},
+          {"show", "any of [\"wireframe\", \"lattice\", \"levels\"]"}}},
     };
 }
 

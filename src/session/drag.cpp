@@ -100,11 +100,10 @@ std::optional<command::Drag> Session::State::end_drag() {
     folded = in_hand->gesture->folded_vertices();
     const command::Drag drag = std::move(in_hand->drag);
     in_hand.reset();
-    const bool changed = !change.is_empty();
     add_step(drag, std::move(change));
     last.seconds.commit =
         stopwatch.lap() - last.seconds.deform - last.seconds.refine - last.seconds.decimate;
-    return changed ? std::optional(drag) : std::nullopt;
+    return drag;
 }
 
 void Session::State::cancel_drag() {

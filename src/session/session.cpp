@@ -341,6 +341,8 @@ const AdaptSettings& Session::adapt_settings() const { return state_->adapt_sett
 
 const LatticeSettings& Session::lattice_settings() const { return state_->lattice_settings; }
 
+const AdaptOutcome& Session::outcome() const { return state_->outcome; }
+
 std::size_t Session::undo_count() const { return state_->history.undo_count(); }
 
 std::size_t Session::redo_count() const { return state_->history.redo_count(); }

@@ -13,6 +13,7 @@
 #include "geometry/ray.h"
 #include "mesh/tri_mesh.h"
 #include "session/gesture.h"
+#include "session/history.h"
 #include "session/settings.h"
 #include "session/viewport.h"
 
@@ -50,7 +51,8 @@ class Session {
     // One target for each point. Cost: O(active set). A refusal leaves the frame before.
     std::optional<std::string> drag_to(std::span<const Vec3> targets);
     const Frame& last_frame() const;
-    // The command it came to; none if it moved nothing. The step is then in the history.
+    // The command it came to; none if its targets are its points. It is a step in the history if it
+    // has changed anything.
     std::optional<command::Drag> end_drag();
     void cancel_drag();  // gives everything back, to the byte
     bool is_dragging() const;
@@ -72,6 +74,7 @@ class Session {
     // --- For who shows them.
     const AdaptSettings& adapt_settings() const;
     const LatticeSettings& lattice_settings() const;
+    const AdaptOutcome& outcome() const;  // of the mesh as it is
     std::size_t undo_count() const;
     std::size_t redo_count() const;
 

@@ -197,6 +197,45 @@ TEST_F(EditorTest, RecordReplaysToTheSameMesh) {
     EXPECT_FALSE(read("window.obj").empty());
 }
 
+// A drag that reaches no vertex changes nothing, but its lattice is in use from then on.
+TEST_F(EditorTest, RecordHoldsDragsThatChangeNothingButTheLattice) {
+    Editor editor = this->editor(Recorder(path("record.jsonl")), 2);
+    editor.execute(command::Adapt{.enabled = false});
+    editor.set_radius(editor.least_radius());
+    drag(editor, kMiddle + Vec2(13, 7), kMiddle + Vec2(40, -20));
+    EXPECT_EQ(editor.session().undo_count(), 0u);
+    editor.execute(command::Adapt{.enabled = true, .l_max = Setting::of(0.05)});
+    editor.execute(command::Readapt{});
+    Session replayed;
+    std::istringstream record(read("record.jsonl"));
+    ScriptReader reader(record);
+    while (const auto line = reader.next()) {
+        ASSERT_FALSE(replayed.execute(std::get<Command>(line->command)));
+    }
+    EXPECT_TRUE(replayed.mesh() == editor.session().mesh());
+    EXPECT_GT(replayed.mesh().face_count(), 320u);
+}
+
+TEST_F(EditorTest, DialogsTakeAllInputFromTheMomentTheyAreAskedFor) {
+    Editor editor = this->editor();
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    const double radius = editor.radius();
+    editor.perform(Action::open);
+    editor.handle(event::Character{'['});
+    editor.handle(event::Press{MouseButton::left, kMiddle, {}});
+    EXPECT_FALSE(editor.sculptor().is_dragging());
+    EXPECT_EQ(editor.radius(), radius);
+    editor.handle(event::Close{});
+    EXPECT_TRUE(editor.question);
+    EXPECT_FALSE(editor.browser) << "two dialogs at once";
+}
+
+TEST_F(EditorTest, RecordingOverAModelIsRefused) {
+    write("model.obj", kTetrahedron);
+    EXPECT_THROW(Recorder(path("model.obj")), std::exception);
+    EXPECT_EQ(read("model.obj"), kTetrahedron);
+}
+
 TEST_F(EditorTest, ARecordKeepsALineAsSoonAsTheCommandIsDone) {
     Editor editor = this->editor(Recorder(path("record.jsonl")));
     EXPECT_EQ(read("record.jsonl"),
