@@ -168,8 +168,14 @@ float WindowHost::content_scale() const {
 }
 
 void WindowHost::install_callbacks() {
+    glfwSetWindowUserPointer(window_.get(), this);
+    listen_to_mouse();
+    listen_to_keyboard();
+    listen_to_window();
+}
+
+void WindowHost::listen_to_mouse() {
     GLFWwindow* const window = window_.get();
-    glfwSetWindowUserPointer(window, this);
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         WindowHost& host = host_of(w);
         host.cursor_ = {x, y};
@@ -192,6 +198,10 @@ void WindowHost::install_callbacks() {
         WindowHost& host = host_of(w);
         append(host.events_, event::Scroll{y, host.cursor_});
     });
+}
+
+void WindowHost::listen_to_keyboard() {
+    GLFWwindow* const window = window_.get();
     glfwSetKeyCallback(window, [](GLFWwindow* w, int key, int scancode, int action, int mods) {
         WindowHost& host = host_of(w);
         const Key which = key_of(key, scancode);
@@ -206,11 +216,22 @@ void WindowHost::install_callbacks() {
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int code) {
         append(host_of(w).events_, event::Character{code});
     });
+}
+
+void WindowHost::listen_to_window() {
+    GLFWwindow* const window = window_.get();
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
         append(host_of(w).events_, event::Drop{{paths, paths + count}});
     });
     glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int width, int height) {
         append(host_of(w).events_, event::Resize{{width, height}});
+    });
+    // Uncovered, restored, or with another scale: what is shown has to be drawn again.
+    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) {
+        append(host_of(w).events_, event::Resize{host_of(w).size()});
+    });
+    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) {
+        append(host_of(w).events_, event::Resize{host_of(w).size()});
     });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides

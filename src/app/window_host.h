@@ -43,6 +43,9 @@ class WindowHost {
         void operator()(GLFWwindow* window) const;
     };
     void install_callbacks();
+    void listen_to_mouse();
+    void listen_to_keyboard();
+    void listen_to_window();
 
     Library library_;
     std::unique_ptr<GLFWwindow, Destroy> window_;

@@ -162,6 +162,7 @@ TEST_F(WindowTest, LettingGoOfASliderReadaptsTheObject) {
         eventually([&] { return recorded("\"theta_max\"") > 0; }, 300ms);
     }
     ASSERT_TRUE(records("\"theta_max\""));
+    EXPECT_EQ(recorded("\"theta_max\": null"), 0u) << "its toggle, not the slider";
     ASSERT_TRUE(records("\"readapt\""));
     desktop().move(kMiddleX, kMiddleY);
     save_as("window.obj");
