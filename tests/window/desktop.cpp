@@ -101,6 +101,9 @@ std::string missing_for_windows() {
     for (const char* program : {"Xvfb", "xdotool"}) {
         if (!is_installed(program)) return std::string(program) + " is not installed";
     }
+    if (Process({"/usr/bin/python3", "-c", "import Xlib"}, {}).wait(20s) != 0) {
+        return "python3-xlib is not installed";
+    }
     return {};
 }
 
@@ -128,6 +131,14 @@ int Desktop::xdotool(const std::vector<std::string>& words) const {
     const int status = Process(all, environment_).wait(20s).value_or(-1);
     std::this_thread::sleep_for(moment());
     return status;
+}
+
+bool Desktop::drop(const std::string& path) const {
+    const std::vector<std::string> words{"/usr/bin/python3",
+                                         PECTIN_SOURCE_DIR "/tests/window/drop_file.py", path};
+    const int status = Process(words, environment_).wait(20s).value_or(-1);
+    std::this_thread::sleep_for(moment());
+    return status == 0;
 }
 
 void Desktop::move(int x, int y) const {

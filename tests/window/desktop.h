@@ -54,7 +54,8 @@ class Desktop {
     void let_go(const std::string& name) const;
     void type(const std::string& text) const;
     void drag(int from_x, int from_y, int to_x, int to_y) const;
-    void wait_for_dialog() const;  // to come, to go or to show another folder
+    bool drop(const std::string& path) const;  // a file on the window; whether it was taken
+    void wait_for_dialog() const;              // to come, to go or to show another folder
     // Until the program's window is on the display.
     bool shows_window() const;
 

@@ -188,6 +188,22 @@ TEST_F(WindowTest, FileBrowserOpensAModel) {
     EXPECT_TRUE(folder().read("window.obj") == replayed());
 }
 
+TEST_F(WindowTest, DroppingAFileOpensItAndOneThatIsNoModelLeavesTheObject) {
+    folder().write("a wedge.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    folder().write("letter.obj", "Dear tetrahedron\n");
+    open_window();
+    ASSERT_TRUE(desktop().drop(path("a wedge.obj")));
+    ASSERT_TRUE(records("\"open\""));
+    EXPECT_EQ(recorded("a wedge.obj"), 1u);
+    ASSERT_TRUE(desktop().drop(path("letter.obj")));
+    save_as("window.obj");
+    quit();
+    EXPECT_EQ(recorded("letter.obj"), 0u);
+    EXPECT_TRUE(folder().read("window.obj") == replayed());
+    EXPECT_NE(folder().read("window.obj").find("v 0 0 1"), std::string::npos);
+}
+
 TEST_F(WindowTest, ModelOfTheCommandLineIsOpenAndOneThatIsNoneLeavesASphere) {
     folder().write("wedge.obj",
                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
