@@ -57,11 +57,11 @@ std::string grouped(std::uint64_t number) {
 void Panels::draw(Editor& editor, const PictureFigures& figures) {
     const bool had_dialog = editor.browser || editor.question;
     areas_.clear();
+    draw_hint(editor);  // first, so that in a small window the panels lie over it
     draw_menus(editor);
     draw_status(editor, figures);
     draw_radius(editor);
     draw_settings(editor);
-    draw_hint(editor);
     draw_message(editor);
     draw_question(editor);
     draw_file_panel(editor, scale_);

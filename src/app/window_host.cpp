@@ -83,7 +83,20 @@ std::optional<MouseButton> button_of(int button) {
     }
 }
 
-GLFWwindow* make_window(const std::string& title, const IVec2& size) {
+// No larger than the screen has room for, once GLFW has scaled it.
+IVec2 fitting(const IVec2& wanted) {
+    GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
+    if (!monitor) return wanted;
+    IVec2 at{0}, room{0};
+    float x = 1.0f, y = 1.0f;
+    glfwGetMonitorWorkarea(monitor, &at.x, &at.y, &room.x, &room.y);
+    glfwGetMonitorContentScale(monitor, &x, &y);
+    if (room.x <= 0 || room.y <= 0) return wanted;
+    return glm::min(wanted, IVec2(Vec2(room) / Vec2(std::max(x, 1.0f), std::max(y, 1.0f))));
+}
+
+GLFWwindow* make_window(const std::string& title, const IVec2& wanted) {
+    const IVec2 size = fitting(wanted);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MAJOR, 3);
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
