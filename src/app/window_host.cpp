@@ -142,8 +142,8 @@ WindowHost::~WindowHost() = default;
 
 std::vector<InputEvent> WindowHost::take_events(bool waits) {
     if (waits && events_.empty()) {
-        // Not for ever: while drawing, the driver reads from the same connection, and what it reads
-        // there does not wake who waits.
+        // Not for ever, in case the driver, which reads from the same connection while drawing, has
+        // taken an event from there already.
         glfwWaitEventsTimeout(kLongestWait);
     } else {
         glfwPollEvents();
