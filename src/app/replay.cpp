@@ -5,8 +5,8 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
-#include <new>
 
+#include "app/execute.h"
 #include "app/offscreen_viewport.h"
 #include "command/script.h"
 #include "session/session.h"
@@ -14,17 +14,6 @@
 namespace pectin {
 
 namespace {
-
-// What is wrong with the command; nothing if it was done.
-std::optional<std::string> execute(Session& session, const Command& command) {
-    try {
-        return session.execute(command);
-    } catch (const std::bad_alloc&) {
-        return "there is not enough memory; use a lower resolution, budget or model";
-    } catch (const std::exception& error) {
-        return error.what();
-    }
-}
 
 bool replay_lines(std::istream& text, const std::string& title, const std::string& folder,
                   std::ostream& errors) {

@@ -1,23 +1,12 @@
 #include "app/workspace.h"
 
 #include <filesystem>
-#include <new>
 
+#include "app/execute.h"
 #include "session/settings.h"
 
 namespace pectin {
 namespace {
-
-// What is wrong with the command; nothing if it was done.
-std::optional<std::string> attempt(Session& session, const Command& command) {
-    try {
-        return session.execute(command);
-    } catch (const std::bad_alloc&) {
-        return "there is not enough memory; use a lower resolution, budget or model";
-    } catch (const std::exception& error) {
-        return error.what();
-    }
-}
 
 const char* shape_name(command::Shape::Kind kind) {
     switch (kind) {
@@ -39,7 +28,7 @@ const char* shape_name(command::Shape::Kind kind) {
 
 bool Workspace::execute(const Command& command) {
     const std::size_t undo_count = session_.undo_count();
-    if (const auto refusal = attempt(session_, command)) {
+    if (const auto refusal = pectin::execute(session_, command)) {
         tell(*refusal);
         return false;
     }
