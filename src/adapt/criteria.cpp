@@ -3,6 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
+
+#include "adapt/embedding.h"
 
 namespace pectin {
 namespace {
@@ -57,9 +60,16 @@ bool has_deformed_end(const TriMesh& mesh, HalfEdgeId h) {
 
 Criteria::Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
                    const std::optional<Box>& scope)
+    : Criteria(limits, zone ? std::vector{*zone} : std::vector<Box>{}, nullptr) {
+    scope_.reset();
+    if (scope) scope_ = {*scope};
+}
+
+Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones, const Embedding* between)
     : limits_(limits),
-      zone_(zone),
-      scope_(scope),
+      zones_(std::move(zones)),
+      scope_(zones_),
+      between_(between),
       refine_divergence_(one_minus_cosine(limits.theta_max)),
       thin_divergence_(one_minus_cosine(limits.theta_min)) {}
 
@@ -98,13 +108,17 @@ bool Criteria::needs_refinement(const ActiveSet& active, EdgeId e) const {
         divergence(active, e, refine_divergence_) > refine_divergence_) {
         return true;
     }
-    if (!zone_ || !(mesh.squared_length(e) > square(limits_.l_max))) return false;
-    const auto face_meets_zone = [&](HalfEdgeId side) {
-        return meets_zone(active, mesh.origin(side), mesh.target(side),
-                          mesh.origin(TriMesh::prev(side)));
+    if (zones_.empty() || limits_.l_max == kOff) return false;
+    const bool is_long = mesh.squared_length(e) > square(limits_.l_max);
+    if (!is_long && !between_) return false;
+    const auto side_needs = [&](HalfEdgeId side) {
+        const VertexId a = mesh.origin(TriMesh::prev(side));
+        const VertexId b = mesh.origin(side), c = mesh.target(side);
+        return (is_long && meets_zone(active, b, c, a)) ||
+               (between_ && between_->is_long_between_steps(a, b, c, limits_.l_max));
     };
     const HalfEdgeId twin = mesh.twin(h);
-    return face_meets_zone(h) || (exists(twin) && face_meets_zone(twin));
+    return side_needs(h) || (exists(twin) && side_needs(twin));
 }
 
 bool Criteria::is_below_floor(const TriMesh& mesh, EdgeId e) const {
@@ -145,15 +159,19 @@ bool Criteria::merged_edge_is_fine(const ActiveSet& active, const Star& star) co
 
 // No edge of a restored face longer than l_max would belong to a face that meets the zone.
 bool Criteria::restored_faces_fit(const ActiveSet& active, const Star& star) const {
-    if (!zone_ || limits_.l_max == kOff) return true;
+    if (zones_.empty() || limits_.l_max == kOff) return true;
     const TriMesh& mesh = active.mesh();
     const auto too_long = [&](VertexId p, VertexId q) {
         const Vec3 along = mesh.position(q) - mesh.position(p);
         return glm::dot(along, along) > square(limits_.l_max);
     };
     const auto fits = [&](VertexId a, VertexId b, VertexId c) {
-        return !(too_long(a, b) || too_long(b, c) || too_long(c, a)) ||
-               !meets_zone(active, a, b, c);
+        if ((too_long(a, b) || too_long(b, c) || too_long(c, a)) && meets_zone(active, a, b, c)) {
+            return false;
+        }
+        return !between_ || !(between_->is_long_between_steps(a, b, c, limits_.l_max) ||
+                              between_->is_long_between_steps(b, c, a, limits_.l_max) ||
+                              between_->is_long_between_steps(c, a, b, limits_.l_max));
     };
     return fits(star.a, star.b, star.c) && (star.on_boundary() || fits(star.d, star.c, star.b));
 }
@@ -182,16 +200,20 @@ bool Criteria::is_flat(const TriMesh& mesh, const Star& star) const {
 bool Criteria::star_meets_scope(const ActiveSet& active, const Star& star) const {
     if (!scope_) return true;
     const auto meets = [&](VertexId p, VertexId q) {
-        return triangle_meets_box(active.rest_position(star.m), active.rest_position(p),
-                                  active.rest_position(q), *scope_);
+        return std::any_of(scope_->begin(), scope_->end(), [&](const Box& box) {
+            return triangle_meets_box(active.rest_position(star.m), active.rest_position(p),
+                                      active.rest_position(q), box);
+        });
     };
     return meets(star.c, star.a) || meets(star.a, star.b) ||
            (!star.on_boundary() && (meets(star.b, star.d) || meets(star.d, star.c)));
 }
 
 bool Criteria::meets_zone(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const {
-    return triangle_meets_box(active.rest_position(a), active.rest_position(b),
-                              active.rest_position(c), *zone_);
+    return std::any_of(zones_.begin(), zones_.end(), [&](const Box& box) {
+        return triangle_meets_box(active.rest_position(a), active.rest_position(b),
+                                  active.rest_position(c), box);
+    });
 }
 
 }  // namespace pectin

@@ -6,11 +6,14 @@
 #include <cstdint>
 #include <limits>
 #include <optional>
+#include <vector>
 
 #include "geometry/box.h"
 #include "mesh/active_set.h"
 
 namespace pectin {
+
+class Embedding;
 
 inline constexpr double kOff = std::numeric_limits<double>::infinity();
 
@@ -33,12 +36,16 @@ class Criteria {
     // scope: only vertices whose star meets it may go; none means all.
     Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
              const std::optional<Box>& scope);
+    // Of a gesture: the zones of its warp are both. between: tests edges against l_max also where
+    // the later steps of a warp find them; must outlive this.
+    Criteria(const AdaptLimits& limits, std::vector<Box> zones, const Embedding* between);
 
     const AdaptLimits& limits() const { return limits_; }
 
     // --- Refinement
     // An end is deformed and the end normals on one side diverge by more than theta_max, or it
-    // is longer than l_max and belongs to a face that meets the zone.
+    // is longer than l_max and belongs to a face that meets the zone; or was so between the steps
+    // of the warp (Embedding::is_long_between_steps).
     bool needs_refinement(const ActiveSet& active, EdgeId e) const;
     // Whether its halves would be shorter than the floor.
     bool is_below_floor(const TriMesh& mesh, EdgeId e) const;
@@ -67,7 +74,9 @@ class Criteria {
     bool meets_zone(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const;
 
     AdaptLimits limits_;
-    std::optional<Box> zone_, scope_;
+    std::vector<Box> zones_;
+    std::optional<std::vector<Box>> scope_;
+    const Embedding* between_ = nullptr;
     double refine_divergence_ = kOff, thin_divergence_ = kOff;
 };
 

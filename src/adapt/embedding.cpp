@@ -6,131 +6,197 @@ namespace pectin {
 
 void Embedding::embed() {
     stages_.assign(warp_.steps.size(), {});
-    resize();
+    normals_.clear();
+    has_folded_.clear();
     for (std::size_t step = 0; step < stages_.size(); ++step) {
-        const Warp::Step& s = warp_.steps[step];
-        for (std::uint32_t i = 0; i < active_.influenced_at_begin(); ++i) embed_entry(step, i);
-        if (step + 1 == stages_.size()) break;
-        // Where this step leaves them is where the next finds them.
-        for (std::uint32_t i = 0; i < active_.influenced_at_begin(); ++i) {
-            stages_[step + 1].positions[i] =
-                displaced(start_position(step, i), weights(step, i), s.displacements);
+        stages_[step].zones = zones_of(warp_.steps[step]);
+    }
+    resize();
+    for (std::uint32_t w = 0; w < normals_.size(); ++w) normals_[w] = active_.rest_normal_at(w);
+    std::vector<DragWeight> all;
+    for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
+        const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
+        const std::size_t count = drag ? drag->displacements.size() : 0;
+        all.assign(count * active_.vertex_entries(), {});
+        const auto of_entry = [&](std::uint32_t i) {
+            return std::span(all).subspan(i * count, count);
+        };
+        for (std::uint32_t i = 0; i < active_.vertex_entries(); ++i) {
+            if (i < active_.influenced_at_begin()) weigh(step, i, of_entry(i));
+            advance(step, i, of_entry(i));
         }
-        for (std::uint32_t i = 0; i < active_.influenced_wedges_at_begin(); ++i) {
-            stages_[step + 1].normals[i] = covariant_normal(
-                start_normal(step, i), weights(step, active_.wedge_owner(i)), s.displacements);
+        for (std::uint32_t w = 0; w < active_.influenced_wedges_at_begin(); ++w) {
+            turn(step, w, of_entry(active_.wedge_owner(w)));
         }
     }
+    for (std::uint32_t i = 0; i < active_.influenced_at_begin(); ++i) embed_entry(i);
 }
 
 void Embedding::resize() {
-    for (std::size_t step = 0; step < stages_.size(); ++step) {
-        Stage& stage = stages_[step];
-        const std::size_t moves = warp_.steps[step].field.move_count();
-        stage.weights.resize(active_.vertex_entries() * moves);
-        if (step == 0) continue;
-        stage.positions.resize(active_.vertex_entries());
-        stage.normals.resize(active_.wedge_entries());
+    weights_.resize(active_.vertex_entries() * (stages_.empty() ? 0 : moves()));
+    if (stages_.size() < 2) return;
+    for (std::size_t step = 1; step < stages_.size(); ++step) {
+        stages_[step].positions.resize(active_.vertex_entries());
     }
+    normals_.resize(active_.wedge_entries());
+    has_folded_.resize(active_.vertex_entries());
 }
 
 const Vec3& Embedding::start_position(std::size_t step, std::uint32_t entry) const {
     return step == 0 ? active_.rest_position_at(entry) : stages_[step].positions[entry];
 }
 
-const Vec3f& Embedding::start_normal(std::size_t step, std::uint32_t entry) const {
-    return step == 0 ? active_.rest_normal_at(entry) : stages_[step].normals[entry];
+const Vec3f& Embedding::start_normal(std::uint32_t entry) const {
+    return stages_.size() < 2 ? active_.rest_normal_at(entry) : normals_[entry];
 }
 
-std::span<const DragWeight> Embedding::weights(std::size_t step, std::uint32_t entry) const {
-    const std::size_t moves = warp_.steps[step].field.move_count();
-    return std::span(stages_[step].weights).subspan(entry * moves, moves);
+std::span<const DragWeight> Embedding::weights(std::uint32_t entry) const {
+    return std::span(weights_).subspan(entry * moves(), moves());
 }
 
-void Embedding::embed_entry(std::size_t step, std::uint32_t entry) {
-    const DragField& field = warp_.steps[step].field;
-    const std::size_t moves = field.move_count();
-    field.weights(start_position(step, entry),
-                  std::span(stages_[step].weights).subspan(entry * moves, moves));
+// --- A step before the last
+
+void Embedding::weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> out) const {
+    const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
+    if (drag) drag->weights(start_position(step, entry), out);
+}
+
+void Embedding::advance(std::size_t step, std::uint32_t entry, std::span<const DragWeight> w) {
+    const Vec3& from = start_position(step, entry);
+    Vec3& to = stages_[step + 1].positions[entry];
+    bool folds = false;
+    if (!active_.is_influenced_at(entry)) {
+        to = from;
+    } else if (const auto* drag = std::get_if<DragStep>(&warp_.steps[step])) {
+        to = displaced(from, w, drag->displacements);
+        folds = jacobian_determinant(w, drag->displacements) <= 0.0;
+    } else {
+        const auto& field = std::get<LatticeField>(warp_.steps[step]);
+        to = from + field.displacement(from);
+        folds = glm::determinant(field.jacobian(from)) <= 0.0;
+    }
+    // An entry that is used again starts anew.
+    has_folded_[entry] = folds || (step > 0 && has_folded_[entry] != 0) ? 1 : 0;
+}
+
+void Embedding::turn(std::size_t step, std::uint32_t wedge, std::span<const DragWeight> w) {
+    Vec3f& normal = normals_[wedge];
+    if (const auto* drag = std::get_if<DragStep>(&warp_.steps[step])) {
+        normal = covariant_normal(normal, w, drag->displacements);
+    } else {
+        const Vec3& from = start_position(step, active_.wedge_owner(wedge));
+        normal = covariant(std::get<LatticeField>(warp_.steps[step]).jacobian(from), normal);
+    }
+}
+
+bool Embedding::is_long_between_steps(VertexId a, VertexId b, VertexId c, double l_max) const {
+    for (std::size_t step = 1; step < stages_.size(); ++step) {
+        const auto position = [&](VertexId v) {
+            const auto entry = active_.entry_of(v);
+            return entry ? stages_[step].positions[*entry] : active_.mesh().position(v);
+        };
+        const Vec3 p = position(b), q = position(c), along = q - p;
+        if (!(glm::dot(along, along) > l_max * l_max)) continue;
+        const Vec3 r = position(a);
+        for (const Box& zone : stages_[step].zones) {
+            if (triangle_meets_box(r, p, q, zone)) return true;
+        }
+    }
+    return false;
+}
+
+// --- The last step
+
+void Embedding::embed_entry(std::uint32_t entry) {
+    if (const DragStep* drag = last_drag()) {
+        drag->weights(start_position(last(), entry),
+                      std::span(weights_).subspan(entry * moves(), moves()));
+    }
 }
 
 void Embedding::deform() {
     if (stages_.empty()) return;
-    const std::size_t last = stages_.size() - 1;
-    deform_vertices(last, 0, active_.influenced_at_begin());
-    deform_wedges(last, 0, active_.influenced_wedges_at_begin());
+    deform_vertices(0, active_.influenced_at_begin());
+    deform_wedges(0, active_.influenced_wedges_at_begin());
     // Those that earlier frames have inserted.
-    resize();
-    deform_vertices(last, active_.influenced_at_begin(), active_.vertex_entries());
-    deform_wedges(last, active_.influenced_wedges_at_begin(), active_.wedge_entries());
+    deform_vertices(active_.influenced_at_begin(), active_.vertex_entries());
+    deform_wedges(active_.influenced_wedges_at_begin(), active_.wedge_entries());
 }
 
-void Embedding::deform_vertices(std::size_t step, std::uint32_t first, std::uint32_t last) {
+void Embedding::deform_vertices(std::uint32_t first, std::uint32_t end) {
     TriMesh& mesh = active_.mesh();
-    const std::span<const Vec3> d(warp_.steps[step].displacements);
-    for (std::uint32_t i = first; i < last; ++i) {
+    const DragStep* drag = last_drag();
+    for (std::uint32_t i = first; i < end; ++i) {
         const VertexId v = active_.vertex(i);
         if (!exists(v) || !active_.is_influenced_at(i)) continue;
-        const Vec3 position = displaced(start_position(step, i), weights(step, i), d);
+        const Vec3& from = start_position(last(), i);
+        const Vec3 position =
+            drag ? displaced(from, weights(i), drag->displacements)
+                 : from + std::get<LatticeField>(warp_.steps.back()).displacement(from);
         mesh.set_position(v, position);
         mesh.set_deformed(v, active_.was_deformed_at(i) || position != active_.rest_position_at(i));
     }
 }
 
-void Embedding::deform_wedges(std::size_t step, std::uint32_t first, std::uint32_t last) {
+void Embedding::deform_wedges(std::uint32_t first, std::uint32_t end) {
     TriMesh& mesh = active_.mesh();
-    const std::span<const Vec3> d(warp_.steps[step].displacements);
-    for (std::uint32_t i = first; i < last; ++i) {
+    const DragStep* drag = last_drag();
+    for (std::uint32_t i = first; i < end; ++i) {
         const WedgeId w = active_.wedge(i);
-        if (!exists(w) || !active_.is_influenced_at(active_.wedge_owner(i))) continue;
+        const std::uint32_t owner = active_.wedge_owner(i);
+        if (!exists(w) || !active_.is_influenced_at(owner)) continue;
         mesh.set_normal(
-            w, covariant_normal(start_normal(step, i), weights(step, active_.wedge_owner(i)), d));
+            w, drag ? covariant_normal(start_normal(i), weights(owner), drag->displacements)
+                    : covariant(std::get<LatticeField>(warp_.steps.back())
+                                    .jacobian(start_position(last(), owner)),
+                                start_normal(i)));
     }
 }
 
 void Embedding::place(const ActiveSet::Inserted& inserted) {
     const std::uint32_t entry = inserted.vertex_entry;
-    if (stages_.empty() || !active_.is_influenced_at(entry)) return;
+    if (stages_.empty()) return;
     resize();
-    for (std::size_t step = 0; step < stages_.size(); ++step) {
-        embed_entry(step, entry);
-        if (step + 1 == stages_.size()) break;
-        const std::span<const Vec3> d(warp_.steps[step].displacements);
-        Stage& next = stages_[step + 1];
-        next.positions[entry] = displaced(start_position(step, entry), weights(step, entry), d);
-        for (std::uint32_t w : {inserted.left_wedge_entry, inserted.right_wedge_entry}) {
-            next.normals[w] = covariant_normal(start_normal(step, w), weights(step, entry), d);
-        }
+    const bool has_two = inserted.right_wedge_entry != inserted.left_wedge_entry;
+    const auto for_each_wedge = [&](const auto& visit) {
+        visit(inserted.left_wedge_entry);
+        if (has_two) visit(inserted.right_wedge_entry);
+    };
+    if (stages_.size() > 1) {
+        for_each_wedge([&](std::uint32_t w) { normals_[w] = active_.rest_normal_at(w); });
     }
-    const std::size_t last = stages_.size() - 1;
-    deform_vertices(last, entry, entry + 1);
-    deform_wedges(last, inserted.left_wedge_entry, inserted.left_wedge_entry + 1);
-    if (inserted.right_wedge_entry != inserted.left_wedge_entry) {
-        deform_wedges(last, inserted.right_wedge_entry, inserted.right_wedge_entry + 1);
+    const bool moves = active_.is_influenced_at(entry);
+    for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
+        const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
+        scratch_.assign(drag ? drag->displacements.size() : 0, {});
+        if (moves) weigh(step, entry, scratch_);
+        if (moves) for_each_wedge([&](std::uint32_t w) { turn(step, w, scratch_); });
+        advance(step, entry, scratch_);
     }
+    if (!moves) return;
+    embed_entry(entry);
+    deform_vertices(entry, entry + 1);
+    for_each_wedge([&](std::uint32_t w) { deform_wedges(w, w + 1); });
 }
 
 std::uint64_t Embedding::folded_vertices() const {
+    if (stages_.empty()) return 0;
     std::uint64_t folded = 0;
     for (std::uint32_t i = 0; i < active_.vertex_entries(); ++i) {
         if (!exists(active_.vertex(i)) || !active_.is_influenced_at(i)) continue;
-        for (std::size_t step = 0; step < stages_.size(); ++step) {
-            if (jacobian_determinant(weights(step, i), warp_.steps[step].displacements) <= 0.0) {
-                ++folded;
-                break;
-            }
-        }
+        const bool folds_last =
+            last_drag() ? jacobian_determinant(weights(i), last_drag()->displacements) <= 0.0
+                        : glm::determinant(std::get<LatticeField>(warp_.steps.back())
+                                               .jacobian(start_position(last(), i))) <= 0.0;
+        if (folds_last || (stages_.size() > 1 && has_folded_[i] != 0)) ++folded;
     }
     return folded;
 }
 
 std::size_t Embedding::memory_bytes() const {
-    std::size_t bytes = 0;
-    for (const Stage& stage : stages_) {
-        bytes += stage.positions.capacity() * sizeof(Vec3) +
-                 stage.normals.capacity() * sizeof(Vec3f) +
-                 stage.weights.capacity() * sizeof(DragWeight);
-    }
+    std::size_t bytes = normals_.capacity() * sizeof(Vec3f) +
+                        weights_.capacity() * sizeof(DragWeight) + has_folded_.capacity();
+    for (const Stage& stage : stages_) bytes += stage.positions.capacity() * sizeof(Vec3);
     return bytes;
 }
 

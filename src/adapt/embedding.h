@@ -13,12 +13,13 @@
 namespace pectin {
 
 // Entries are those of the active set. Holds references to both; call embed() first.
-// Without steps nothing moves.
+// Without steps nothing moves. Only the last step's displacements may change after embed().
 class Embedding {
   public:
     Embedding(ActiveSet& active, const Warp& warp) : active_(active), warp_(warp) {}
 
-    // Weights of every influenced vertex. Cost: O(influenced).
+    // Every influenced vertex as the last step finds it, and its weights there. Cost: O(influenced)
+    // a step.
     void embed();
     // Positions, wedge normals and deformed marks of all influenced vertices from their rest
     // state, by the warp's present displacements. Cost: O(influenced), streaming.
@@ -30,25 +31,43 @@ class Embedding {
     std::uint64_t folded_vertices() const;
     std::size_t memory_bytes() const;
 
+    // --- Between the steps.
+    // Whether the edge bc of the face abc is longer than l_max where a step but the first finds it,
+    // and the face meets that step's zone there: what the step does inside it would go unseen.
+    bool is_long_between_steps(VertexId a, VertexId b, VertexId c, double l_max) const;
+
   private:
-    // One step of the warp: where the entries are before it, and their weights in it.
+    // Where a step finds the entries.
     struct Stage {
-        std::vector<Vec3> positions;      // of the vertex entries; empty in the first stage (rest)
-        std::vector<Vec3f> normals;       // of the wedge entries; empty in the first stage (rest)
-        std::vector<DragWeight> weights;  // vertex entries x moves, entry-major
+        std::vector<Vec3> positions;  // of the vertex entries; empty in the first (rest)
+        std::vector<Box> zones;       // of the step
     };
 
+    const DragStep* last_drag() const { return std::get_if<DragStep>(&warp_.steps.back()); }
+    std::size_t last() const { return stages_.size() - 1; }
+    std::size_t moves() const { return last_drag() ? last_drag()->displacements.size() : 0; }
     void resize();
-    void embed_entry(std::size_t step, std::uint32_t entry);
-    void deform_vertices(std::size_t step, std::uint32_t first, std::uint32_t last);
-    void deform_wedges(std::size_t step, std::uint32_t first, std::uint32_t last);
+
+    // --- A step before the last. weights: what weigh() has found, of a drag.
+    void weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> weights) const;
+    void advance(std::size_t step, std::uint32_t entry, std::span<const DragWeight> weights);
+    void turn(std::size_t step, std::uint32_t wedge, std::span<const DragWeight> weights);
+
+    // --- The last step, every frame.
+    void embed_entry(std::uint32_t entry);
+    void deform_vertices(std::uint32_t first, std::uint32_t last);
+    void deform_wedges(std::uint32_t first, std::uint32_t last);
     const Vec3& start_position(std::size_t step, std::uint32_t entry) const;
-    const Vec3f& start_normal(std::size_t step, std::uint32_t entry) const;
-    std::span<const DragWeight> weights(std::size_t step, std::uint32_t entry) const;
+    const Vec3f& start_normal(std::uint32_t entry) const;
+    std::span<const DragWeight> weights(std::uint32_t entry) const;
 
     ActiveSet& active_;
     const Warp& warp_;
-    std::vector<Stage> stages_;
+    std::vector<Stage> stages_;             // one a step
+    std::vector<Vec3f> normals_;            // of the wedge entries before the last step, if several
+    std::vector<DragWeight> weights_;       // of a drag as last step: vertex entries x moves
+    std::vector<std::uint8_t> has_folded_;  // vertex entries, in a step before the last
+    std::vector<DragWeight> scratch_;
 };
 
 }  // namespace pectin

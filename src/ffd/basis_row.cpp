@@ -7,8 +7,10 @@
 #include "ffd/basis.h"
 
 namespace pectin {
+namespace {
 
-BasisRow basis_row(const Lattice& lattice, const Vec3& x) {
+// along: the axis that is differentiated, or −1.
+BasisRow row_of(const Lattice& lattice, const Vec3& x, int along) {
     assert(lattice.influences(x));
     const Vec3 u = lattice.parameter(x);
     BasisRow row{.length = 1.0};
@@ -20,7 +22,9 @@ BasisRow basis_row(const Lattice& lattice, const Vec3& x) {
         for (std::size_t k = 0; k < 4; ++k) {
             const int control = span.first + static_cast<int>(k);
             const bool moves = control >= 0 && control < lattice.deformable[at];
-            row.coefficient[axis][k] = moves ? span.value[k] : 0.0;
+            const double basis =
+                at == along ? span.derivative[k] / lattice.cell[at] : span.value[k];
+            row.coefficient[axis][k] = moves ? basis : 0.0;
             squared += row.coefficient[axis][k] * row.coefficient[axis][k];
         }
         const double length = std::sqrt(squared);
@@ -29,6 +33,14 @@ BasisRow basis_row(const Lattice& lattice, const Vec3& x) {
         for (double& coefficient : row.coefficient[axis]) coefficient /= length;
     }
     return row;
+}
+
+}  // namespace
+
+BasisRow basis_row(const Lattice& lattice, const Vec3& x) { return row_of(lattice, x, -1); }
+
+BasisRow basis_derivative_row(const Lattice& lattice, const Vec3& x, int along) {
+    return row_of(lattice, x, along);
 }
 
 double dot(const BasisRow& a, const BasisRow& b) {

@@ -20,6 +20,10 @@ struct BasisRow {
 // Precondition: the lattice influences x.
 BasisRow basis_row(const Lattice& lattice, const Vec3& x);
 
+// The row of ∂b/∂x[along], per world unit. Length 0 where no displacement of the lattice has such a
+// derivative. Precondition: the lattice influences x.
+BasisRow basis_derivative_row(const Lattice& lattice, const Vec3& x, int along);
+
 // The scalar product of two rows of unit length: an entry of the normalised Gram matrix.
 double dot(const BasisRow& a, const BasisRow& b);
 

@@ -108,6 +108,21 @@ void DragField::weights(std::span<const Vec3> points, std::span<DragWeight> out)
     }
 }
 
+void DragField::exact_weights(const Vec3& x, std::size_t first, std::span<ExactWeight> out) const {
+    assert(first + out.size() <= move_count_);
+    std::fill(out.begin(), out.end(), ExactWeight{});
+    if (!zone_.contains_strictly(x)) return;
+    const Location at = locate(x);
+    for (std::size_t a = 0; a < products_.size(); ++a) {
+        const Value term = evaluate(products_[a], at);
+        for (std::size_t m = 0; m < out.size(); ++m) {
+            const double factor = inverse_[(first + m) * products_.size() + a];
+            out[m].w += factor * term.value;
+            out[m].gradient += factor * term.derivative * inverse_cell_;
+        }
+    }
+}
+
 std::vector<Vec3> DragField::control_displacements(std::span<const Vec3> displacements) const {
     assert(displacements.size() == move_count_);
     std::vector<Vec3> controls(lattice_.control_count(), Vec3{0.0});

@@ -43,6 +43,13 @@ class DragField {
     // out: n_points × move_count, point-major; each point as by the function above, to the bit.
     void weights(std::span<const Vec3> points, std::span<DragWeight> out) const;
 
+    // The same before it is rounded, of the moves from `first` on: for sums that cancel.
+    struct ExactWeight {
+        double w = 0.0;
+        Vec3 gradient{0.0};
+    };
+    void exact_weights(const Vec3& x, std::size_t first, std::span<ExactWeight> out) const;
+
     // ΔP = Bᵀ(BBᵀ)⁻¹ d, in the order of Lattice::control_index. displacements: move_count.
     std::vector<Vec3> control_displacements(std::span<const Vec3> displacements) const;
 

@@ -2,6 +2,7 @@
 
 #include <Eigen/Dense>
 #include <algorithm>
+#include <array>
 #include <cassert>
 #include <cmath>
 #include <utility>
@@ -58,45 +59,43 @@ DragRefusal refuse_difference(const Vec3& point, const Vec3& a, const Vec3& b) {
             decimal(b) + "; moves of one point must agree"};
 }
 
+DragRefusal refuse_turn(const Vec3& point) {
+    return {"the lattice has too few control points about " + decimal(point) +
+            " to twist or scale there; take a larger span, or more control points an axis"};
+}
+
+DragRefusal refuse_jacobian(const Vec3& point) {
+    return {"move point " + decimal(point) +
+            " is asked to turn in different ways; moves of one point must agree"};
+}
+
+DragRefusal refuse_off_plane(const MirrorPlane& plane, const Vec3& point, const Vec3& d) {
+    return {"move point " + decimal(point) +
+            " is on the symmetry plane and can only move within it, for instance to " +
+            decimal(plane.onto(point + d)) + ", not to " + decimal(point + d) +
+            "; or switch symmetry off"};
+}
+
+DragRefusal refuse_near_plane(const MirrorPlane& plane, const Vec3& point) {
+    return {"move point " + decimal(point) +
+            " is so close to the symmetry plane that moving it and its image apart would tear the "
+            "object; take the point on the plane, " +
+            decimal(plane.onto(point)) + ", or one farther away from it"};
+}
+
+DragRefusal refuse_asymmetric_turn(const MirrorPlane& plane, const Vec3& point) {
+    return {"move point " + decimal(point) +
+            " is on the symmetry plane and can only be twisted about its normal, " +
+            std::string("xyz").substr(static_cast<std::size_t>(plane.axis), 1) +
+            "; take that axis, or switch symmetry off"};
+}
+
 DragRefusal refuse_pinned(const Vec3& point, const Vec3& d) {
     return {"move point " + decimal(point) + " is pinned and asked to move by " + decimal(d) +
             "; take the pin away or do not move the point"};
 }
 
 // --- Constraints ---
-
-// The distinct constrained points and their rows, moves first.
-struct Constraints {
-    std::vector<Vec3> points;
-    std::vector<BasisRow> rows;
-
-    // Where `point` stands among the points, or their number.
-    std::size_t find(const Vec3& point) const {
-        return static_cast<std::size_t>(std::find(points.begin(), points.end(), point) -
-                                        points.begin());
-    }
-    // Adds a point unless it is there already or no control point reaches it; returns whether the
-    // number of points is still one to work with.
-    bool add(const Lattice& lattice, const Vec3& point) {
-        if (find(point) < points.size()) return true;
-        const BasisRow row = basis_row(lattice, point);
-        if (!(row.length > 0.0)) return true;
-        points.push_back(point);
-        rows.push_back(row);
-        return points.size() <= kMaxConstraints;
-    }
-};
-
-std::optional<DragRefusal> check_moves(const Lattice& lattice, std::span<const Vec3> points) {
-    if (points.empty()) return DragRefusal{"a drag needs at least one point to move"};
-    const Box zone = lattice.influenced_zone();
-    for (const Vec3& point : points) {
-        if (!zone.contains_strictly(point)) return refuse_outside(point, zone);
-        const double gain = control_gain(basis_row(lattice, point));  // nan for a row of zeros
-        if (!(gain <= kMaxControlGain)) return refuse_border(point, zone);
-    }
-    return std::nullopt;
-}
 
 std::optional<DragRefusal> check_pins(std::span<const Vec3> pins) {
     const auto wrong = std::find_if_not(pins.begin(), pins.end(), is_finite);
@@ -105,7 +104,7 @@ std::optional<DragRefusal> check_pins(std::span<const Vec3> pins) {
                        " is not a point; its coordinates must be finite"};
 }
 
-// The pair of points whose rows are the most nearly parallel.
+// The pair of constraints whose rows are the most nearly parallel.
 std::pair<std::size_t, std::size_t> most_dependent(const Eigen::MatrixXd& gram) {
     std::pair<std::size_t, std::size_t> worst{0, 0};
     double largest = -1.0;
@@ -121,7 +120,7 @@ std::pair<std::size_t, std::size_t> most_dependent(const Eigen::MatrixXd& gram) 
 
 // BBᵀ with B's rows scaled to unit length, so that a pin near the border, whose basis values are
 // tiny, is as well conditioned as any other.
-Eigen::MatrixXd normalised_gram(std::span<const BasisRow> rows) {
+Eigen::MatrixXd normalised_gram(std::span<const Constraint> rows) {
     const auto size = static_cast<Eigen::Index>(rows.size());
     Eigen::MatrixXd gram(size, size);
     for (Eigen::Index i = 0; i < size; ++i) {
@@ -133,88 +132,271 @@ Eigen::MatrixXd normalised_gram(std::span<const BasisRow> rows) {
     return gram;
 }
 
-// The first `moves` rows of the inverse Gram matrix, each scaled to the drag of its move.
-std::variant<std::vector<double>, DragRefusal> invert(const Constraints& constraints,
-                                                      std::size_t moves, const Lattice& lattice) {
-    const Eigen::MatrixXd gram = normalised_gram(constraints.rows);
+// The first `driven` rows of the inverse Gram matrix, each scaled to what its row is asked for:
+// column-major, rows × driven.
+std::variant<Eigen::MatrixXd, DragRefusal> invert(std::span<const Constraint> rows,
+                                                  std::size_t driven, const Lattice& lattice) {
+    const Eigen::MatrixXd gram = normalised_gram(rows);
     const Eigen::LDLT<Eigen::MatrixXd> factors(gram);
     if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() >= kMinIndependence)) {
         const auto [a, b] = most_dependent(gram);
-        return refuse_dependent(constraints.points[a], constraints.points[b],
-                                constraints.points.size(), lattice.control_count());
+        return refuse_dependent(rows[a].key.point, rows[b].key.point, rows.size(),
+                                lattice.control_count());
     }
-    const auto count = static_cast<Eigen::Index>(moves);
+    const auto count = static_cast<Eigen::Index>(driven);
     Eigen::MatrixXd solved = factors.solve(Eigen::MatrixXd::Identity(gram.rows(), count));
     for (Eigen::Index m = 0; m < count; ++m) {
-        solved.col(m) /= constraints.rows[static_cast<std::size_t>(m)].length;
+        solved.col(m) /= rows[static_cast<std::size_t>(m)].length;
     }
-    return std::vector<double>(solved.data(), solved.data() + solved.size());
-}
-
-// One row for every move out of one for every distinct moved point: the first move there has it,
-// those that repeat it have zeros, so that the displacement counts once.
-std::vector<double> spread(std::span<const double> rows, std::span<const std::size_t> first_there,
-                           std::size_t move_count) {
-    const std::size_t width = rows.size() / first_there.size();
-    std::vector<double> all(move_count * width, 0.0);
-    for (std::size_t place = 0; place < first_there.size(); ++place) {
-        std::copy_n(&rows[place * width], width, &all[first_there[place] * width]);
-    }
-    return all;
+    return solved;
 }
 
 }  // namespace
 
-DragSolver::DragSolver(DragField field, std::vector<Move> moves)
-    : field_(std::move(field)), moves_(std::move(moves)) {}
+// --- From grips and pins to the field ---
+
+class DragSolver::Builder {
+  public:
+    Builder(const Lattice& lattice, const std::optional<MirrorPlane>& plane)
+        : lattice_(lattice), plane_(plane) {}
+
+    std::variant<DragSolver, DragRefusal> build(std::span<const Grip> grips,
+                                                std::span<const Vec3> pins) {
+        if (grips.empty()) return DragRefusal{"a drag needs at least one point to move"};
+        for (const Grip& grip : grips) {
+            if (const auto refusal = add_grip(grip)) return *refusal;
+        }
+        const std::size_t driven = constraints_.size();
+        for (const Vec3& pin : pins) {
+            if (const auto refusal = add_pin(canonical(pin))) return *refusal;
+        }
+        auto solved = invert(constraints_, driven, lattice_);
+        if (const auto* refusal = std::get_if<DragRefusal>(&solved)) return *refusal;
+        return DragSolver{make_field(std::get<Eigen::MatrixXd>(solved)), symmetry(),
+                          std::move(moves_), std::move(columns_)};
+    }
+
+  private:
+    // On the plane's positive side, or on the plane.
+    Vec3 canonical(const Vec3& point) const {
+        if (!plane_) return point;
+        if (is_on_plane(point)) return plane_->onto(point);
+        return plane_->offset(point) < 0.0 ? plane_->image(point) : point;
+    }
+    bool is_on_plane(const Vec3& point) const {
+        return plane_ &&
+               std::abs(plane_->offset(point)) <= kOnPlaneShare * lattice_.cell[plane_->axis];
+    }
+    bool is_reached(const Vec3& point) const {
+        return lattice_.influences(point) || (plane_ && lattice_.influences(plane_->image(point)));
+    }
+    std::span<const double> parities() const {
+        static constexpr std::array<double, 2> kBoth{1.0, -1.0};
+        return std::span(kBoth).first(plane_ ? 2 : 1);
+    }
+    std::size_t find(const ConstraintKey& key) const {
+        const auto found = std::find_if(constraints_.begin(), constraints_.end(),
+                                        [&](const Constraint& c) { return c.key == key; });
+        return static_cast<std::size_t>(found - constraints_.begin());
+    }
+
+    std::optional<DragRefusal> add_grip(const Grip& grip) {
+        const Box zone = lattice_.influenced_zone();
+        if (!is_reached(grip.point)) return refuse_outside(grip.point, zone);
+        Move move{.asked = grip.point, .point = canonical(grip.point), .turns = grip.turns};
+        move.is_on_plane = is_on_plane(grip.point);
+        move.is_flipped = plane_ && !move.is_on_plane && plane_->offset(grip.point) < 0.0;
+        const auto there = std::find_if(moves_.begin(), moves_.end(), [&](const Move& other) {
+            return other.point == move.point;
+        });
+        move.same_place = static_cast<std::size_t>(there - moves_.begin());
+        for (const double parity : parities()) {
+            const double gain = add_column({move.point, -1, parity});
+            if (parity > 0.0 && !(gain <= kMaxControlGain)) return refuse_border(grip.point, zone);
+            if (parity < 0.0) move.is_near_plane = !move.is_on_plane && !(gain <= kMaxControlGain);
+        }
+        for (int along = 0; grip.turns && along < 3; ++along) {
+            for (const double parity : parities()) {
+                const double gain = add_column({move.point, along, parity});
+                const bool vanishes = move.is_on_plane && std::isnan(gain);
+                if (!vanishes && !(gain <= kMaxControlGain * lattice_.cell[along])) {
+                    return refuse_turn(grip.point);
+                }
+            }
+        }
+        moves_.push_back(move);
+        if (constraints_.size() > kMaxConstraints) return refuse_many();
+        return std::nullopt;
+    }
+
+    // A driven row, and its gain: not a number where the lattice cannot bring it about.
+    double add_column(const ConstraintKey& key) {
+        const std::size_t at = find(key);
+        if (at < constraints_.size()) {
+            repeats_.push_back(true);
+        } else {
+            const Constraint constraint = make_constraint(lattice_, plane_, key);
+            if (!(constraint.length > 0.0)) return std::nan("");
+            constraints_.push_back(constraint);
+            repeats_.push_back(false);
+        }
+        columns_.push_back({moves_.size(), key});
+        return constraints_[at].control_gain();
+    }
+
+    std::optional<DragRefusal> add_pin(const Vec3& pin) {
+        for (Move& move : moves_) move.is_pinned = move.is_pinned || move.point == pin;
+        if (!is_reached(pin)) return std::nullopt;
+        for (const double parity : parities()) {
+            const ConstraintKey key{pin, -1, parity};
+            if (find(key) < constraints_.size()) continue;
+            const Constraint constraint = make_constraint(lattice_, plane_, key);
+            if (constraint.length > 0.0) constraints_.push_back(constraint);
+        }
+        if (constraints_.size() > kMaxConstraints) return refuse_many();
+        return std::nullopt;
+    }
+
+    // One row of the inverse for every column; zeros for those that repeat another.
+    DragField make_field(const Eigen::MatrixXd& solved) const {
+        std::vector<BasisRow> rows;
+        for (const Constraint& constraint : constraints_) {
+            for (std::size_t t = 0; t < constraint.term_count; ++t) {
+                rows.push_back(constraint.terms[t].row);
+            }
+        }
+        std::vector<double> inverse;
+        Eigen::Index driven = 0;
+        for (const bool repeats : repeats_) {
+            for (std::size_t a = 0; a < constraints_.size(); ++a) {
+                const double entry = repeats ? 0.0 : solved(static_cast<Eigen::Index>(a), driven);
+                for (std::size_t t = 0; t < constraints_[a].term_count; ++t) {
+                    inverse.push_back(entry * constraints_[a].terms[t].factor);
+                }
+            }
+            if (!repeats) ++driven;
+        }
+        return {lattice_, std::move(rows), std::move(inverse)};
+    }
+
+    std::optional<Symmetry> symmetry() const {
+        if (!plane_) return std::nullopt;
+        Symmetry symmetry{*plane_, {}};
+        for (const Column& column : columns_) {
+            // Like the row of the derivative, w takes its sign from the components it moves.
+            symmetry.parity.push_back(column.key.parity);
+        }
+        return symmetry;
+    }
+
+    const Lattice& lattice_;
+    const std::optional<MirrorPlane>& plane_;
+    std::vector<Constraint> constraints_;  // the driven ones first
+    std::vector<Column> columns_;
+    std::vector<bool> repeats_;  // of the columns
+    std::vector<Move> moves_;
+};
+
+DragSolver::DragSolver(DragField field, std::optional<Symmetry> symmetry, std::vector<Move> moves,
+                       std::vector<Column> columns)
+    : field_(std::move(field)),
+      symmetry_(std::move(symmetry)),
+      moves_(std::move(moves)),
+      columns_(std::move(columns)) {}
+
+std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,
+                                                         std::span<const Grip> grips,
+                                                         std::span<const Vec3> pins,
+                                                         const std::optional<MirrorPlane>& plane) {
+    if (!lattice.is_valid()) return refuse_lattice();
+    if (const auto refusal = check_pins(pins)) return *refusal;
+    return Builder(lattice, plane).build(grips, pins);
+}
 
 std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,
                                                          std::span<const Vec3> move_points,
                                                          std::span<const Vec3> pins) {
-    if (!lattice.is_valid()) return refuse_lattice();
-    if (const auto refusal = check_moves(lattice, move_points)) return *refusal;
-    if (const auto refusal = check_pins(pins)) return *refusal;
-
-    Constraints constraints;
-    std::vector<Move> moves;
-    std::vector<std::size_t> first_there;  // of each distinct moved point, the first move
-    for (const Vec3& point : move_points) {
-        const std::size_t place = constraints.find(point);
-        if (place == constraints.points.size()) first_there.push_back(moves.size());
-        if (!constraints.add(lattice, point)) return refuse_many();
-        moves.push_back({point, first_there[place], false});
-    }
-    for (const Vec3& pin : pins) {
-        if (lattice.influences(pin) && !constraints.add(lattice, pin)) return refuse_many();
-    }
-    for (Move& move : moves) {
-        move.pinned = std::find(pins.begin(), pins.end(), move.point) != pins.end();
-    }
-
-    auto inverse = invert(constraints, first_there.size(), lattice);
-    if (const auto* refusal = std::get_if<DragRefusal>(&inverse)) return *refusal;
-    return DragSolver{DragField{lattice, std::move(constraints.rows),
-                                spread(std::get<0>(inverse), first_there, moves.size())},
-                      std::move(moves)};
+    std::vector<Grip> grips;
+    for (const Vec3& point : move_points) grips.push_back({point});
+    return create(lattice, grips, pins);
 }
 
-std::optional<DragRefusal> DragSolver::check(std::span<const Vec3> displacements) const {
-    assert(displacements.size() == moves_.size());
-    for (std::size_t m = 0; m < moves_.size(); ++m) {
-        const auto& [point, same_place, pinned] = moves_[m];
-        const Vec3& d = displacements[m];
-        if (!is_finite(point + d)) return refuse_target(point, d);
-        if (d != displacements[same_place]) {
-            return refuse_difference(point, displacements[same_place], d);
+// --- What is asked ---
+
+GripMotion DragSolver::on_positive_side(const Move& move, const GripMotion& motion) const {
+    if (!move.is_flipped) return motion;
+    const MirrorPlane& plane = symmetry_->plane;
+    return {plane.image_of_vector(motion.displacement), plane.image_of_jacobian(motion.jacobian)};
+}
+
+std::optional<DragRefusal> DragSolver::check_symmetry(const Move& move,
+                                                      const GripMotion& motion) const {
+    const MirrorPlane& plane = symmetry_->plane;
+    const Vec3& d = motion.displacement;
+    if (move.is_on_plane && d[plane.axis] != 0.0) return refuse_off_plane(plane, move.asked, d);
+    if (move.is_near_plane && d[plane.axis] != 0.0) return refuse_near_plane(plane, move.asked);
+    if (!move.is_on_plane || !move.turns) return std::nullopt;
+    const Mat3 difference = plane.image_of_jacobian(motion.jacobian) - motion.jacobian;
+    for (int column = 0; column < 3; ++column) {
+        // What rounding leaves of a twist about the normal is no asymmetry.
+        if (glm::length(difference[column]) > 1e-12) {
+            return refuse_asymmetric_turn(plane, move.asked);
         }
-        if (pinned && d != Vec3{0.0}) return refuse_pinned(point, d);
     }
     return std::nullopt;
 }
 
+std::optional<DragRefusal> DragSolver::check(std::span<const GripMotion> motions) const {
+    assert(motions.size() == moves_.size());
+    for (std::size_t m = 0; m < moves_.size(); ++m) {
+        const Move& move = moves_[m];
+        const Vec3& d = motions[m].displacement;
+        if (!is_finite(move.asked + d)) return refuse_target(move.asked, d);
+        const GripMotion here = on_positive_side(move, motions[m]);
+        const Move& first = moves_[move.same_place];
+        const GripMotion there = on_positive_side(first, motions[move.same_place]);
+        if (here.displacement != there.displacement) {
+            return refuse_difference(move.asked, motions[move.same_place].displacement, d);
+        }
+        if (move.turns && first.turns && here.jacobian != there.jacobian) {
+            return refuse_jacobian(move.asked);
+        }
+        if (move.is_pinned && d != Vec3{0.0}) return refuse_pinned(move.asked, d);
+        if (!symmetry_) continue;
+        if (const auto refusal = check_symmetry(move, motions[m])) return refusal;
+    }
+    return std::nullopt;
+}
+
+std::optional<DragRefusal> DragSolver::check(std::span<const Vec3> displacements) const {
+    std::vector<GripMotion> motions;
+    for (const Vec3& d : displacements) motions.push_back({d});
+    return check(motions);
+}
+
+std::vector<Vec3> DragSolver::field_displacements(std::span<const GripMotion> motions) const {
+    assert(motions.size() == moves_.size());
+    std::vector<Vec3> asked;
+    for (const auto& [m, key] : columns_) {
+        const GripMotion motion = on_positive_side(moves_[m], motions[m]);
+        Vec3 d = motion.displacement;
+        if (key.along >= 0) d = (motion.jacobian - Mat3{1.0})[key.along];
+        if (symmetry_) {
+            const int axis = symmetry_->plane.axis;
+            for (int i = 0; i < 3; ++i) {
+                if ((i == axis) != (key.parity < 0.0)) d[i] = 0.0;
+            }
+        }
+        asked.push_back(d);
+    }
+    return asked;
+}
+
 std::vector<Vec3> DragSolver::control_displacements(std::span<const Vec3> displacements) const {
     assert(!check(displacements));
-    return field_.control_displacements(displacements);
+    std::vector<GripMotion> motions;
+    for (const Vec3& d : displacements) motions.push_back({d});
+    return field_.control_displacements(field_displacements(motions));
 }
 
 }  // namespace pectin

@@ -9,8 +9,11 @@
 #include <variant>
 #include <vector>
 
+#include "ffd/constraint.h"
 #include "ffd/drag_field.h"
 #include "ffd/lattice.h"
+#include "ffd/symmetry.h"
+#include "ffd/warp.h"
 
 namespace pectin {
 
@@ -19,7 +22,8 @@ struct DragRefusal {
     std::string what;
 };
 
-// Distinct points in one drag; beyond it the dense system no longer suits interaction.
+// Distinct rows of moves and pins in one drag; beyond it the dense system no longer suits
+// interaction.
 inline constexpr std::size_t kMaxConstraints = 1024;
 
 // Near the border of the influenced zone the basis falls to zero by the third power, and meeting a
@@ -31,37 +35,77 @@ inline constexpr double kMaxControlGain = 1000.0;
 // the drag, and the solution is off by 1e-16 / 1e-8 of it, still below what float weights resolve.
 inline constexpr double kMinIndependence = 1e-8;
 
+// A point to be moved.
+struct Grip {
+    Vec3 point{0.0};
+    bool turns = false;  // its Jacobian is prescribed, too
+};
+// What is asked of it.
+struct GripMotion {
+    Vec3 displacement{0.0};
+    Mat3 jacobian{1.0};  // of the deformation at the point; not looked at unless it turns
+};
+
 class DragSolver {
   public:
-    // Factorises once a gesture. move_points: those to drag, at least one, all strictly inside the
-    // influenced zone. pins: those to hold; pins outside the zone are held anyway. Points at the
-    // same place count once. Everything in world space, at rest. O(n³) in the distinct points.
+    // Factorises once a gesture. grips: at least one, all strictly inside the influenced zone (or,
+    // with a plane, inside its image). pins: points to hold; pins outside are held anyway. Points
+    // at the same place count once. Everything in world space, at rest. With a plane all of it is
+    // met on both sides. O(n³) in the distinct rows.
+    static std::variant<DragSolver, DragRefusal> create(
+        const Lattice& lattice, std::span<const Grip> grips, std::span<const Vec3> pins,
+        const std::optional<MirrorPlane>& plane = std::nullopt);
+    // The same for points that do not turn.
     static std::variant<DragSolver, DragRefusal> create(const Lattice& lattice,
                                                         std::span<const Vec3> move_points,
                                                         std::span<const Vec3> pins);
 
-    // Weights of the moves. Of several at one place the first has the weight, the others zero.
+    // The rows that are driven, as the moves of a field: of every grip its displacement, where it
+    // turns then ∂D/∂x, ∂D/∂y, ∂D/∂z; with a plane each as its parts within and across the plane.
+    // Of several that ask for the same the first has the weight, the others zero.
     const DragField& field() const { return field_; }
+    const std::optional<Symmetry>& symmetry() const { return symmetry_; }
 
-    // displacements: move_count. Refused where they are not finite, where two moves of one place
-    // differ and where a pinned point is asked to move.
+    // motions: one a grip. Refused where they are not finite, where two of one place differ, where
+    // a pinned point is asked to move, and where they are not symmetric on the plane.
+    std::optional<DragRefusal> check(std::span<const GripMotion> motions) const;
     std::optional<DragRefusal> check(std::span<const Vec3> displacements) const;
 
+    // What the motions ask of the field's moves: field().move_count(). Precondition: they pass
+    // check().
+    std::vector<Vec3> field_displacements(std::span<const GripMotion> motions) const;
+    DragStep step(std::span<const GripMotion> motions) const {
+        return {field_, field_displacements(motions), symmetry_};
+    }
+
     // ΔP = Bᵀ(BBᵀ)⁻¹ d, the least-squares smallest that meets the drags exactly: control_count of
-    // the lattice, in the order of control_index. displacements: move_count, passing check().
+    // the lattice, in the order of control_index. displacements: one a grip, passing check().
     std::vector<Vec3> control_displacements(std::span<const Vec3> displacements) const;
 
   private:
     struct Move {
-        Vec3 point;
-        std::size_t same_place;  // the first move there, often itself
-        bool pinned;
+        Vec3 asked;  // the point as given
+        Vec3 point;  // the same, or its image on the plane's positive side
+        bool turns = false, is_flipped = false;
+        bool is_pinned = false;
+        bool is_on_plane = false, is_near_plane = false;
+        std::size_t same_place = 0;  // the first move there, often itself
     };
+    struct Column {
+        std::size_t move;
+        ConstraintKey key;
+    };
+    class Builder;
 
-    DragSolver(DragField field, std::vector<Move> moves);
+    DragSolver(DragField field, std::optional<Symmetry> symmetry, std::vector<Move> moves,
+               std::vector<Column> columns);
+    GripMotion on_positive_side(const Move& move, const GripMotion& motion) const;
+    std::optional<DragRefusal> check_symmetry(const Move& move, const GripMotion& motion) const;
 
     DragField field_;
+    std::optional<Symmetry> symmetry_;
     std::vector<Move> moves_;
+    std::vector<Column> columns_;
 };
 
 }  // namespace pectin

@@ -18,6 +18,7 @@ class LatticeField {
 
     const Lattice& lattice() const { return lattice_; }
     std::span<const Vec3> displacements() const { return displacements_; }
+    std::span<Vec3> displacements() { return displacements_; }
 
     // D(x) = Σ β(u − i) β(v − j) β(w − k) ΔP_ijk, world space (equation 1, by linear precision).
     // Exactly zero on the border of the influenced zone and outside. 64 terms.

@@ -1,37 +1,56 @@
-// Drag fields one after the other: the warp of space that a gesture applies.
+// Deformations one after the other: the warp of space that a gesture applies.
 #pragma once
 
 #include <algorithm>
 #include <limits>
+#include <optional>
+#include <span>
+#include <variant>
 #include <vector>
 
 #include "ffd/drag_field.h"
+#include "ffd/lattice_field.h"
+#include "ffd/symmetry.h"
 
 namespace pectin {
 
+// One drag: linear in its displacements, with weights that depend on where a point is before it.
+struct DragStep {
+    DragField field;
+    std::vector<Vec3> displacements;  // field.move_count()
+    std::optional<Symmetry> symmetry{};
+
+    // out: field.move_count(). Exactly zero where nothing moves.
+    void weights(const Vec3& x, std::span<DragWeight> out) const {
+        if (symmetry) {
+            symmetric_weights(field, *symmetry, x, out);
+        } else {
+            field.weights(x, out);
+        }
+    }
+    // The same as control points of one lattice, or of two whose displacements add up.
+    std::vector<LatticeField> lattice_fields() const;
+};
+
 // Step k acts on where the steps before it have brought a point; each has a lattice of its own.
-// A plain drag is one step.
+// A plain drag is one step; control points moved by hand are one LatticeField.
 struct Warp {
-    struct Step {
-        DragField field;
-        std::vector<Vec3> displacements;  // field.move_count()
-    };
+    using Step = std::variant<DragStep, LatticeField>;
     std::vector<Step> steps;
 
-    // A box outside which nothing moves: that of all influenced zones.
-    Box zone() const {
-        Box box;
-        for (const Step& step : steps) box.include(step.field.lattice().influenced_zone());
-        return box;
-    }
+    // Where something may move: the influenced zones of all lattices, each once.
+    std::vector<Box> zones() const;
+    // A box about all of them, outside which nothing moves.
+    Box zone() const;
     // The smallest cell extent of its lattices; infinite without steps.
-    double smallest_cell_extent() const {
-        double extent = std::numeric_limits<double>::infinity();
-        for (const Step& step : steps) {
-            extent = std::min(extent, step.field.lattice().smallest_cell_extent());
-        }
-        return extent;
-    }
+    double smallest_cell_extent() const;
 };
+
+inline const Lattice& lattice_of(const Warp::Step& step) {
+    const auto* drag = std::get_if<DragStep>(&step);
+    return drag ? drag->field.lattice() : std::get<LatticeField>(step).lattice();
+}
+// The influenced zones of one step: one, or two of a symmetric drag.
+std::vector<Box> zones_of(const Warp::Step& step);
 
 }  // namespace pectin

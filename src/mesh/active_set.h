@@ -10,6 +10,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -65,6 +66,12 @@ class ActiveSet {
     const std::vector<FaceId>& faces() const { return faces_; }
     std::span<const FaceId> edited_faces() const {
         return std::span(faces_).subspan(original_faces_);
+    }
+
+    // The entry of a vertex, if it has one. O(1).
+    std::optional<std::uint32_t> entry_of(VertexId v) const {
+        const std::uint32_t entry = slot(vertex_entry_, v);
+        return entry == kNoEntry ? std::nullopt : std::optional(entry);
     }
 
     // --- Rest state of anything in the mesh. O(1).

@@ -40,7 +40,7 @@ Refusal Session::State::begin_drag(std::span<const Vec3> points, std::span<const
     begun->measured.seconds.solve = stopwatch.lap();
     const Box zone = lattice.influenced_zone();
     const std::vector<FaceId> faces = face_tree().faces_meeting(zone, *mesh);
-    Warp warp{{{begun->solver.field(), std::vector<Vec3>(points.size())}}};
+    Warp warp{{DragStep{begun->solver.field(), std::vector<Vec3>(points.size())}}};
     // From here on what throws (memory) ends the gesture, and the session is as it was.
     begun->gesture = std::make_unique<Gesture>(
         *active, faces, std::move(warp),

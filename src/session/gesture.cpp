@@ -18,7 +18,8 @@ Gesture::Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
     : active_(active), warp_(std::move(warp)), embedding_(active_, warp_) {
     assert(!warp_.steps.empty());
     const Box zone = warp_.zone();
-    if (limits) criteria_.emplace(*limits, zone, zone);
+    if (limits)
+        criteria_.emplace(*limits, warp_.zones(), warp_.steps.size() > 1 ? &embedding_ : nullptr);
     try {
         active_.begin(faces, zone);
         embedding_.embed();
@@ -36,7 +37,9 @@ Gesture::~Gesture() {
 const Frame& Gesture::frame(std::span<const Vec3> displacements) {
     // A long drag makes and undoes more than it keeps; from the rest state it starts lean again.
     if (active_.edit_count() > kMostEdits * (active_.vertex_entries() + 1000)) roll_back();
-    std::vector<Vec3>& d = warp_.steps.back().displacements;
+    auto* const drag = std::get_if<DragStep>(&warp_.steps.back());
+    const std::span<Vec3> d = drag ? std::span(drag->displacements)
+                                   : std::get<LatticeField>(warp_.steps.back()).displacements();
     assert(displacements.size() == d.size());
     // At the budget, refinement rests until the drag changes: thinning would make room for a few
     // splits, and the next frame would thin those.

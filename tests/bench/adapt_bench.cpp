@@ -24,7 +24,7 @@ class Scene {
         : mesh_(mesh), active_(mesh_) {
         const Lattice lattice = brush_lattice(grabbed, radius, 3);
         const auto solver = std::get<DragSolver>(DragSolver::create(lattice, {&grabbed, 1}, {}));
-        warp_.steps.push_back({solver.field(), {displacement}});
+        warp_.steps.push_back(DragStep{solver.field(), {displacement}});
         active_.begin(FaceTree(mesh_).faces_meeting(warp_.zone(), mesh_), warp_.zone());
         embedding_ = std::make_unique<Embedding>(active_, warp_);
         embedding_->embed();

@@ -201,7 +201,7 @@ Warp brush_warp(const Vec3& from, double radius, const Vec3& by) {
     const std::vector<Vec3> points{from};
     auto solver =
         std::get<DragSolver>(DragSolver::create(brush_lattice(from, radius, 3), points, {}));
-    return Warp{{{solver.field(), {by}}}};
+    return Warp{{DragStep{solver.field(), {by}}}};
 }
 
 struct Bump {

@@ -134,7 +134,7 @@ Warp random_warp(const TriMesh& mesh, Random& random) {
         auto solved = DragSolver::create(lattice, points, pins);
         const auto* solver = std::get_if<DragSolver>(&solved);
         if (!solver || solver->check(displacements)) continue;
-        return Warp{{{solver->field(), displacements}}};
+        return Warp{{DragStep{solver->field(), displacements}}};
     }
 }
 

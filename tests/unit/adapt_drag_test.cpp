@@ -133,7 +133,7 @@ struct Frames {
         const std::vector<Vec3> points{{0, 1, 0}};
         auto solver = std::get<DragSolver>(
             DragSolver::create(brush_lattice(points[0], radius, 3), points, {}));
-        Warp warp{{{solver.field(), std::vector<Vec3>(1)}}};
+        Warp warp{{DragStep{solver.field(), std::vector<Vec3>(1)}}};
         const Box zone = warp.zone();
         const std::vector<FaceId> faces = FaceTree(mesh).faces_meeting(zone, mesh);
         gesture = std::make_unique<Gesture>(active, faces, std::move(warp), limits);

@@ -57,7 +57,7 @@ MeshChange random_gesture(TriMesh& mesh, const FaceTree& tree, Random& random) {
                                 .theta_min = 0.7 * theta,
                                 .l_max = warp.smallest_cell_extent(),
                                 .floor = 0.02 * diagonal});
-    return gesture.commit(warp.steps.back().displacements);
+    return gesture.commit(std::get<DragStep>(warp.steps.back()).displacements);
 }
 
 TEST(FaceTree, FindsWhatAScanFindsThroughGesturesUndoAndRedo) {

@@ -1,0 +1,221 @@
+#include "ffd/injective_steps.h"
+
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+#include <numbers>
+#include <string>
+
+#include "ffd/injectivity.h"
+#include "geometry/decimal.h"
+
+namespace pectin {
+namespace {
+
+DragRefusal refuse_outside(const Vec3& target, const Box& zone) {
+    return {"without folding nothing leaves the influenced zone " + decimal(zone.min) + " to " +
+            decimal(zone.max) + ", and the target " + decimal(target) +
+            " is not inside; take a target inside, a larger cage, or fold_free false"};
+}
+
+DragRefusal refuse_steps(const Vec3& target) {
+    return {
+        "the target " + decimal(target) + " cannot be reached in " + std::to_string(kMaxSteps) +
+        " steps without folding; move less far, stay away from pins, the symmetry plane and the "
+        "border of the zone, or take a larger radius"};
+}
+
+DragRefusal refuse_across(const MirrorPlane& plane, const Vec3& from, const Vec3& to) {
+    return {"the drag from " + decimal(from) + " to " + decimal(to) +
+            " goes across the symmetry plane, where it would meet its own image; the farthest is " +
+            decimal(plane.onto(to)) + ", or switch symmetry off"};
+}
+
+DragRefusal refuse_turn(const Turn& turn) {
+    return {"a twist needs an axis with a length and finite degrees, and a scale above 0; axis " +
+            decimal(turn.axis) + ", " + decimal(turn.degrees) + " degrees, scale " +
+            decimal(turn.scale) + " is none"};
+}
+
+bool is_usable(const Turn& turn) {
+    return unit_or_zero(turn.axis) != Vec3{0.0} && std::isfinite(turn.degrees) &&
+           turn.scale > 0.0 && std::isfinite(turn.scale);
+}
+
+class Planner {
+  public:
+    explicit Planner(const DragPlan& plan) : plan_(plan) {
+        for (const DragPlan::Move& move : plan_.moves) {
+            grips_.push_back({move.from});
+        }
+    }
+
+    std::variant<PlannedDrag, DragRefusal> run() {
+        if (grips_.empty()) return DragRefusal{"a drag needs at least one point to move"};
+        if (const auto refusal = check_plan()) return *refusal;
+        Vec3 at = plan_.moves.front().from;
+        for (const Vec3& waypoint : plan_.via) {
+            if (waypoint == at) continue;
+            if (const auto refusal = segment(at, waypoint, false)) return *refusal;
+            at = waypoint;
+        }
+        const std::size_t last_segment = warp_.steps.size();
+        if (const auto refusal = segment(at, plan_.moves.front().to, true)) return *refusal;
+        return PlannedDrag{std::move(warp_), std::move(points_), std::move(*solver_), last_segment};
+    }
+
+  private:
+    std::optional<DragRefusal> check_plan() const {
+        for (const DragPlan::Move& move : plan_.moves) {
+            if (!is_usable(move.turn)) return refuse_turn(move.turn);
+            if (const auto refusal = check_target(move.from, move.to)) return refusal;
+        }
+        for (const Vec3& waypoint : plan_.via) {
+            if (!is_finite(waypoint)) {
+                return DragRefusal{"waypoint " + decimal(waypoint) +
+                                   " is not a point; its coordinates must be finite"};
+            }
+            if (const auto refusal = check_target(plan_.moves.front().from, waypoint)) {
+                return refusal;
+            }
+        }
+        return std::nullopt;
+    }
+
+    std::optional<DragRefusal> check_target(const Vec3& from, const Vec3& to) const {
+        if (plan_.plane && plan_.plane->offset(from) * plan_.plane->offset(to) < 0.0 &&
+            !is_on_plane(from)) {
+            return refuse_across(*plan_.plane, from, to);
+        }
+        if (!plan_.fold_free || plan_.follows_point || plan_.lattice.influences(to) ||
+            (plan_.plane && plan_.lattice.influences(plan_.plane->image(to)))) {
+            return std::nullopt;
+        }
+        return refuse_outside(to, plan_.lattice.influenced_zone());
+    }
+    bool is_on_plane(const Vec3& point) const {
+        return std::abs(plan_.plane->offset(point)) <=
+               kOnPlaneShare * plan_.lattice.cell[plan_.plane->axis];
+    }
+
+    // The first move goes from a to b; in the last segment everything else happens, too.
+    std::optional<DragRefusal> segment(const Vec3& a, const Vec3& b, bool is_last) {
+        double done = 0.0;
+        std::size_t pieces = 1;  // of what remains
+        while (true) {
+            if (auto refusal = solve_at(a, b, done, is_last)) return refusal;
+            const auto motions = [&](std::size_t of) {
+                return motions_between(a, b, done, of == 1 ? 1.0 : done + (1.0 - done) / double(of),
+                                       is_last);
+            };
+            if (const auto refusal = solver_->check(motions(1))) return refusal;
+            while (plan_.fold_free) {
+                const double t = injective_fraction(solver_->step(motions(pieces)), bounds_);
+                if (t >= 1.0) break;
+                const double enough = std::ceil(static_cast<double>(pieces) / t);
+                if (!(enough <= static_cast<double>(kMaxSteps - warp_.steps.size()))) {
+                    return refuse_steps(b);
+                }
+                pieces = std::max(pieces + 1, static_cast<std::size_t>(enough));
+            }
+            if (warp_.steps.size() + pieces > kMaxSteps) return refuse_steps(b);
+            points_.push_back(grips_.front().point);
+            warp_.steps.emplace_back(solver_->step(motions(pieces)));
+            if (pieces == 1) return std::nullopt;
+            done += (1.0 - done) / static_cast<double>(pieces);
+            --pieces;
+        }
+    }
+
+    static Vec3 between(const Vec3& a, const Vec3& b, double share) {
+        return share == 1.0 ? b : a + share * (b - a);
+    }
+    Vec3 point_of(std::size_t move, const Vec3& a, const Vec3& b, double share,
+                  bool is_last) const {
+        if (move == 0) return between(a, b, share);
+        const auto& [from, to, turn] = plan_.moves[move];
+        return is_last ? between(from, to, share) : from;
+    }
+
+    std::optional<DragRefusal> solve_at(const Vec3& a, const Vec3& b, double done, bool is_last) {
+        for (std::size_t m = 0; m < grips_.size(); ++m) {
+            grips_[m] = {point_of(m, a, b, done, is_last),
+                         is_last && !plan_.moves[m].turn.is_none()};
+        }
+        Lattice lattice = plan_.lattice;
+        if (plan_.follows_point && grips_.front().point != plan_.moves.front().from) {
+            lattice.origin =
+                grips_.front().point - 0.5 * Vec3{lattice.deformable - 1} * lattice.cell;
+        }
+        auto solved = DragSolver::create(lattice, grips_, plan_.pins, plan_.plane);
+        if (auto* refusal = std::get_if<DragRefusal>(&solved)) return std::move(*refusal);
+        solver_.emplace(std::move(std::get<DragSolver>(solved)));
+        if (plan_.fold_free) bounds_ = gradient_bounds(*solver_);
+        return std::nullopt;
+    }
+
+    std::vector<GripMotion> motions_between(const Vec3& a, const Vec3& b, double done, double next,
+                                            bool is_last) const {
+        std::vector<GripMotion> motions;
+        for (std::size_t m = 0; m < grips_.size(); ++m) {
+            const Vec3 to = point_of(m, a, b, next, is_last);
+            const Turn& turn = plan_.moves[m].turn;
+            motions.push_back(
+                {to - grips_[m].point, is_last ? turn.jacobian(next - done) : Mat3{1.0}});
+        }
+        return motions;
+    }
+
+    const DragPlan& plan_;
+    std::vector<Grip> grips_;  // where they are before the next step
+    Warp warp_;
+    std::vector<Vec3> points_;
+    std::optional<DragSolver> solver_;
+    std::vector<double> bounds_;
+};
+
+}  // namespace
+
+// Rodrigues' formula.
+Mat3 Turn::jacobian(double share) const {
+    if (is_none()) return Mat3{1.0};
+    const Vec3 k = unit_or_zero(axis);
+    const double angle = share * degrees * std::numbers::pi / 180.0;
+    const Mat3 cross{0.0, k.z, -k.y, -k.z, 0.0, k.x, k.y, -k.x, 0.0};
+    const Mat3 rotation =
+        Mat3{1.0} + std::sin(angle) * cross + (1.0 - std::cos(angle)) * (cross * cross);
+    return std::pow(scale, share) * rotation;
+}
+
+std::variant<PlannedDrag, DragRefusal> plan_drag(const DragPlan& plan) {
+    return Planner(plan).run();
+}
+
+std::vector<double> gradient_bounds(const DragSolver& solver) {
+    std::vector<double> bounds;
+    DragStep step{solver.field(), std::vector<Vec3>(solver.field().move_count()),
+                  solver.symmetry()};
+    for (std::size_t m = 0; m < step.displacements.size(); ++m) {
+        // Any unit vector that the move's parity has a place for.
+        Vec3 unit{0.0};
+        const int across = step.symmetry ? step.symmetry->plane.axis : 0;
+        const bool is_odd = step.symmetry && step.symmetry->parity[m] < 0.0;
+        unit[is_odd || !step.symmetry ? across : (across + 1) % 3] = 1.0;
+        std::fill(step.displacements.begin(), step.displacements.end(), Vec3{0.0});
+        step.displacements[m] = unit;
+        bounds.push_back(gradient_bound(step.lattice_fields()));
+    }
+    return bounds;
+}
+
+double injective_fraction(const DragStep& step, std::span<const double> bounds) {
+    assert(bounds.size() == step.displacements.size());
+    double most = 0.0;
+    for (std::size_t m = 0; m < bounds.size(); ++m) {
+        most += bounds[m] * glm::length(step.displacements[m]);
+    }
+    if (most <= 1.0 - kLeastStretch) return 1.0;
+    return injective_fraction(step.lattice_fields());
+}
+
+}  // namespace pectin

@@ -1,0 +1,68 @@
+// A drag as a warp: plain, along waypoints, or in small steps each of which is proven one to one.
+// Source: Gain & Dodgson, Preventing Self-Intersection under Free-Form Deformation, IEEE TVCG 7(4),
+// 2001: small injective deformations, composed, with the object embedded anew between them.
+#pragma once
+
+#include <optional>
+#include <span>
+#include <variant>
+#include <vector>
+
+#include "ffd/drag_solver.h"
+#include "ffd/warp.h"
+
+namespace pectin {
+
+// A turn about `axis` (any length) by `degrees`, and a growth by `scale`.
+struct Turn {
+    Vec3 axis{0.0, 0.0, 1.0};
+    double degrees = 0.0;
+    double scale = 1.0;
+
+    bool is_none() const { return degrees == 0.0 && scale == 1.0; }
+    // Its Jacobian, or that of a share of it: those of shares that add up to 1 multiply to that
+    // of 1.
+    Mat3 jacobian(double share = 1.0) const;
+    bool operator==(const Turn&) const = default;
+};
+
+struct DragPlan {
+    struct Move {
+        Vec3 from{0.0}, to{0.0};
+        Turn turn{};  // about the point
+    };
+    // The first move goes along `via`, in straight segments; each waypoint is a step's end. All
+    // else (other moves, turns) waits for the last segment and is spread evenly over it.
+    std::vector<Move> moves;
+    std::vector<Vec3> pins{}, via{};
+    bool fold_free = false;              // else each segment is one step, whatever it folds
+    std::optional<MirrorPlane> plane{};  // everything happens on both sides of it
+    Lattice lattice{};                   // of the first step
+    bool follows_point = false;          // a brush: every step's is centred on the first move
+};
+
+struct PlannedDrag {
+    Warp warp;                 // at least one step
+    std::vector<Vec3> points;  // where the first move's point is before each step
+    DragSolver last;           // of the last step
+    std::size_t last_segment;  // the step that begins it
+};
+
+// Steps of one drag: beyond it the target lies, as good as, where no fold-free drag leads.
+inline constexpr std::size_t kMaxSteps = 256;
+
+// Each step is as long as the proof allows, or so that all that remain are equally long. The point
+// ends at its target as exactly as a single solve takes it there. Refused: what a DragSolver
+// refuses anywhere on the way; a move or waypoint across the plane; with fold_free and a fixed
+// lattice a target outside its zone, which no one to one deformation reaches; more than kMaxSteps.
+// Cost: a solve and two or three proofs a step.
+std::variant<PlannedDrag, DragRefusal> plan_drag(const DragPlan& plan);
+
+// A bound on |∇D| of a step, per unit of each of its displacements: Σ bound·|d| below
+// 1 − kLeastStretch needs no other proof. One for each move of the solver's field.
+std::vector<double> gradient_bounds(const DragSolver& solver);
+
+// injective_fraction(), tried by such bounds first.
+double injective_fraction(const DragStep& step, std::span<const double> bounds);
+
+}  // namespace pectin

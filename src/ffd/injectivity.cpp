@@ -1,0 +1,292 @@
+#include "ffd/injectivity.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+#include <vector>
+
+namespace pectin {
+namespace {
+
+// Knots of two lattices nearer than this share of a cell are one: across it two cubics that meet
+// with two continuous derivatives differ by its third power.
+constexpr double kSameKnot = 1e-9;
+// Displacements whose cross product is below this share of their squared length are parallel.
+constexpr double kParallel = 1e-12;
+// Halvings of an interval of t: to the last digit.
+constexpr int kBisections = 52;
+
+// The four cubics that control points first … first + 3 contribute in a cell, in powers of t.
+constexpr std::array<std::array<double, 4>, 4> kPieces{{{1.0 / 6.0, -0.5, 0.5, -1.0 / 6.0},
+                                                        {4.0 / 6.0, 0.0, -1.0, 0.5},
+                                                        {1.0 / 6.0, 0.5, 0.5, -0.5},
+                                                        {0.0, 0.0, 0.0, 1.0 / 6.0}}};
+
+// From four control values to the Bernstein coefficients on a part of their cell.
+using Conversion = std::array<std::array<double, 4>, 4>;  // [coefficient][control]
+
+// Coefficient k on [a, b] is the blossom (polar form) at 3 − k times a and k times b.
+Conversion conversion(double a, double b) {
+    const std::array<std::array<double, 3>, 4> arguments{
+        {{a, a, a}, {a, a, b}, {a, b, b}, {b, b, b}}};
+    Conversion result;
+    for (std::size_t k = 0; k < 4; ++k) {
+        const auto& [r, s, t] = arguments[k];
+        for (std::size_t control = 0; control < 4; ++control) {
+            const auto& p = kPieces[control];
+            result[k][control] = p[0] + p[1] * (r + s + t) / 3.0 +
+                                 p[2] * (r * s + s * t + t * r) / 3.0 + p[3] * r * s * t;
+        }
+    }
+    return result;
+}
+
+// An interval of one axis between two knots, and what each lattice has there.
+struct Interval {
+    struct Share {
+        bool is_inside = false;
+        int first = 0;  // control point
+        Conversion conversion{};
+    };
+    double width = 0.0;
+    std::vector<Share> shares;  // one a field
+};
+
+std::vector<double> knots(std::span<const LatticeField> sum, int axis, int parts) {
+    std::vector<double> all;
+    double smallest = sum.front().lattice().cell[axis];
+    for (const LatticeField& field : sum) {
+        const Lattice& lattice = field.lattice();
+        smallest = std::min(smallest, lattice.cell[axis]);
+        for (int i = -2; i <= lattice.deformable[axis] + 1; ++i) {
+            all.push_back(lattice.origin[axis] + i * lattice.cell[axis]);
+        }
+    }
+    std::sort(all.begin(), all.end());
+    const double apart = kSameKnot * smallest;
+    all.erase(
+        std::unique(all.begin(), all.end(), [&](double x, double y) { return y - x < apart; }),
+        all.end());
+    std::vector<double> divided;
+    for (std::size_t i = 0; i + 1 < all.size(); ++i) {
+        for (int part = 0; part < parts; ++part) {
+            divided.push_back(all[i] + (all[i + 1] - all[i]) * part / parts);
+        }
+    }
+    divided.push_back(all.back());
+    return divided;
+}
+
+std::vector<Interval> intervals(std::span<const LatticeField> sum, int axis, int parts) {
+    const std::vector<double> ends = knots(sum, axis, parts);
+    std::vector<Interval> result;
+    for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
+        Interval interval{.width = ends[i + 1] - ends[i], .shares = {}};
+        for (const LatticeField& field : sum) {
+            const Lattice& lattice = field.lattice();
+            const double middle = 0.5 * (ends[i] + ends[i + 1]);
+            const double cell = std::floor((middle - lattice.origin[axis]) / lattice.cell[axis]);
+            const double knot = lattice.origin[axis] + cell * lattice.cell[axis];
+            interval.shares.push_back(
+                {.is_inside = cell >= -2.0 && cell <= lattice.deformable[axis],
+                 .first = static_cast<int>(cell) - 1,
+                 .conversion = conversion((ends[i] - knot) / lattice.cell[axis],
+                                          (ends[i + 1] - knot) / lattice.cell[axis])});
+        }
+        result.push_back(std::move(interval));
+    }
+    return result;
+}
+
+// The displacement on one box as 64 Bernstein coefficients, i fastest.
+struct Coefficients {
+    std::array<Vec3, 64> of{};
+    Vec3 width{1.0};
+
+    const Vec3& at(int i, int j, int k) const {
+        return of[static_cast<std::size_t>(i + 4 * j + 16 * k)];
+    }
+    // ∂D/∂(an axis), its degree raised to 3 again: steps is 1, 4 or 16, position i, j or k.
+    Vec3 slope(int flat, int position, int steps, double extent) const {
+        const auto value = [&](int p) {
+            return of[static_cast<std::size_t>(flat + (p - position) * steps)];
+        };
+        switch (position) {
+            case 0:
+                return 3.0 / extent * (value(1) - value(0));
+            case 1:
+                return 1.0 / extent * (value(1) - value(0) + 2.0 * (value(2) - value(1)));
+            case 2:
+                return 1.0 / extent * (2.0 * (value(2) - value(1)) + value(3) - value(2));
+            default:
+                return 3.0 / extent * (value(3) - value(2));
+        }
+    }
+    Mat3 gradient(int flat) const {
+        return {slope(flat, flat % 4, 1, width.x), slope(flat, flat / 4 % 4, 4, width.y),
+                slope(flat, flat / 16, 16, width.z)};
+    }
+};
+
+// Applies a conversion along the axis whose indices are `steps` apart.
+void convert(std::array<Vec3, 64>& values, const Conversion& by, std::size_t steps) {
+    for (std::size_t line = 0; line < 16; ++line) {
+        const std::size_t base = line % steps + line / steps * steps * 4;
+        const std::array<Vec3, 4> before{values[base], values[base + steps],
+                                         values[base + 2 * steps], values[base + 3 * steps]};
+        for (std::size_t k = 0; k < 4; ++k) {
+            values[base + k * steps] = by[k][0] * before[0] + by[k][1] * before[1] +
+                                       by[k][2] * before[2] + by[k][3] * before[3];
+        }
+    }
+}
+
+// Space cut at all knots of all lattices, each piece further into parts³ boxes.
+class BernsteinGrid {
+  public:
+    BernsteinGrid(std::span<const LatticeField> sum, int parts)
+        : sum_(sum),
+          axes_{intervals(sum, 0, parts), intervals(sum, 1, parts), intervals(sum, 2, parts)} {}
+
+    IVec3 counts() const {
+        return {static_cast<int>(axes_[0].size()), static_cast<int>(axes_[1].size()),
+                static_cast<int>(axes_[2].size())};
+    }
+    // Whether anything moves in the box; its coefficients then.
+    bool coefficients(const IVec3& box, Coefficients& out) const {
+        const std::array<const Interval*, 3> sides{&interval(0, box), &interval(1, box),
+                                                   &interval(2, box)};
+        out.width = {sides[0]->width, sides[1]->width, sides[2]->width};
+        bool moves = false;
+        for (std::size_t f = 0; f < sum_.size(); ++f) {
+            std::array<Vec3, 64> values;
+            if (!gather(sum_[f], f, sides, values)) continue;
+            convert(values, sides[0]->shares[f].conversion, 1);
+            convert(values, sides[1]->shares[f].conversion, 4);
+            convert(values, sides[2]->shares[f].conversion, 16);
+            for (std::size_t i = 0; i < 64; ++i) {
+                out.of[i] = moves ? out.of[i] + values[i] : values[i];
+            }
+            moves = true;
+        }
+        return moves;
+    }
+
+  private:
+    const Interval& interval(std::size_t axis, const IVec3& box) const {
+        return axes_[axis][static_cast<std::size_t>(box[static_cast<int>(axis)])];
+    }
+    // The 4 × 4 × 4 control displacements that reach the box; whether any is not zero.
+    static bool gather(const LatticeField& field, std::size_t f,
+                       const std::array<const Interval*, 3>& sides, std::array<Vec3, 64>& out) {
+        const Lattice& lattice = field.lattice();
+        const IVec3 first{sides[0]->shares[f].first, sides[1]->shares[f].first,
+                          sides[2]->shares[f].first};
+        for (const Interval* side : sides) {
+            if (!side->shares[f].is_inside) return false;
+        }
+        bool any = false;
+        for (int flat = 0; flat < 64; ++flat) {
+            const IVec3 control = first + IVec3{flat % 4, flat / 4 % 4, flat / 16};
+            const bool is_deformable = glm::all(glm::greaterThanEqual(control, IVec3{0})) &&
+                                       glm::all(glm::lessThan(control, lattice.deformable));
+            Vec3& d = out[static_cast<std::size_t>(flat)];
+            d = is_deformable ? field.displacements()[lattice.control_index(control)] : Vec3{0.0};
+            any = any || d != Vec3{0.0};
+        }
+        return any;
+    }
+
+    std::span<const LatticeField> sum_;
+    std::array<std::vector<Interval>, 3> axes_;
+};
+
+template <typename Visit>
+void for_each_box(const IVec3& from, const IVec3& to, const Visit& visit) {
+    for (int k = from.z; k < to.z; ++k) {
+        for (int j = from.y; j < to.y; ++j) {
+            for (int i = from.x; i < to.x; ++i) visit(IVec3{i, j, k});
+        }
+    }
+}
+
+bool is_along_one_direction(std::span<const LatticeField> sum) {
+    Vec3 longest{0.0};
+    for (const LatticeField& field : sum) {
+        for (const Vec3& d : field.displacements()) {
+            if (glm::dot(d, d) > glm::dot(longest, longest)) longest = d;
+        }
+    }
+    const double most = kParallel * glm::dot(longest, longest);
+    for (const LatticeField& field : sum) {
+        for (const Vec3& d : field.displacements()) {
+            if (glm::length(glm::cross(d, longest)) > most) return false;
+        }
+    }
+    return true;
+}
+
+bool is_positive_definite(const Mat3& m) {
+    return m[0][0] > 0.0 && m[0][0] * m[1][1] > m[1][0] * m[1][0] && glm::determinant(m) > 0.0;
+}
+
+// The largest t ≤ most that one coefficient of the gradient allows.
+double limit_of_trace(const Mat3& g, double most) {
+    const double trace = g[0][0] + g[1][1] + g[2][2];
+    return 1.0 - kLeastStretch + most * trace >= 0.0 ? most : (1.0 - kLeastStretch) / -trace;
+}
+
+double limit_of_symmetric_part(const Mat3& g, double most) {
+    const Mat3 symmetric = 0.5 * (g + glm::transpose(g));
+    const auto allows = [&](double t) {
+        return is_positive_definite(Mat3{1.0 - kLeastStretch} + t * symmetric);
+    };
+    if (allows(most)) return most;
+    double low = 0.0, high = most;
+    for (int i = 0; i < kBisections; ++i) {
+        const double middle = 0.5 * (low + high);
+        (allows(middle) ? low : high) = middle;
+    }
+    return low;
+}
+
+}  // namespace
+
+double injective_fraction(std::span<const LatticeField> sum) {
+    assert(!sum.empty());
+    const auto limit = is_along_one_direction(sum) ? limit_of_trace : limit_of_symmetric_part;
+    const BernsteinGrid whole(sum, 1), halved(sum, 2);
+    Coefficients coefficients;
+    double fraction = 1.0;
+    const auto lower = [&](double& t) {
+        for (int flat = 0; flat < 64; ++flat) t = limit(coefficients.gradient(flat), t);
+    };
+    for_each_box(IVec3{0}, whole.counts(), [&](const IVec3& box) {
+        if (!whole.coefficients(box, coefficients)) return;
+        double of_whole = fraction;
+        lower(of_whole);
+        if (of_whole == fraction) return;
+        for_each_box(2 * box, 2 * box + 2, [&](const IVec3& part) {
+            if (halved.coefficients(part, coefficients)) lower(fraction);
+        });
+    });
+    return fraction;
+}
+
+double gradient_bound(std::span<const LatticeField> sum) {
+    const BernsteinGrid grid(sum, 1);
+    Coefficients coefficients;
+    double largest = 0.0;
+    for_each_box(IVec3{0}, grid.counts(), [&](const IVec3& box) {
+        if (!grid.coefficients(box, coefficients)) return;
+        for (int flat = 0; flat < 64; ++flat) {
+            const Mat3 g = coefficients.gradient(flat);
+            largest = std::max(largest,
+                               glm::dot(g[0], g[0]) + glm::dot(g[1], g[1]) + glm::dot(g[2], g[2]));
+        }
+    });
+    return std::sqrt(largest);
+}
+
+}  // namespace pectin

@@ -1,0 +1,75 @@
+#include "ffd/symmetry.h"
+
+#include <algorithm>
+#include <array>
+#include <cassert>
+#include <cmath>
+
+namespace pectin {
+namespace {
+
+// How many moves are evaluated at a time, on the stack.
+constexpr std::size_t kMovesAtATime = 8;
+
+}  // namespace
+
+Mat3 MirrorPlane::image_of_jacobian(Mat3 j) const {
+    for (int i = 0; i < 3; ++i) {
+        if (i == axis) continue;
+        j[axis][i] = -j[axis][i];
+        j[i][axis] = -j[i][axis];
+    }
+    return j;
+}
+
+void symmetric_weights(const DragField& field, const Symmetry& symmetry, const Vec3& x,
+                       std::span<DragWeight> out) {
+    assert(out.size() == field.move_count() && symmetry.parity.size() == out.size());
+    std::fill(out.begin(), out.end(), DragWeight{});
+    const Vec3 mirrored = symmetry.plane.image(x);
+    if (!field.lattice().influences(x) && !field.lattice().influences(mirrored)) return;
+    std::array<DragField::ExactWeight, kMovesAtATime> here, there;
+    for (std::size_t first = 0; first < out.size(); first += kMovesAtATime) {
+        const std::size_t count = std::min(kMovesAtATime, out.size() - first);
+        field.exact_weights(x, first, std::span(here).first(count));
+        field.exact_weights(mirrored, first, std::span(there).first(count));
+        for (std::size_t m = 0; m < count; ++m) {
+            const double parity = symmetry.parity[first + m];
+            const Vec3 reflected = symmetry.plane.image_of_vector(there[m].gradient);
+            out[first + m] = {.w = static_cast<float>(here[m].w + parity * there[m].w),
+                              .gradient = Vec3f{here[m].gradient + parity * reflected}};
+        }
+    }
+}
+
+Lattice image(const MirrorPlane& plane, const Lattice& lattice) {
+    Lattice mirrored = lattice;
+    const Vec3 last = lattice.rest(lattice.deformable - 1);
+    mirrored.origin[plane.axis] = plane.image(last)[plane.axis];
+    return mirrored;
+}
+
+LatticeField image(const MirrorPlane& plane, const LatticeField& field) {
+    const Lattice& lattice = field.lattice();
+    std::vector<Vec3> displacements(lattice.control_count());
+    for (int k = 0; k < lattice.deformable.z; ++k) {
+        for (int j = 0; j < lattice.deformable.y; ++j) {
+            for (int i = 0; i < lattice.deformable.x; ++i) {
+                IVec3 opposite{i, j, k};
+                opposite[plane.axis] = lattice.deformable[plane.axis] - 1 - opposite[plane.axis];
+                displacements[lattice.control_index(opposite)] =
+                    plane.image_of_vector(field.displacements()[lattice.control_index({i, j, k})]);
+            }
+        }
+    }
+    return {image(plane, lattice), std::move(displacements)};
+}
+
+Vec3 nearest_on_own_side(const MirrorPlane& plane, const Vec3& from, const Vec3& to,
+                         double tolerance) {
+    const double side = plane.offset(from);
+    const bool stays = std::abs(side) > tolerance && side * plane.offset(to) >= 0.0;
+    return stays ? to : plane.onto(to);
+}
+
+}  // namespace pectin
