@@ -60,15 +60,14 @@ bool has_deformed_end(const TriMesh& mesh, HalfEdgeId h) {
 
 Criteria::Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
                    const std::optional<Box>& scope)
-    : Criteria(limits, zone ? std::vector{*zone} : std::vector<Box>{}, nullptr) {
-    scope_.reset();
-    if (scope) scope_ = {*scope};
-}
+    : Criteria(limits, zone ? std::vector{*zone} : std::vector<Box>{},
+               scope ? std::optional(std::vector{*scope}) : std::nullopt, nullptr) {}
 
-Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones, const Embedding* between)
+Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
+                   std::optional<std::vector<Box>> scope, const Embedding* between)
     : limits_(limits),
       zones_(std::move(zones)),
-      scope_(zones_),
+      scope_(std::move(scope)),
       between_(between),
       refine_divergence_(one_minus_cosine(limits.theta_max)),
       thin_divergence_(one_minus_cosine(limits.theta_min)) {}

@@ -36,9 +36,10 @@ class Criteria {
     // scope: only vertices whose star meets it may go; none means all.
     Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
              const std::optional<Box>& scope);
-    // Of a gesture: the zones of its warp are both. between: tests edges against l_max also where
-    // the later steps of a warp find them; must outlive this.
-    Criteria(const AdaptLimits& limits, std::vector<Box> zones, const Embedding* between);
+    // The same with several zones. between: tests edges against l_max also where the later steps of
+    // a warp find them; must outlive this.
+    Criteria(const AdaptLimits& limits, std::vector<Box> zones,
+             std::optional<std::vector<Box>> scope, const Embedding* between = nullptr);
 
     const AdaptLimits& limits() const { return limits_; }
 

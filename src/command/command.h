@@ -76,14 +76,43 @@ struct Cage {
     bool operator==(const Cage&) const = default;
 };
 
+// Drags and pins, and control points, happen on both sides of a plane from now on.
+struct Symmetry {
+    enum class Plane { x, y, z };  // the axis it is perpendicular to
+    std::optional<Plane> plane{};  // none: no symmetry
+    Vec3 through{0.0};             // a point on it
+    bool operator==(const Symmetry&) const = default;
+};
+
 struct Drag {
+    struct Twist {
+        Vec3 axis{0.0};
+        double degrees = 0.0;  // by the right hand
+        bool operator==(const Twist&) const = default;
+    };
     struct Move {
         Vec3 from{0.0}, to{0.0};
+        std::optional<Twist> twist{};  // what the surroundings of the point do
+        double scale = 1.0;
         bool operator==(const Move&) const = default;
     };
     std::vector<Move> moves{};
     std::vector<Vec3> pins{};
+    bool connected = false;   // only the surface that hangs together with the moved points
+    bool fold_free = false;   // in steps that are proven one to one
+    std::vector<Vec3> via{};  // waypoints of the first move
     bool operator==(const Drag&) const = default;
+};
+
+// Moves control points of the cage in use.
+struct Control {
+    struct Point {
+        IVec3 index{0};
+        Vec3 to{0.0};
+        bool operator==(const Point&) const = default;
+    };
+    std::vector<Point> points{};
+    bool operator==(const Control&) const = default;
 };
 
 struct Undo {
@@ -126,9 +155,10 @@ struct Screenshot {
 
 }  // namespace command
 
-using Command = std::variant<command::Open, command::Shape, command::Adapt, command::Brush,
-                             command::Cage, command::Drag, command::Undo, command::Redo,
-                             command::Readapt, command::Save, command::Stats, command::Screenshot>;
+using Command =
+    std::variant<command::Open, command::Shape, command::Adapt, command::Brush, command::Cage,
+                 command::Symmetry, command::Drag, command::Control, command::Undo, command::Redo,
+                 command::Readapt, command::Save, command::Stats, command::Screenshot>;
 
 // The name a script calls it by.
 const char* name(const Command& command);

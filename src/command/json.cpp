@@ -258,14 +258,65 @@ Command read_cage(const json& object) {
             require(object, "deformable", "an array of three whole numbers"), "deformable")}};
 }
 
-command::Drag::Move read_move(const json& value, const std::string& where) {
-    if (!value.is_object()) wrong(where, "an object with the fields from and to", value);
-    for (const auto& [key, unused] : value.items())
-        if (key != "from" && key != "to")
+// Refuses fields of a nested object that are not among `known`.
+void refuse_unknown(const json& value, const std::string& where, const std::string& owner,
+                    std::initializer_list<const char*> known) {
+    std::string listing;
+    for (const char* name : known) listing += (listing.empty() ? "" : ", ") + std::string(name);
+    if (!value.is_object()) wrong(where, "an object with the fields " + listing, value);
+    for (const auto& [key, unused] : value.items()) {
+        const auto is_key = [&k = key](const char* name) { return k == name; };
+        if (std::none_of(known.begin(), known.end(), is_key))
             throw Problem(where + " has the unknown field " + in_quotes(key) +
-                          "; the fields of a move are from, to");
-    return {.from = point(require(value, "from", kPointIsRight, where + "."), where + ".from"),
-            .to = point(require(value, "to", kPointIsRight, where + "."), where + ".to")};
+                          "; the fields of a " + owner + " are " + listing);
+    }
+}
+
+command::Drag::Twist read_twist(const json& value, const std::string& where) {
+    refuse_unknown(value, where, "twist", {"axis", "degrees"});
+    command::Drag::Twist twist{
+        .axis = point(require(value, "axis", kPointIsRight, where + "."), where + ".axis"),
+        .degrees = number(require(value, "degrees", "an angle", where + "."), where + ".degrees",
+                          "an angle", any)};
+    if (twist.axis == Vec3(0.0)) throw Problem(where + ".axis must have a length above 0");
+    return twist;
+}
+
+command::Drag::Move read_move(const json& value, const std::string& where) {
+    refuse_unknown(value, where, "move", {"from", "to", "twist", "scale"});
+    command::Drag::Move move{
+        .from = point(require(value, "from", kPointIsRight, where + "."), where + ".from"),
+        .to = point(require(value, "to", kPointIsRight, where + "."), where + ".to")};
+    if (const json* twist = find(value, "twist")) move.twist = read_twist(*twist, where + ".twist");
+    if (const json* scale = find(value, "scale"))
+        move.scale = number(*scale, where + ".scale", "a number above 0", positive);
+    return move;
+}
+
+std::vector<Vec3> points(const json& object, const char* key) {
+    std::vector<Vec3> result;
+    const json* array = find(object, key);
+    if (!array) return result;
+    if (!array->is_array()) wrong(key, "an array of points", *array);
+    for (std::size_t i = 0; i < array->size(); ++i)
+        result.push_back(point((*array)[i], std::string(key) + "[" + std::to_string(i) + "]"));
+    return result;
+}
+
+Command read_symmetry(const json& object) {
+    const std::string right = "\"x\", \"y\", \"z\" or null";
+    const json& plane = require(object, "plane", right);
+    command::Symmetry symmetry;
+    constexpr std::array kNames{"x", "y", "z"};
+    if (!plane.is_null()) {
+        const auto found = std::find_if(kNames.begin(), kNames.end(),
+                                        [&plane](const char* known) { return plane == known; });
+        if (found == kNames.end()) wrong("plane", right, plane);
+        symmetry.plane = static_cast<command::Symmetry::Plane>(found - kNames.begin());
+    }
+    if (const json* through = find(object, "through"))
+        symmetry.through = point(*through, "through");
+    return symmetry;
 }
 
 Command read_drag(const json& object) {
@@ -275,12 +326,35 @@ Command read_drag(const json& object) {
     command::Drag drag;
     for (std::size_t i = 0; i < moves.size(); ++i)
         drag.moves.push_back(read_move(moves[i], "moves[" + std::to_string(i) + "]"));
-    if (const json* pins = find(object, "pins")) {
-        if (!pins->is_array()) wrong("pins", "an array of points", *pins);
-        for (std::size_t i = 0; i < pins->size(); ++i)
-            drag.pins.push_back(point((*pins)[i], "pins[" + std::to_string(i) + "]"));
-    }
+    drag.pins = points(object, "pins");
+    if (const json* value = find(object, "connected"))
+        drag.connected = boolean(*value, "connected");
+    if (const json* value = find(object, "fold_free"))
+        drag.fold_free = boolean(*value, "fold_free");
+    drag.via = points(object, "via");
     return drag;
+}
+
+Command read_control(const json& object) {
+    const std::string right = "an array of at least one {\"index\": [i, j, k], \"to\": point}";
+    const json& given = require(object, "points", right);
+    if (!given.is_array() || given.empty()) wrong("points", right, given);
+    command::Control control;
+    for (std::size_t i = 0; i < given.size(); ++i) {
+        const std::string where = "points[" + std::to_string(i) + "]";
+        refuse_unknown(given[i], where, "control point", {"index", "to"});
+        const std::string index_is_right = "an array of three whole numbers";
+        const json& index = require(given[i], "index", index_is_right, where + ".");
+        if (!index.is_array() || index.size() != 3) wrong(where + ".index", index_is_right, index);
+        command::Control::Point moved;
+        for (int axis = 0; axis < 3; ++axis)
+            moved.index[axis] =
+                integer(index[static_cast<std::size_t>(axis)],
+                        where + ".index[" + std::to_string(axis) + "]", 0, kMaxDeformable - 1);
+        moved.to = point(require(given[i], "to", kPointIsRight, where + "."), where + ".to");
+        control.points.push_back(moved);
+    }
+    return control;
 }
 
 template <class UndoOrRedo>
@@ -359,7 +433,9 @@ constexpr std::array<Reader, std::variant_size_v<Command>> kReaders{
     read_adapt,
     read_brush,
     read_cage,
+    read_symmetry,
     read_drag,
+    read_control,
     read_count<command::Undo>,
     read_count<command::Redo>,
     [](const json&) -> Command { return command::Readapt{}; },

@@ -48,6 +48,10 @@ class JsonWriter {
     void field(std::string_view name, const std::optional<T>& what) {
         if (what) field(name, *what);
     }
+    void null_field(std::string_view name) {
+        key(name);
+        text_ += "null";
+    }
     template <class T>
     void array(std::string_view name, const T& elements) {
         key(name);
@@ -90,6 +94,20 @@ class JsonWriter {
         open('{');
         field("from", move.from);
         field("to", move.to);
+        if (move.twist) {
+            key("twist");
+            open('{');
+            field("axis", move.twist->axis);
+            field("degrees", move.twist->degrees);
+            close('}');
+        }
+        if (move.scale != 1.0) field("scale", move.scale);
+        close('}');
+    }
+    void value(const command::Control::Point& point) {
+        open('{');
+        field("index", point.index);
+        field("to", point.to);
         close('}');
     }
 
@@ -162,10 +180,23 @@ struct FieldWriter {
             json.field("fit", std::get<command::Cage::Fit>(cage.lattice).deformable);
         }
     }
+    void operator()(const command::Symmetry& symmetry) const {
+        constexpr std::array kNames{"x", "y", "z"};
+        if (symmetry.plane) {
+            json.field("plane", kNames[static_cast<std::size_t>(*symmetry.plane)]);
+        } else {
+            json.null_field("plane");
+        }
+        if (symmetry.through != Vec3{0.0}) json.field("through", symmetry.through);
+    }
     void operator()(const command::Drag& drag) const {
         json.array("moves", drag.moves);
         if (!drag.pins.empty()) json.array("pins", drag.pins);
+        if (drag.connected) json.field("connected", true);
+        if (drag.fold_free) json.field("fold_free", true);
+        if (!drag.via.empty()) json.array("via", drag.via);
     }
+    void operator()(const command::Control& control) const { json.array("points", control.points); }
     void operator()(const command::Undo& undo) const { json.field("count", undo.count); }
     void operator()(const command::Redo& redo) const { json.field("count", redo.count); }
     void operator()(const command::Readapt&) const {}
@@ -198,6 +229,7 @@ void write_last(JsonWriter& json, const Statistics::Last& last) {
     json.field("splits", last.splits);
     json.field("unsplits", last.unsplits);
     json.field("influenced_vertices", last.influenced_vertices);
+    json.field("steps", last.steps);
     json.key("seconds");
     json.open('{');
     json.field("begin", last.seconds.begin);

@@ -13,9 +13,10 @@ struct Statistics {
     struct Seconds {
         double begin = 0.0, solve = 0.0, deform = 0.0, refine = 0.0, decimate = 0.0, commit = 0.0;
     };
-    struct Last {  // of the last drag or readapt
+    struct Last {  // of the last drag, control or readapt
         std::uint64_t splits = 0, unsplits = 0;
         std::uint64_t influenced_vertices = 0;  // in the zone at its start
+        std::uint64_t steps = 0;                // that the deformation was made of
         Seconds seconds;
     } last;
 
@@ -26,7 +27,7 @@ struct Statistics {
     std::uint64_t needing_refinement = 0;  // edges that need it and may be split
     std::uint64_t held_back = 0;           // edges that need it but floor or budget forbid
     bool floor_hit = false, budget_hit = false;
-    std::uint64_t folded_vertices = 0;  // det J <= 0 in the last drag
+    std::uint64_t folded_vertices = 0;  // det J <= 0 in any step of the last drag or control
     std::uint64_t memory_bytes = 0;
 };
 

@@ -42,6 +42,23 @@ bool is_usable(const Turn& turn) {
            turn.scale > 0.0 && std::isfinite(turn.scale);
 }
 
+bool is_on_plane(const DragPlan& plan, const Vec3& point) {
+    return std::abs(plan.plane->offset(point)) <=
+           kOnPlaneShare * plan.lattice.cell[plan.plane->axis];
+}
+
+std::optional<DragRefusal> check_target(const DragPlan& plan, const Vec3& from, const Vec3& to) {
+    const auto& plane = plan.plane;
+    if (plane && plane->offset(from) * plane->offset(to) < 0.0 && !is_on_plane(plan, from)) {
+        return refuse_across(*plane, from, to);
+    }
+    if (!plan.fold_free || plan.follows_point || plan.lattice.influences(to) ||
+        (plane && plan.lattice.influences(plane->image(to)))) {
+        return std::nullopt;
+    }
+    return refuse_outside(to, plan.lattice.influenced_zone());
+}
+
 class Planner {
   public:
     explicit Planner(const DragPlan& plan) : plan_(plan) {
@@ -52,7 +69,7 @@ class Planner {
 
     std::variant<PlannedDrag, DragRefusal> run() {
         if (grips_.empty()) return DragRefusal{"a drag needs at least one point to move"};
-        if (const auto refusal = check_plan()) return *refusal;
+        if (const auto refusal = check_drag(plan_)) return *refusal;
         Vec3 at = plan_.moves.front().from;
         for (const Vec3& waypoint : plan_.via) {
             if (waypoint == at) continue;
@@ -65,39 +82,6 @@ class Planner {
     }
 
   private:
-    std::optional<DragRefusal> check_plan() const {
-        for (const DragPlan::Move& move : plan_.moves) {
-            if (!is_usable(move.turn)) return refuse_turn(move.turn);
-            if (const auto refusal = check_target(move.from, move.to)) return refusal;
-        }
-        for (const Vec3& waypoint : plan_.via) {
-            if (!is_finite(waypoint)) {
-                return DragRefusal{"waypoint " + decimal(waypoint) +
-                                   " is not a point; its coordinates must be finite"};
-            }
-            if (const auto refusal = check_target(plan_.moves.front().from, waypoint)) {
-                return refusal;
-            }
-        }
-        return std::nullopt;
-    }
-
-    std::optional<DragRefusal> check_target(const Vec3& from, const Vec3& to) const {
-        if (plan_.plane && plan_.plane->offset(from) * plan_.plane->offset(to) < 0.0 &&
-            !is_on_plane(from)) {
-            return refuse_across(*plan_.plane, from, to);
-        }
-        if (!plan_.fold_free || plan_.follows_point || plan_.lattice.influences(to) ||
-            (plan_.plane && plan_.lattice.influences(plan_.plane->image(to)))) {
-            return std::nullopt;
-        }
-        return refuse_outside(to, plan_.lattice.influenced_zone());
-    }
-    bool is_on_plane(const Vec3& point) const {
-        return std::abs(plan_.plane->offset(point)) <=
-               kOnPlaneShare * plan_.lattice.cell[plan_.plane->axis];
-    }
-
     // The first move goes from a to b; in the last segment everything else happens, too.
     std::optional<DragRefusal> segment(const Vec3& a, const Vec3& b, bool is_last) {
         double done = 0.0;
@@ -185,6 +169,22 @@ Mat3 Turn::jacobian(double share) const {
     const Mat3 rotation =
         Mat3{1.0} + std::sin(angle) * cross + (1.0 - std::cos(angle)) * (cross * cross);
     return std::pow(scale, share) * rotation;
+}
+
+std::optional<DragRefusal> check_drag(const DragPlan& plan) {
+    for (const DragPlan::Move& move : plan.moves) {
+        if (!is_usable(move.turn)) return refuse_turn(move.turn);
+        if (const auto refusal = check_target(plan, move.from, move.to)) return refusal;
+    }
+    for (const Vec3& waypoint : plan.via) {
+        if (!is_finite(waypoint)) {
+            return DragRefusal{"waypoint " + decimal(waypoint) +
+                               " is not a point; its coordinates must be finite"};
+        }
+        const Vec3& from = plan.moves.front().from;
+        if (const auto refusal = check_target(plan, from, waypoint)) return refusal;
+    }
+    return std::nullopt;
 }
 
 std::variant<PlannedDrag, DragRefusal> plan_drag(const DragPlan& plan) {

@@ -58,6 +58,9 @@ inline constexpr std::size_t kMaxSteps = 256;
 // Cost: a solve and two or three proofs a step.
 std::variant<PlannedDrag, DragRefusal> plan_drag(const DragPlan& plan);
 
+// What plan_drag() refuses of targets and turns alone, without solving.
+std::optional<DragRefusal> check_drag(const DragPlan& plan);
+
 // A bound on |∇D| of a step, per unit of each of its displacements: Σ bound·|d| below
 // 1 − kLeastStretch needs no other proof. One for each move of the solver's field.
 std::vector<double> gradient_bounds(const DragSolver& solver);

@@ -18,6 +18,26 @@ bool separates(const Vec3& axis, const Vec3& a, const Vec3& b, const Vec3& c, co
 
 }  // namespace
 
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
+    const Vec3 ab = b - a, ac = c - a, ap = p - a, bp = p - b, cp = p - c;
+    const double d1 = glm::dot(ab, ap), d2 = glm::dot(ac, ap);
+    if (d1 <= 0.0 && d2 <= 0.0) return a;
+    const double d3 = glm::dot(ab, bp), d4 = glm::dot(ac, bp);
+    if (d3 >= 0.0 && d4 <= d3) return b;
+    const double vc = d1 * d4 - d3 * d2;
+    if (vc <= 0.0 && d1 >= 0.0 && d3 <= 0.0 && d1 > d3) return a + d1 / (d1 - d3) * ab;
+    const double d5 = glm::dot(ab, cp), d6 = glm::dot(ac, cp);
+    if (d6 >= 0.0 && d5 <= d6) return c;
+    const double vb = d5 * d2 - d1 * d6;
+    if (vb <= 0.0 && d2 >= 0.0 && d6 <= 0.0 && d2 > d6) return a + d2 / (d2 - d6) * ac;
+    const double va = d3 * d6 - d5 * d4, along_bc = (d4 - d3) + (d5 - d6);
+    if (va <= 0.0 && d4 >= d3 && d5 >= d6 && along_bc > 0.0) {
+        return b + (d4 - d3) / along_bc * (c - b);
+    }
+    const double sum = va + vb + vc;
+    return sum > 0.0 ? a + vb / sum * ab + vc / sum * ac : a;
+}
+
 bool triangle_meets_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& box) {
     Box bounds;
     bounds.include(a);

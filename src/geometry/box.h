@@ -38,8 +38,17 @@ struct Box {
         return min.x < p.x && p.x < max.x && min.y < p.y && p.y < max.y && min.z < p.z &&
                p.z < max.z;
     }
+    // 0 inside; infinite where the box is empty.
+    double squared_distance(const Vec3& p) const {
+        const Vec3 outside = glm::max(glm::max(min - p, p - max), Vec3{0.0});
+        return glm::dot(outside, outside);
+    }
     bool operator==(const Box&) const = default;
 };
+
+// The point of the closed triangle abc that is nearest to p (Ericson, Real-Time Collision
+// Detection, 2005, section 5.1.5).
+Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
 // Whether the closed triangle abc and the closed box have a point in common.
 // Separating axes: 3 of the box, the triangle's normal, 9 cross products (Akenine-Möller,

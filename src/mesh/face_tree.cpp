@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <limits>
 #include <utility>
 
 namespace pectin {
@@ -166,6 +167,38 @@ std::optional<FaceHit> FaceTree::first_hit(const Ray& ray, const TriMesh& mesh) 
         }
     }
     return first;
+}
+
+std::optional<FaceId> FaceTree::nearest(const Vec3& point, const TriMesh& mesh) const {
+    std::optional<FaceId> found;
+    double least = std::numeric_limits<double>::infinity();
+    std::vector<std::uint32_t> stack{0};
+    while (!stack.empty()) {
+        const Node& node = nodes_[stack.back()];
+        stack.pop_back();
+        if (node.box.is_empty() || node.box.squared_distance(point) > least) continue;
+        if (!node.is_leaf()) {
+            const bool left_first = nodes_[node.left].box.squared_distance(point) <
+                                    nodes_[node.right].box.squared_distance(point);
+            stack.push_back(left_first ? node.right : node.left);
+            stack.push_back(left_first ? node.left : node.right);
+            continue;
+        }
+        const Leaf& leaf = leaves_[node.leaf];
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+            const HalfEdgeId h = TriMesh::half_edge(leaf.faces[i], 0);
+            const Vec3 there = nearest_on_triangle(point, mesh.position(mesh.origin(h)),
+                                                   mesh.position(mesh.target(h)),
+                                                   mesh.position(mesh.origin(TriMesh::prev(h))));
+            const double squared = glm::dot(there - point, there - point);
+            if (found && !(squared < least || (squared == least && leaf.faces[i] < *found))) {
+                continue;
+            }
+            least = squared;
+            found = leaf.faces[i];
+        }
+    }
+    return found;
 }
 
 void FaceTree::update(std::span<const FaceId> changed, const TriMesh& mesh) {

@@ -34,6 +34,10 @@ class FaceTree {
     // Cost: O(log n) for a ray that meets little.
     std::optional<FaceHit> first_hit(const Ray& ray, const TriMesh& mesh) const;
 
+    // The live face nearest to the point, of those at one distance the one with the lowest id;
+    // none without faces. Cost: O(log n) near the surface.
+    std::optional<FaceId> nearest(const Vec3& point, const TriMesh& mesh) const;
+
     // To be told of every slot whose face moved, came or went. Cost: O(k log n), at most O(n); O(n
     // log n) where it is built anew.
     void update(std::span<const FaceId> changed, const TriMesh& mesh);

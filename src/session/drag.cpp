@@ -3,7 +3,9 @@
 #include <cassert>
 #include <cmath>
 
+#include "ffd/injectivity.h"
 #include "geometry/decimal.h"
+#include "mesh/connected_part.h"
 #include "session/session_state.h"
 
 namespace pectin {
@@ -13,119 +15,271 @@ namespace {
 // squares of lengths would lose all digits of what stays.
 constexpr double kLargestDrag = 1e6;
 
-}  // namespace
-
-std::vector<Vec3> Session::State::DragInHand::displacements() const {
-    std::vector<Vec3> d;
-    for (const command::Drag::Move& move : drag.moves) d.push_back(move.to - move.from);
-    return d;
+Turn turn_of(const command::Drag::Move& move) {
+    Turn turn{.scale = move.scale};
+    if (move.twist) {
+        turn.axis = move.twist->axis;
+        turn.degrees = move.twist->degrees;
+    }
+    return turn;
 }
 
-Refusal Session::State::begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins) {
-    assert(!in_hand && !points.empty());
-    if (!has_object()) return kNoObject;
+bool turns(const command::Drag::Move& move) { return !turn_of(move).is_none(); }
+
+bool moves_nothing(const command::Drag& drag) {
+    const bool goes_nowhere =
+        std::all_of(drag.moves.begin(), drag.moves.end(),
+                    [](const auto& move) { return move.to == move.from && !turns(move); });
+    return goes_nowhere && std::all_of(drag.via.begin(), drag.via.end(), [&](const Vec3& point) {
+               return point == drag.moves.front().from;
+           });
+}
+
+// What the last step is asked for where it makes up the last segment.
+std::vector<GripMotion> last_motions(const command::Drag& drag) {
+    std::vector<GripMotion> motions;
+    for (const auto& move : drag.moves) {
+        const bool goes_on = motions.empty() && !drag.via.empty();
+        const Vec3& at = goes_on ? drag.via.back() : move.from;
+        motions.push_back({move.to - at, turn_of(move).jacobian()});
+    }
+    return motions;
+}
+
+}  // namespace
+
+DragPlan Session::State::plan_of(const command::Drag& drag) const {
+    DragPlan plan{.moves = {},
+                  .pins = drag.pins,
+                  .via = drag.via,
+                  .fold_free = drag.fold_free,
+                  .plane = symmetry,
+                  .lattice = lattice_settings.lattice(drag.moves.front().from, diagonal),
+                  .follows_point = !lattice_settings.cage.has_value()};
+    for (const auto& move : drag.moves) plan.moves.push_back({move.from, move.to, turn_of(move)});
+    return plan;
+}
+
+Refusal Session::State::check_targets(const command::Drag& drag, double reach) const {
+    const double most = kLargestDrag * (diagonal + reach);
+    const auto check = [&](const Vec3& from, const Vec3& to) -> Refusal {
+        if (glm::length(to - from) <= most) return std::nullopt;
+        return "the drag from " + decimal(from) + " to " + decimal(to) +
+               " goes more than a million times the size of the object; the most is " +
+               decimal(most);
+    };
+    for (const command::Drag::Move& move : drag.moves) {
+        if (Refusal refusal = check(move.from, move.to)) return refusal;
+    }
+    for (const Vec3& waypoint : drag.via) {
+        if (Refusal refusal = check(drag.moves.front().from, waypoint)) return refusal;
+    }
+    return std::nullopt;
+}
+
+// The faces that follow: all that meet the zones, or the part that hangs together with the points.
+std::variant<std::vector<FaceId>, std::string> Session::State::faces_of(
+    const command::Drag& drag, std::span<const Box> zones) {
+    std::vector<FaceId> faces;
+    for (const Box& zone : zones) {
+        const std::vector<FaceId> there = face_tree().faces_meeting(zone, *mesh);
+        faces.insert(faces.end(), there.begin(), there.end());
+    }
+    if (zones.size() > 1) {
+        std::sort(faces.begin(), faces.end());
+        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    }
+    if (!drag.connected) return faces;
+    std::vector<FaceId> seeds;
+    for (const command::Drag::Move& move : drag.moves) {
+        if (const auto face = face_tree().nearest(move.from, *mesh)) seeds.push_back(*face);
+        if (!symmetry) continue;
+        const auto opposite = face_tree().nearest(symmetry->image(move.from), *mesh);
+        if (opposite) seeds.push_back(*opposite);
+    }
+    std::vector<FaceId> part = connected_part(*mesh, faces, seeds, zones);
+    if (part.empty()) {
+        return "the surface nearest to " + decimal(drag.moves.front().from) +
+               " does not reach into the influenced zone; drag a point of the surface, or without "
+               "connected";
+    }
+    return part;
+}
+
+void Session::State::start_gesture(InHand& begun, std::span<const FaceId> faces, Warp warp) {
+    std::optional<AdaptLimits> adapt_limits;
+    begun.lattice = lattice_of(warp.steps.back());
+    if (adapt_settings.enabled) adapt_limits = limits(begun.lattice);
+    begun.measured.steps = warp.steps.size();
+    begun.gesture = std::make_unique<Gesture>(*active, faces, std::move(warp), adapt_limits);
+    begun.measured.influenced_vertices = begun.gesture->influenced_vertices();
+}
+
+// Plans the drag and begins its gesture, in place of the one there may be.
+Refusal Session::State::embed(InHand& begun) {
     Stopwatch stopwatch;
-    const Lattice lattice = lattice_settings.lattice(points.front(), diagonal);
+    auto result = plan_drag(plan_of(begun.drag));
+    if (auto* refusal = std::get_if<DragRefusal>(&result)) return std::move(refusal->what);
+    PlannedDrag planned = std::move(std::get<PlannedDrag>(result));
+    const std::size_t left = planned.warp.steps.size() - planned.last_segment;
+    const bool is_alone = begun.drag.moves.size() == 1 && !turns(begun.drag.moves.front());
+    begun.is_one_step_left = left == 1;
+    if (begun.gesture && left > 1 && is_alone) {
+        // Its steps become waypoints, so that the next frame has but the last to change.
+        begun.drag.via.insert(begun.drag.via.end(),
+                              planned.points.end() - static_cast<std::ptrdiff_t>(left - 1),
+                              planned.points.end());
+        begun.is_one_step_left = true;
+    }
+    begun.bounds.clear();
+    if (begun.drag.fold_free) begun.bounds = gradient_bounds(planned.last);
+    begun.solver.emplace(std::move(planned.last));
+    begun.measured.seconds.solve = stopwatch.lap();
+
+    // At rest again: faces are looked for and embedded there.
+    if (begun.gesture) {
+        show(begun.gesture->cancel());
+        begun.gesture.reset();
+    }
+    auto faces = faces_of(begun.drag, planned.warp.zones());
+    if (auto* refusal = std::get_if<std::string>(&faces)) return std::move(*refusal);
+    // What throws from here on (memory) leaves no gesture, and the object at rest.
+    start_gesture(begun, std::get<0>(faces), std::move(planned.warp));
+    begun.measured.seconds.begin = stopwatch.lap();
+    return std::nullopt;
+}
+
+Refusal Session::State::begin_drag(const command::Drag& drag) {
+    assert(!in_hand);
+    if (!has_object()) return kNoObject;
+    if (drag.moves.empty()) return "a drag needs at least one move, from a point to another";
+    const Lattice lattice = lattice_settings.lattice(drag.moves.front().from, diagonal);
     if (!lattice.is_valid() || !is_finite(lattice.influenced_zone().extent())) {
         return "the lattice has no usable size (radius or cells of 0, or beyond numbers); set the "
                "brush radius or the cage to about the size of what is to move";
     }
-    auto solved = DragSolver::create(lattice, points, pins);
-    if (const auto* refusal = std::get_if<DragRefusal>(&solved)) return refusal->what;
-
-    command::Drag drag{{}, {pins.begin(), pins.end()}};
-    for (const Vec3& point : points) drag.moves.push_back({point, point});
-    auto begun = std::make_unique<DragInHand>(
-        DragInHand{std::move(drag), lattice, std::move(std::get<DragSolver>(solved)), {}});
-    begun->measured.seconds.solve = stopwatch.lap();
-    const Box zone = lattice.influenced_zone();
-    const std::vector<FaceId> faces = face_tree().faces_meeting(zone, *mesh);
-    Warp warp{{DragStep{begun->solver.field(), std::vector<Vec3>(points.size())}}};
-    // From here on what throws (memory) ends the gesture, and the session is as it was.
-    begun->gesture = std::make_unique<Gesture>(
-        *active, faces, std::move(warp),
-        adapt_settings.enabled ? std::optional(limits(lattice)) : std::nullopt);
-    begun->measured.influenced_vertices = begun->gesture->influenced_vertices();
-    begun->measured.seconds.begin = stopwatch.lap();
+    auto begun = std::make_unique<InHand>();
+    begun->drag = drag;
+    begun->reach = lattice.influenced_zone().diagonal();
+    if (Refusal refusal = check_targets(drag, begun->reach)) return refusal;
+    if (Refusal refusal = embed(*begun)) return refusal;
     in_hand = std::move(begun);
     return std::nullopt;
 }
 
-// Takes the targets, or says why not and keeps those before.
-Refusal Session::State::set_targets(std::span<const Vec3> targets) {
-    std::vector<command::Drag::Move>& moves = in_hand->drag.moves;
-    assert(targets.size() == moves.size());
-    const double most = kLargestDrag * (diagonal + in_hand->lattice.influenced_zone().diagonal());
-    std::vector<Vec3> displacements;
-    for (std::size_t i = 0; i < moves.size(); ++i) {
-        displacements.push_back(targets[i] - moves[i].from);
-        if (!(glm::length(displacements.back()) <= most)) {
-            return "the drag from " + decimal(moves[i].from) + " to " + decimal(targets[i]) +
-                   " goes more than a million times the size of the object; the most is " +
-                   decimal(most);
-        }
+// Whether the last step takes everything there by itself; a refusal where nothing would.
+bool Session::State::is_single_step(const command::Drag& drag, Refusal& refusal) const {
+    const command::Drag& before = in_hand->drag;
+    if (!in_hand->is_one_step_left) return false;
+    for (std::size_t m = 0; m < drag.moves.size(); ++m) {
+        if (turns(drag.moves[m]) != turns(before.moves[m])) return false;
     }
-    if (const auto refusal = in_hand->solver.check(displacements)) return refusal->what;
-    for (std::size_t i = 0; i < moves.size(); ++i) moves[i].to = targets[i];
+    const auto motions = last_motions(drag);
+    if (const auto refused = check_drag(plan_of(drag))) {
+        refusal = refused->what;
+        return true;
+    }
+    if (const auto refused = in_hand->solver->check(motions)) {
+        refusal = refused->what;
+        return true;
+    }
+    return !drag.fold_free ||
+           injective_fraction(in_hand->solver->step(motions), in_hand->bounds) >= 1.0;
+}
+
+// Whether the last step has used up half of what it could.
+bool Session::State::is_past_half_way() const {
+    DragStep step = in_hand->solver->step(last_motions(in_hand->drag));
+    for (Vec3& d : step.displacements) d *= 2.0;
+    return in_hand->is_one_step_left && injective_fraction(step, in_hand->bounds) < 1.0;
+}
+
+Refusal Session::State::drag_to(const command::Drag& asked) {
+    assert(in_hand && in_hand->gesture && !in_hand->is_control());
+    if (Refusal refusal = check_targets(asked, in_hand->reach)) return refusal;
+    Refusal refusal;
+    if (!is_single_step(asked, refusal)) {
+        InHand next{.drag = asked, .reach = in_hand->reach, .measured = in_hand->measured};
+        if (asked.fold_free && asked.moves.size() == 1 && is_past_half_way()) {
+            next.drag.via.push_back(in_hand->drag.moves.front().to);
+        }
+        // Where the plan is refused the present one stays.
+        next.gesture = std::move(in_hand->gesture);
+        refusal = embed(next);
+        if (refusal && next.gesture) {
+            in_hand->gesture = std::move(next.gesture);
+            return refusal;
+        }
+        *in_hand = std::move(next);
+    }
+    if (refusal) return refusal;
+    in_hand->drag.moves = asked.moves;
+    if (in_hand->is_one_step_left) {
+        show_frame(in_hand->solver->field_displacements(last_motions(in_hand->drag)));
+    } else {
+        const Warp& warp = in_hand->gesture->warp();
+        const std::vector<Vec3> planned = std::get<DragStep>(warp.steps.back()).displacements;
+        show_frame(planned);
+    }
     return std::nullopt;
 }
 
-Refusal Session::State::drag_to(std::span<const Vec3> targets) {
-    assert(in_hand);
-    if (Refusal refusal = set_targets(targets)) return refusal;
-    in_hand->gesture->frame(in_hand->displacements());
+void Session::State::show_frame(std::span<const Vec3> displacements) {
+    in_hand->gesture->frame(displacements);
     // Corners of new faces may lie where nothing moves: they are shown with their faces.
     show(in_hand->gesture->take_edited_faces());
     if (!dirty.everything) in_hand->gesture->append_moved_wedges(dirty.wedges);
-    return std::nullopt;
 }
 
-std::optional<command::Drag> Session::State::end_drag() {
-    assert(in_hand);
-    const std::vector<Vec3> displacements = in_hand->displacements();
-    // A gesture that moves nothing does nothing.
-    const bool moves_nothing = std::all_of(displacements.begin(), displacements.end(),
-                                           [](const Vec3& d) { return d == Vec3{0.0}; });
+// Cancels where nothing moves: such a gesture does nothing.
+void Session::State::commit(std::span<const Vec3> displacements, bool is_nothing) {
     last = in_hand->measured;
-    if (moves_nothing) {
+    if (is_nothing) {
         cancel_drag();
-        return std::nullopt;
+        return;
     }
     Stopwatch stopwatch;
     MeshChange change = in_hand->gesture->commit(displacements);
     // What frames have shown and the commit has taken back is shown anew, too.
     show(in_hand->gesture->take_edited_faces());
     lattice_in_use = in_hand->lattice;
+    zones_in_use = in_hand->gesture->warp().zones();
+    // Other parts reach into the zones, too, but were not refined there.
+    if (in_hand->drag.connected) zones_in_use.clear();
     note(in_hand->gesture->last_frame());
     folded = in_hand->gesture->folded_vertices();
-    const command::Drag drag = std::move(in_hand->drag);
+    Command command = in_hand->is_control() ? Command{in_hand->control} : Command{in_hand->drag};
     in_hand.reset();
-    add_step(drag, std::move(change));
+    add_step(std::move(command), std::move(change));
     last.seconds.commit =
         stopwatch.lap() - last.seconds.deform - last.seconds.refine - last.seconds.decimate;
-    return drag;
+}
+
+std::optional<command::Drag> Session::State::end_drag() {
+    assert(in_hand && in_hand->gesture && !in_hand->is_control());
+    const command::Drag drag = in_hand->drag;
+    const bool is_nothing = moves_nothing(drag);
+    if (in_hand->is_one_step_left) {
+        commit(in_hand->solver->field_displacements(last_motions(drag)), is_nothing);
+    } else {
+        const Warp& warp = in_hand->gesture->warp();
+        const std::vector<Vec3> planned = std::get<DragStep>(warp.steps.back()).displacements;
+        commit(planned, is_nothing);
+    }
+    return is_nothing ? std::nullopt : std::optional(drag);
 }
 
 void Session::State::cancel_drag() {
     assert(in_hand);
-    const std::vector<FaceId> faces = in_hand->gesture->cancel();
+    std::vector<FaceId> faces;
+    if (in_hand->gesture) faces = in_hand->gesture->cancel();
     in_hand.reset();
     follow(faces);
 }
 
 Refusal Session::State::run(const command::Drag& drag) {
-    if (drag.moves.empty()) return "a drag needs at least one move, from a point to another";
-    std::vector<Vec3> points, targets;
-    for (const command::Drag::Move& move : drag.moves) {
-        points.push_back(move.from);
-        targets.push_back(move.to);
-    }
-    if (Refusal refusal = begin_drag(points, drag.pins)) return refusal;
+    if (Refusal refusal = begin_drag(drag)) return refusal;
     try {
-        if (Refusal refusal = set_targets(targets)) {
-            cancel_drag();
-            return refusal;
-        }
         end_drag();
     } catch (...) {
         if (in_hand) cancel_drag();

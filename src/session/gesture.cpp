@@ -18,8 +18,10 @@ Gesture::Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
     : active_(active), warp_(std::move(warp)), embedding_(active_, warp_) {
     assert(!warp_.steps.empty());
     const Box zone = warp_.zone();
-    if (limits)
-        criteria_.emplace(*limits, warp_.zones(), warp_.steps.size() > 1 ? &embedding_ : nullptr);
+    if (limits) {
+        criteria_.emplace(*limits, warp_.zones(), std::optional(warp_.zones()),
+                          warp_.steps.size() > 1 ? &embedding_ : nullptr);
+    }
     try {
         active_.begin(faces, zone);
         embedding_.embed();

@@ -35,7 +35,8 @@ class Gesture {
     Gesture(const Gesture&) = delete;
     Gesture& operator=(const Gesture&) = delete;
 
-    // The object as these displacements of the warp's last step have it: one for each move.
+    // The object as these displacements of the warp's last step have it: one for each of its
+    // moves, or for each control point.
     // Cost: O(active set).
     const Frame& frame(std::span<const Vec3> displacements);
     // The same as a single frame from the rest state, for good.
@@ -51,6 +52,7 @@ class Gesture {
     std::size_t memory_bytes() const { return embedding_.memory_bytes(); }
     void append_moved_wedges(std::vector<WedgeId>& wedges) const;
 
+    const Warp& warp() const { return warp_; }
     const Frame& last_frame() const { return last_; }
     std::uint64_t influenced_vertices() const { return influenced_; }
     std::uint64_t folded_vertices() const { return folded_; }  // of the commit

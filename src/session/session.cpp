@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cctype>
 #include <cmath>
+#include <limits>
 #include <string_view>
 #include <utility>
 
@@ -57,6 +58,7 @@ void Session::State::take(BuiltMesh built) {
     const Vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
     largest_coordinate = glm::max(farthest.x, glm::max(farthest.y, farthest.z));
     lattice_in_use.reset();
+    zones_in_use.clear();
     last = {};
     folded = 0;
     outcome = {};
@@ -179,6 +181,14 @@ Refusal Session::State::run(const command::Cage& cage) {
     return std::nullopt;
 }
 
+Refusal Session::State::run(const command::Symmetry& symmetry_command) {
+    symmetry.reset();
+    if (!symmetry_command.plane) return std::nullopt;
+    const int axis = static_cast<int>(*symmetry_command.plane);
+    symmetry = MirrorPlane{axis, symmetry_command.through[axis]};
+    return std::nullopt;
+}
+
 Refusal Session::State::run(const command::Undo& undo_command) {
     const auto count = static_cast<std::size_t>(undo_command.count);
     if (count > history.undo_count()) {
@@ -217,11 +227,14 @@ Refusal Session::State::run(const command::Readapt& readapt) {
         if (mesh->is_live(FaceId{i})) faces.push_back(FaceId{i});
     }
     last = {};
-    if (const auto zone = zone_in_use()) {
-        for (std::uint32_t i = 0; i < mesh->vertex_slots(); ++i) {
-            const VertexId v{i};
-            if (!mesh->is_live(v) || !exists(mesh->half_edge(v))) continue;
-            last.influenced_vertices += zone->contains_strictly(mesh->position(v)) ? 1 : 0;
+    for (std::uint32_t i = 0; i < mesh->vertex_slots(); ++i) {
+        const VertexId v{i};
+        if (!mesh->is_live(v) || !exists(mesh->half_edge(v))) continue;
+        const auto contains = [&](const Box& zone) {
+            return zone.contains_strictly(mesh->position(v));
+        };
+        if (std::any_of(zones_in_use.begin(), zones_in_use.end(), contains)) {
+            ++last.influenced_vertices;
         }
     }
     active->begin(faces, Box{});
@@ -233,7 +246,7 @@ Refusal Session::State::run(const command::Readapt& readapt) {
     const bool was_hit = outcome.budget_hit;
     if (was_hit) adapt_limits.budget = 0;
     const Adaptation adaptation =
-        adapt(*active, embedding, Criteria(adapt_limits, zone_in_use(), std::nullopt));
+        adapt(*active, embedding, Criteria(adapt_limits, zones_in_use, {}));
     MeshChange change = active->finish();
     Frame frame;
     frame.splits = adaptation.refinement.splits;
@@ -287,13 +300,42 @@ std::optional<std::string> Session::execute(const Command& command) {
 void Session::set_viewport(Viewport* viewport) { state_->viewport = viewport; }
 
 std::optional<std::string> Session::begin_drag(std::span<const Vec3> points,
-                                               std::span<const Vec3> pins) {
-    return state_->begin_drag(points, pins);
+                                               std::span<const Vec3> pins,
+                                               const DragOptions& options) {
+    command::Drag drag{.pins = {pins.begin(), pins.end()},
+                       .connected = options.connected,
+                       .fold_free = options.fold_free};
+    for (const Vec3& point : points) drag.moves.push_back({.from = point, .to = point});
+    return state_->begin_drag(drag);
 }
 
 std::optional<std::string> Session::drag_to(std::span<const Vec3> targets) {
-    return state_->drag_to(targets);
+    command::Drag drag = state_->in_hand->drag;
+    for (std::size_t i = 0; i < drag.moves.size(); ++i) drag.moves[i].to = targets[i];
+    return state_->drag_to(drag);
 }
+
+std::optional<std::string> Session::drag_to(std::span<const DragTarget> targets) {
+    command::Drag drag = state_->in_hand->drag;
+    for (std::size_t i = 0; i < drag.moves.size(); ++i) {
+        drag.moves[i].to = targets[i].to;
+        drag.moves[i].twist = targets[i].twist;
+        drag.moves[i].scale = targets[i].scale;
+    }
+    return state_->drag_to(drag);
+}
+
+const command::Drag& Session::drag_in_hand() const { return state_->in_hand->drag; }
+
+std::optional<std::string> Session::begin_control(std::span<const IVec3> indices) {
+    return state_->begin_control(indices);
+}
+
+std::optional<std::string> Session::control_to(std::span<const Vec3> targets) {
+    return state_->control_to(targets);
+}
+
+std::optional<command::Control> Session::end_control() { return state_->end_control(); }
 
 const Frame& Session::last_frame() const { return state_->in_hand->gesture->last_frame(); }
 
@@ -336,6 +378,29 @@ DirtyElements Session::take_dirty() {
 }
 
 Statistics Session::statistics() const { return state_->statistics(); }
+
+const std::optional<MirrorPlane>& Session::symmetry() const { return state_->symmetry; }
+
+std::optional<IVec3> Session::pick_control(const Ray& ray, double slope) const {
+    const auto& cage = state_->lattice_settings.cage;
+    if (!cage) return std::nullopt;
+    std::optional<IVec3> found;
+    double nearest = std::numeric_limits<double>::infinity();
+    const Vec3 along = glm::normalize(ray.direction);
+    for (int k = 0; k < cage->deformable.z; ++k) {
+        for (int j = 0; j < cage->deformable.y; ++j) {
+            for (int i = 0; i < cage->deformable.x; ++i) {
+                const Vec3 to = cage->rest({i, j, k}) - ray.origin;
+                const double depth = glm::dot(to, along);
+                if (!(depth > 0.0) || depth >= nearest) continue;
+                if (glm::length(to - depth * along) > slope * depth) continue;
+                nearest = depth;
+                found = IVec3{i, j, k};
+            }
+        }
+    }
+    return found;
+}
 
 const AdaptSettings& Session::adapt_settings() const { return state_->adapt_settings; }
 

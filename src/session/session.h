@@ -10,6 +10,7 @@
 #include "command/command.h"
 #include "command/statistics.h"
 #include "ffd/lattice.h"
+#include "ffd/symmetry.h"
 #include "geometry/ray.h"
 #include "mesh/tri_mesh.h"
 #include "session/gesture.h"
@@ -33,6 +34,18 @@ struct Pick {
     Vec3 normal{0.0};  // of the face, unit, outwards
 };
 
+struct DragOptions {
+    bool connected = false;  // only the surface that hangs together with the points follows
+    bool fold_free = false;  // in steps that are proven one to one
+};
+
+// What is asked of a point that is being dragged.
+struct DragTarget {
+    Vec3 to{0.0};
+    std::optional<command::Drag::Twist> twist{};
+    double scale = 1.0;
+};
+
 class Session {
   public:
     Session();
@@ -45,17 +58,31 @@ class Session {
     std::optional<std::string> execute(const Command& command);
 
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
-    // executed meanwhile. Ending it does what the Drag command with the last targets does, to the
-    // byte, whatever the frames before.
-    std::optional<std::string> begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins);
-    // One target for each point. Cost: O(active set). A refusal leaves the frame before.
+    // executed meanwhile. Ending it does what the Drag command that it came to does, to the byte,
+    // whatever the frames before. With symmetry on, all of it happens on both sides.
+    std::optional<std::string> begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins,
+                                          const DragOptions& options = {});
+    // One target for each point. Cost: O(active set), as long as a fold-free drag needs no further
+    // step; where it does the object is embedded anew, O(active set) a step, and the drag gets a
+    // waypoint. A refusal leaves the frame before.
     std::optional<std::string> drag_to(std::span<const Vec3> targets);
+    std::optional<std::string> drag_to(std::span<const DragTarget> targets);
+    // As it is now, with its waypoints so far.
+    const command::Drag& drag_in_hand() const;
     const Frame& last_frame() const;
     // The command it came to; none if its targets are its points. It is a step in the history if it
     // has changed anything.
     std::optional<command::Drag> end_drag();
-    void cancel_drag();  // gives everything back, to the byte
+    void cancel_drag();  // gives everything back, to the byte; also of control points
     bool is_dragging() const;
+
+    // --- The same for control points of the cage. Several, each once.
+    std::optional<std::string> begin_control(std::span<const IVec3> indices);
+    std::optional<std::string> control_to(std::span<const Vec3> targets);
+    std::optional<command::Control> end_control();
+    // The nearest control point of the cage within a cone about the ray: `slope` is how far beside
+    // it for each unit along it. Cost: O(control points).
+    std::optional<IVec3> pick_control(const Ray& ray, double slope) const;
 
     // Draws screenshots from now on; none: they are refused. Must outlive the session or be taken
     // away.
@@ -74,6 +101,7 @@ class Session {
     // --- For who shows them.
     const AdaptSettings& adapt_settings() const;
     const LatticeSettings& lattice_settings() const;
+    const std::optional<MirrorPlane>& symmetry() const;
     const AdaptOutcome& outcome() const;  // of the mesh as it is
     std::size_t undo_count() const;
     std::size_t redo_count() const;

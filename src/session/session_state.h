@@ -6,9 +6,11 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <variant>
 #include <vector>
 
 #include "ffd/drag_solver.h"
+#include "ffd/injective_steps.h"
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
 #include "session/gesture.h"
@@ -39,29 +41,35 @@ class Stopwatch {
 };
 
 struct Session::State {
-    // A drag between begin and end.
-    struct DragInHand {
-        command::Drag drag;  // `to` is where the last frame put it
-        Lattice lattice;
-        DragSolver solver;
-        Statistics::Last measured;           // so far
-        std::unique_ptr<Gesture> gesture{};  // refers to the active set
+    // A drag of points or of control points between begin and end.
+    struct InHand {
+        command::Drag drag{};                // `to` is where the last frame put it
+        command::Control control{};          // the same of control points; empty in a drag
+        Lattice lattice{};                   // of the last step
+        double reach = 0.0;                  // diagonal of the first step's zone
+        std::optional<DragSolver> solver{};  // of the last step
+        std::vector<double> bounds{};        // of the solver's field, if folds are to be prevented
+        bool is_one_step_left = true;        // whether the last segment is the last step
+        Statistics::Last measured{};         // so far
+        std::unique_ptr<Gesture> gesture{};  // refers to the active set; none if memory gave out
 
-        std::vector<Vec3> displacements() const;
+        bool is_control() const { return !control.points.empty(); }
     };
 
     // Behind pointers: the active set refers to the mesh wherever the session goes.
     std::unique_ptr<TriMesh> mesh = std::make_unique<TriMesh>();
     std::unique_ptr<ActiveSet> active = std::make_unique<ActiveSet>(*mesh);
     std::unique_ptr<FaceTree> tree;  // made when first asked for
-    std::unique_ptr<DragInHand> in_hand;
+    std::unique_ptr<InHand> in_hand;
     History history;
     AdaptSettings adapt_settings;
     LatticeSettings lattice_settings;
+    std::optional<MirrorPlane> symmetry;
     DirtyElements dirty;
     Viewport* viewport = nullptr;
     double diagonal = 0.0;                  // of the object's box as it was opened
-    std::optional<Lattice> lattice_in_use;  // the last drag's
+    std::optional<Lattice> lattice_in_use;  // the last step's of the last drag
+    std::vector<Box> zones_in_use;          // all steps'; none after a connected drag
     Statistics::Last last;
     std::uint64_t folded = 0;
     AdaptOutcome outcome;             // of the mesh as it is
@@ -72,10 +80,6 @@ struct Session::State {
     AdaptLimits limits(const std::optional<Lattice>& lattice) const {
         return adapt_settings.limits(lattice ? lattice->smallest_cell_extent() : kOff, diagonal,
                                      largest_coordinate);
-    }
-    std::optional<Box> zone_in_use() const {
-        if (!lattice_in_use) return std::nullopt;
-        return lattice_in_use->influenced_zone();
     }
     void take(BuiltMesh built);
     const FaceTree& face_tree();
@@ -93,7 +97,9 @@ struct Session::State {
     Refusal run(const command::Adapt& adapt);
     Refusal run(const command::Brush& brush);
     Refusal run(const command::Cage& cage);
+    Refusal run(const command::Symmetry& symmetry_command);
     Refusal run(const command::Drag& drag);
+    Refusal run(const command::Control& control);
     Refusal run(const command::Undo& undo);
     Refusal run(const command::Redo& redo);
     Refusal run(const command::Readapt& readapt);
@@ -102,10 +108,29 @@ struct Session::State {
     Refusal run(const command::Screenshot& screenshot);
 
     // --- Drags (drag.cpp).
-    Refusal begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins);
-    Refusal set_targets(std::span<const Vec3> targets);
-    Refusal drag_to(std::span<const Vec3> targets);
+    Refusal begin_drag(const command::Drag& drag);
+    Refusal drag_to(const command::Drag& drag);
     std::optional<command::Drag> end_drag();
+    Refusal check_targets(const command::Drag& drag, double reach) const;
+    DragPlan plan_of(const command::Drag& drag) const;
+    Refusal embed(InHand& begun);
+    std::variant<std::vector<FaceId>, std::string> faces_of(const command::Drag& drag,
+                                                            std::span<const Box> zones);
+    bool is_single_step(const command::Drag& drag, Refusal& refusal) const;
+    bool is_past_half_way() const;
+
+    // --- Control points (control.cpp).
+    Refusal begin_control(std::span<const IVec3> indices);
+    Refusal control_to(std::span<const Vec3> targets);
+    std::optional<command::Control> end_control();
+    std::variant<std::vector<Vec3>, std::string> control_displacements(
+        const command::Control& control) const;
+
+    // --- Both.
+    void start_gesture(InHand& begun, std::span<const FaceId> faces, Warp warp);
+    void show_frame(std::span<const Vec3> displacements);
+    // Ends the gesture with these displacements of the last step; a step of the history.
+    void commit(std::span<const Vec3> displacements, bool moves_nothing);
     void cancel_drag();
 
     Statistics statistics() const;

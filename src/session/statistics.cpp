@@ -9,7 +9,7 @@ Statistics Session::State::statistics() const {
     Statistics s;
     measure(*mesh, s);
     s.last = last;
-    const Criteria criteria(limits(lattice_in_use), zone_in_use(), std::nullopt);
+    const Criteria criteria(limits(lattice_in_use), zones_in_use, {});
     const Assessment assessment = assess(*active, criteria, outcome.blocked);
     s.divergence_max_deg = assessment.divergence_max_deg;
     s.needing_refinement = outcome.budget_hit ? 0 : assessment.needing_refinement;
@@ -19,7 +19,7 @@ Statistics Session::State::statistics() const {
     s.folded_vertices = folded;
     s.memory_bytes = mesh->memory_bytes() + active->memory_bytes() + history.memory_bytes() +
                      (tree ? tree->memory_bytes() : 0) +
-                     (in_hand ? in_hand->gesture->memory_bytes() : 0);
+                     (in_hand && in_hand->gesture ? in_hand->gesture->memory_bytes() : 0);
     return s;
 }
 

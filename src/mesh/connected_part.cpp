@@ -1,0 +1,92 @@
+#include "mesh/connected_part.h"
+
+#include <algorithm>
+#include <numeric>
+#include <tuple>
+#include <utility>
+
+namespace pectin {
+namespace {
+
+// Disjoint sets with path halving (Tarjan & van Leeuwen 1984); the lowest index stands for a set.
+class DisjointSets {
+  public:
+    explicit DisjointSets(std::size_t count) : parent_(count) {
+        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
+    }
+    std::size_t find(std::size_t i) {
+        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
+        return i;
+    }
+    void join(std::size_t i, std::size_t j) {
+        i = find(i);
+        j = find(j);
+        parent_[std::max(i, j)] = std::min(i, j);
+    }
+
+  private:
+    std::vector<std::size_t> parent_;
+};
+
+// Something that faces may share: a vertex in a zone (twice), or the two ends of an edge.
+struct Place {
+    VertexId first, second;
+    std::size_t face;  // into the faces
+};
+
+bool meets_any(const Vec3& a, const Vec3& b, std::span<const Box> zones) {
+    return std::any_of(zones.begin(), zones.end(),
+                       [&](const Box& zone) { return triangle_meets_box(a, b, b, zone); });
+}
+
+bool is_inside_any(const Vec3& p, std::span<const Box> zones) {
+    return std::any_of(zones.begin(), zones.end(),
+                       [&](const Box& zone) { return zone.contains_strictly(p); });
+}
+
+std::vector<Place> shared_places(const TriMesh& mesh, std::span<const FaceId> faces,
+                                 std::span<const Box> zones) {
+    std::vector<Place> places;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const HalfEdgeId h = TriMesh::half_edge(faces[f], corner);
+            const VertexId v = mesh.origin(h), w = mesh.target(h);
+            if (is_inside_any(mesh.position(v), zones)) {
+                places.push_back({v, v, f});
+            } else if (!is_inside_any(mesh.position(w), zones) &&
+                       meets_any(mesh.position(v), mesh.position(w), zones)) {
+                places.push_back({std::min(v, w), std::max(v, w), f});
+            }
+        }
+    }
+    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+        return std::tie(a.first, a.second, a.face) < std::tie(b.first, b.second, b.face);
+    });
+    return places;
+}
+
+}  // namespace
+
+std::vector<FaceId> connected_part(const TriMesh& mesh, std::span<const FaceId> faces,
+                                   std::span<const FaceId> seeds, std::span<const Box> zones) {
+    DisjointSets parts(faces.size());
+    const std::vector<Place> places = shared_places(mesh, faces, zones);
+    for (std::size_t i = 1; i < places.size(); ++i) {
+        if (places[i].first == places[i - 1].first && places[i].second == places[i - 1].second) {
+            parts.join(places[i].face, places[i - 1].face);
+        }
+    }
+    std::vector<bool> is_reached(faces.size(), false);
+    for (const FaceId seed : seeds) {
+        const auto at = std::lower_bound(faces.begin(), faces.end(), seed);
+        if (at == faces.end() || *at != seed) continue;
+        is_reached[parts.find(static_cast<std::size_t>(at - faces.begin()))] = true;
+    }
+    std::vector<FaceId> part;
+    for (std::size_t f = 0; f < faces.size(); ++f) {
+        if (is_reached[parts.find(f)]) part.push_back(faces[f]);
+    }
+    return part;
+}
+
+}  // namespace pectin

@@ -1,0 +1,166 @@
+// Control points of the cage moved by hand: classic free-form deformation.
+// Source: Sederberg & Parry, Free-Form Deformation of Solid Geometric Models, 1986; here with the
+// uniform cubic B-splines of Gain & Dodgson 1999.
+#include <algorithm>
+#include <cassert>
+#include <cmath>
+
+#include "geometry/decimal.h"
+#include "session/session_state.h"
+
+namespace pectin {
+namespace {
+
+constexpr double kLargestMove = 1e6;  // diagonals of object and cage, as of a drag
+// A cage that is this many cells from its mirror image is meant to be its mirror image.
+constexpr double kSameCage = 1e-9;
+
+std::string written(const IVec3& index) {
+    return "[" + std::to_string(index.x) + ", " + std::to_string(index.y) + ", " +
+           std::to_string(index.z) + "]";
+}
+
+bool is_in(const IVec3& index, const Lattice& cage) {
+    return glm::all(glm::greaterThanEqual(index, IVec3{0})) &&
+           glm::all(glm::lessThan(index, cage.deformable));
+}
+
+bool is_symmetric(const Lattice& cage, const MirrorPlane& plane) {
+    const double apart = glm::length((image(plane, cage).origin - cage.origin) / cage.cell);
+    return apart <= kSameCage;
+}
+
+std::string refuse_index(const IVec3& index, const Lattice& cage) {
+    return "the cage has no control point " + written(index) + "; its last is " +
+           written(cage.deformable - 1) + ", the first [0, 0, 0]";
+}
+
+std::string refuse_difference(const IVec3& index, const Vec3& a, const Vec3& b) {
+    return "control point " + written(index) + " is asked to move by " + decimal(a) + " and by " +
+           decimal(b) + "; name each once, with symmetry its image, too";
+}
+
+// Displacements as they are asked for, each control point at most once.
+class Collector {
+  public:
+    explicit Collector(const Lattice& cage)
+        : cage_(cage), all_(cage.control_count(), Vec3{0.0}), is_given_(all_.size(), false) {}
+
+    Refusal add(const IVec3& index, const Vec3& d) {
+        const std::size_t at = cage_.control_index(index);
+        if (is_given_[at] && all_[at] != d) return refuse_difference(index, all_[at], d);
+        all_[at] = d;
+        is_given_[at] = true;
+        return std::nullopt;
+    }
+    std::vector<Vec3> take() { return std::move(all_); }
+
+  private:
+    const Lattice& cage_;
+    std::vector<Vec3> all_;
+    std::vector<bool> is_given_;
+};
+
+}  // namespace
+
+std::variant<std::vector<Vec3>, std::string> Session::State::control_displacements(
+    const command::Control& control) const {
+    if (!lattice_settings.cage) {
+        return "only a cage has control points to move; use the cage command first";
+    }
+    const Lattice& cage = *lattice_settings.cage;
+    if (symmetry && !is_symmetric(cage, *symmetry)) {
+        return "the cage is not its own mirror image about the symmetry plane; move it so that the "
+               "plane goes through its middle, or switch symmetry off";
+    }
+    const double most = kLargestMove * (diagonal + cage.influenced_zone().diagonal());
+    Collector collector(cage);
+    for (const auto& [index, to] : control.points) {
+        if (!is_in(index, cage)) return refuse_index(index, cage);
+        const Vec3 d = to - cage.rest(index);
+        if (!(glm::length(d) <= most)) {
+            return "control point " + written(index) + " is asked to move to " + decimal(to) +
+                   ", more than a million times the size of the object; the most is " +
+                   decimal(most);
+        }
+        if (Refusal refusal = collector.add(index, d)) return *refusal;
+        if (!symmetry) continue;
+        IVec3 opposite = index;
+        opposite[symmetry->axis] = cage.deformable[symmetry->axis] - 1 - index[symmetry->axis];
+        if (opposite == index &&
+            std::abs(d[symmetry->axis]) > kSameCage * cage.cell[symmetry->axis]) {
+            return "control point " + written(index) +
+                   " is on the symmetry plane and can only move within it, for instance to " +
+                   decimal(symmetry->onto(to)) + "; or switch symmetry off";
+        }
+        if (opposite == index) continue;
+        if (Refusal refusal = collector.add(opposite, symmetry->image_of_vector(d))) {
+            return *refusal;
+        }
+    }
+    return collector.take();
+}
+
+Refusal Session::State::begin_control(std::span<const IVec3> indices) {
+    assert(!in_hand);
+    if (!has_object()) return kNoObject;
+    if (indices.empty()) return "control needs at least one control point to move";
+    command::Control control;
+    for (const IVec3& index : indices) {
+        const Vec3 to = lattice_settings.cage ? lattice_settings.cage->rest(index) : Vec3{0.0};
+        control.points.push_back({index, to});
+    }
+    auto displacements = control_displacements(control);
+    if (auto* refusal = std::get_if<std::string>(&displacements)) return std::move(*refusal);
+    Stopwatch stopwatch;
+    auto begun = std::make_unique<InHand>();
+    begun->control = std::move(control);
+    Warp warp{{LatticeField{*lattice_settings.cage, std::move(std::get<0>(displacements))}}};
+    const std::vector<FaceId> faces = face_tree().faces_meeting(warp.zone(), *mesh);
+    start_gesture(*begun, faces, std::move(warp));
+    begun->measured.seconds.begin = stopwatch.lap();
+    in_hand = std::move(begun);
+    return std::nullopt;
+}
+
+Refusal Session::State::control_to(std::span<const Vec3> targets) {
+    assert(in_hand && in_hand->is_control() && targets.size() == in_hand->control.points.size());
+    command::Control control = in_hand->control;
+    for (std::size_t i = 0; i < targets.size(); ++i) control.points[i].to = targets[i];
+    auto displacements = control_displacements(control);
+    if (auto* refusal = std::get_if<std::string>(&displacements)) return std::move(*refusal);
+    in_hand->control = std::move(control);
+    show_frame(std::get<0>(displacements));
+    return std::nullopt;
+}
+
+std::optional<command::Control> Session::State::end_control() {
+    assert(in_hand && in_hand->is_control());
+    const command::Control control = in_hand->control;
+    const std::vector<Vec3> displacements = std::get<0>(control_displacements(control));
+    const bool is_nothing = std::all_of(displacements.begin(), displacements.end(),
+                                        [](const Vec3& d) { return d == Vec3{0.0}; });
+    commit(displacements, is_nothing);
+    return is_nothing ? std::nullopt : std::optional(control);
+}
+
+Refusal Session::State::run(const command::Control& control) {
+    if (control.points.empty()) return "control needs at least one control point to move";
+    if (has_object()) {
+        const auto displacements = control_displacements(control);
+        if (const auto* refusal = std::get_if<std::string>(&displacements)) return *refusal;
+    }
+    std::vector<IVec3> indices;
+    for (const auto& point : control.points) indices.push_back(point.index);
+    if (Refusal refusal = begin_control(indices)) return refusal;
+    in_hand->control = control;
+    try {
+        end_control();
+    } catch (...) {
+        if (in_hand) cancel_drag();
+        throw;
+    }
+    return std::nullopt;
+}
+
+}  // namespace pectin

@@ -1,0 +1,205 @@
+// Fold-free drags of a whole object: where they end, what they refine, how they are recorded.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <iostream>
+
+#include "command/json.h"
+#include "geometry/ray.h"
+#include "mesh/face_tree.h"
+#include "session/session.h"
+#include "support/mesh_figures.h"
+#include "support/random_mesh.h"
+
+namespace pectin {
+namespace {
+
+using command::Adapt;
+using command::Brush;
+using command::Drag;
+using command::Redo;
+using command::Shape;
+using command::Undo;
+
+const Vec3 kFront{0, 0, 1};
+
+void expect_done(Session& session, const Command& command) {
+    const auto refusal = session.execute(command);
+    ASSERT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
+}
+
+Session sphere(int resolution, double radius) {
+    Session session;
+    expect_done(session, Shape{Shape::Kind::sphere, resolution});
+    expect_done(session, Brush{.radius = radius});
+    return session;
+}
+
+Drag fold_free(const Vec3& to) { return {.moves = {{kFront, to}}, .fold_free = true}; }
+
+VertexId vertex_at(const TriMesh& mesh, const Vec3& p) {
+    for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
+        if (mesh.is_live(VertexId{v}) && mesh.position(VertexId{v}) == p) return VertexId{v};
+    }
+    return kNone<VertexId>;
+}
+
+std::vector<Vec3> directions26() {
+    std::vector<Vec3> all;
+    for (int i = 0; i < 27; ++i) {
+        const Vec3 d{i % 3 - 1, i / 3 % 3 - 1, i / 9 - 1};
+        if (d != Vec3{0.0}) all.push_back(glm::normalize(d));
+    }
+    return all;
+}
+
+TEST(FoldFreeSession, FoldsNoVertexAndHitsItsTargetInAllDirections) {
+    constexpr double kRadius = 0.4;
+    Session session = sphere(4, kRadius);
+    const VertexId grabbed = vertex_at(session.mesh(), kFront);
+    for (const double radii : {1.0, 3.0}) {
+        std::cout << radii << " radii, steps:";
+        for (const Vec3& direction : directions26()) {
+            const Vec3 to = kFront + radii * kRadius * direction;
+            expect_done(session, fold_free(to));
+            const Statistics statistics = session.statistics();
+            EXPECT_EQ(statistics.folded_vertices, 0u);
+            EXPECT_EQ(statistics.needing_refinement, 0u);
+            EXPECT_LT(glm::distance(session.mesh().position(grabbed), to), 1e-5);
+            EXPECT_GE(statistics.last.steps, radii == 1.0 ? 2u : 7u);
+            std::cout << " " << statistics.last.steps;
+            expect_done(session, Undo{});
+        }
+        std::cout << "\n";
+    }
+    // The plain drag folds.
+    expect_done(session, Drag{.moves = {{kFront, {3.0 * kRadius, 0, 1}}}});
+    EXPECT_GT(session.statistics().folded_vertices, 0u);
+    EXPECT_EQ(session.statistics().last.steps, 1u);
+}
+
+// Edges that pass through a face they share no corner with.
+std::size_t crossings(const TriMesh& mesh, const Vec3& about, double within) {
+    const FaceTree tree(mesh);
+    std::size_t found = 0;
+    for (const EdgeId e : test::live_edges(mesh)) {
+        const VertexId v = mesh.origin(mesh.half_edge(e)), w = mesh.target(mesh.half_edge(e));
+        const Vec3 from = mesh.position(v), to = mesh.position(w);
+        if (glm::distance(from, about) > within) continue;
+        Box box;
+        box.include(from);
+        box.include(to);
+        for (const FaceId f : tree.faces_meeting(box, mesh)) {
+            const HalfEdgeId h = TriMesh::half_edge(f, 0);
+            const VertexId a = mesh.origin(h), b = mesh.target(h);
+            const VertexId c = mesh.origin(TriMesh::prev(h));
+            if (a == v || b == v || c == v || a == w || b == w || c == w) continue;
+            const auto hit = intersect(Ray{from, to - from}, mesh.position(a), mesh.position(b),
+                                       mesh.position(c));
+            if (hit && hit->t <= 1.0) ++found;
+        }
+    }
+    return found;
+}
+
+TEST(FoldFreeSession, LeavesNoTrianglesThatCutThroughEachOther) {
+    for (const int resolution : {2, 3, 4}) {
+        for (const Vec3& direction : {Vec3{0, 0, 1}, Vec3{0, 0, -0.6}, Vec3{1, 0, 0.3}}) {
+            Session session = sphere(resolution, 0.5);
+            const Vec3 to = kFront + 1.5 * direction;
+            expect_done(session, fold_free(to));
+            EXPECT_EQ(session.statistics().folded_vertices, 0u);
+            EXPECT_EQ(crossings(session.mesh(), to, 2.0), 0u) << resolution;
+        }
+    }
+}
+
+// Out and home again by another way: nothing is long at the end, all was in between.
+TEST(FoldFreeSession, RefinesWhatIsLongBetweenItsSteps) {
+    Session session = sphere(2, 0.6);
+    expect_done(session, Adapt{.theta_max = Setting::off(), .flatness = Setting::off()});
+    Drag drag = fold_free({0, 0, 1.01});
+    drag.via = {{0, 0, 2.2}};
+    expect_done(session, drag);
+    const std::uint64_t with_steps = session.statistics().faces;
+    expect_done(session, Undo{});
+    expect_done(session, fold_free({0, 0, 1.01}));
+    EXPECT_GT(with_steps, session.statistics().faces);
+    expect_done(session, Undo{});
+    expect_done(session, drag);
+    EXPECT_EQ(crossings(session.mesh(), {0, 0, 1.01}, 2.0), 0u);
+}
+
+TEST(FoldFreeSession, RecordsTheWayOfTheHandSoThatAScriptGivesTheSameBytes) {
+    test::Random random(91);
+    for (int round = 0; round < test::case_count(10); ++round) {
+        const bool is_cage = round % 4 == 3;
+        Session hand = sphere(3, 0.4), script = sphere(3, 0.4);
+        if (is_cage) {
+            for (Session* session : {&hand, &script}) {
+                expect_done(*session, command::Cage{command::Cage::Fit{{4, 4, 4}}});
+            }
+        }
+        const TriMesh before = hand.mesh();
+        const std::vector<Vec3> pins{{0.2, 0, 0.95}};
+        ASSERT_FALSE(hand.begin_drag(
+            std::vector{kFront}, round % 2 == 0 ? std::vector<Vec3>{} : pins, {.fold_free = true}));
+        Vec3 at = kFront;
+        // A cage ends, and against its border everything is pressed flat.
+        const double speed = is_cage ? 0.15 : 1.0;
+        const Vec3 velocity = 0.06 * speed * random.direction();
+        for (int frame = 0; frame < 25; ++frame) {
+            at += velocity + 0.05 * speed * random.direction();
+            if (frame == 12 && !is_cage) at += 0.8 * random.direction();  // the mouse jumps
+            hand.drag_to(std::vector{at});
+            EXPECT_EQ(hand.mesh().validate(), std::vector<std::string>{});
+            if (frame == 20) {
+                const DragTarget turned{at, Drag::Twist{{0, 0, 1}, 15.0}, 1.1};
+                hand.drag_to(std::span(&turned, 1));
+            }
+        }
+        const auto drag = hand.end_drag();
+        ASSERT_TRUE(drag.has_value());
+        if (!is_cage) {
+            EXPECT_FALSE(drag->via.empty());
+        }
+        const auto read = parse_command(format_command(*drag));
+        expect_done(script, std::get<Command>(read));
+        EXPECT_TRUE(hand.mesh() == script.mesh()) << "seed 91, round " << round;
+        EXPECT_EQ(hand.statistics().folded_vertices, 0u);
+        expect_done(hand, Undo{});
+        EXPECT_TRUE(hand.mesh() == before);
+        expect_done(hand, Redo{});
+        EXPECT_TRUE(hand.mesh() == script.mesh());
+    }
+}
+
+TEST(FoldFreeSession, GivesEverythingBackWhereALongDragIsCancelled) {
+    Session session = sphere(3, 0.4);
+    const TriMesh before = session.mesh();
+    ASSERT_FALSE(session.begin_drag(std::vector{kFront}, {}, {.fold_free = true}));
+    for (double z = 1.0; z < 2.5; z += 0.1) {
+        ASSERT_FALSE(session.drag_to(std::vector<Vec3>{{0, 0, z}}));
+    }
+    EXPECT_GT(session.drag_in_hand().via.size(), 3u);
+    session.cancel_drag();
+    EXPECT_TRUE(session.mesh() == before);
+    expect_done(session, fold_free({0, 0, 1.3}));
+}
+
+TEST(FoldFreeSession, KeepsTheFrameWhereTheNextIsRefused) {
+    Session session = sphere(3, 0.4);
+    expect_done(session, command::Cage{command::Cage::Fit{{4, 4, 4}}});
+    ASSERT_FALSE(session.begin_drag(std::vector{kFront}, {}, {.fold_free = true}));
+    ASSERT_FALSE(session.drag_to(std::vector<Vec3>{{0, 0, 1.5}}));
+    const TriMesh before = session.mesh();
+    const auto refusal = session.drag_to(std::vector<Vec3>{{0, 0, 4}});
+    ASSERT_TRUE(refusal.has_value());
+    EXPECT_NE(refusal->find("take a target inside"), std::string::npos);
+    EXPECT_TRUE(session.mesh() == before);
+    ASSERT_FALSE(session.drag_to(std::vector<Vec3>{{0, 0, 1.4}}));
+    EXPECT_TRUE(session.end_drag().has_value());
+}
+
+}  // namespace
+}  // namespace pectin
