@@ -8,6 +8,7 @@
 #include <optional>
 #include <vector>
 
+#include "ffd/symmetry.h"
 #include "geometry/box.h"
 #include "mesh/active_set.h"
 
@@ -26,6 +27,9 @@ struct AdaptLimits {
     double floor = 0.0;        // an edge shorter than twice this is not split
     double propagation = 1.0;  // rho in [1, 1.5): longest-edge propagation
     std::uint64_t budget = std::numeric_limits<std::uint64_t>::max();  // triangles
+    // Ties are broken alike on both sides of it, so that a symmetric mesh stays so (with a
+    // propagation of 1; beyond, what is split first depends on the order).
+    std::optional<MirrorPlane> symmetry{};
 };
 
 // The tests of one pass. Divergences are compared as 1 - cos(angle), here |n1 - n2|^2 / 2, which

@@ -1,6 +1,7 @@
 #include "adapt/refine.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "adapt/refinement_queue.h"
 
@@ -13,6 +14,12 @@ namespace {
 // stays bounded is what makes refinement end: without it, splits beside one crushed edge go on for
 // ever. An equilateral triangle has 0.87, and each such split halves it.
 constexpr double kThinnestBesideBlocked = 1.0 / 512.0;
+
+// An end of an edge is the image of the other if it is off by no more than this share of the edge.
+constexpr double kSameImage = 1e-6;
+// Tells apart the middles of edges that are equally long: no two of a regular mesh, and no rounding
+// of their coordinates, come out even in a direction without any regularity.
+constexpr Vec3 kGenericDirection{0.7390851332151607, 0.4142135623730951, 0.5671432904097838};
 
 class Refiner {
   public:
@@ -75,6 +82,7 @@ class Refiner {
     // The longest of the other edges of e's faces that may be split and is more than rho times as
     // long; e itself if there is none.
     EdgeId longest_neighbour(EdgeId e) {
+        if (criteria_.limits().symmetry) return first_neighbour(e);
         double longest = criteria_.limits().propagation * rest_length(e);
         EdgeId found = e;
         for_each_neighbour(e, [&](EdgeId candidate) {
@@ -85,6 +93,44 @@ class Refiner {
             }
         });
         return found;
+    }
+
+    // The same with ties broken by geometry instead of by who comes first, in an order that
+    // mirrored edges have in common. An edge between mirrored ends goes before all others: the
+    // triangles beside it would have to be cut by a diagonal, on one side or the other.
+    EdgeId first_neighbour(EdgeId e) {
+        EdgeId found = e;
+        for_each_neighbour(e, [&](EdgeId candidate) {
+            if (goes_before(candidate, found, found == e) && may_split(candidate)) {
+                found = candidate;
+            }
+        });
+        return found;
+    }
+    bool goes_before(EdgeId candidate, EdgeId e, bool by_propagation) {
+        const bool spans = is_between_images(candidate);
+        if (spans != is_between_images(e)) return spans;
+        const double length = rest_length(candidate), other = rest_length(e);
+        if (length != other) {
+            return length > (by_propagation ? criteria_.limits().propagation : 1.0) * other;
+        }
+        return folded_key(candidate) > folded_key(e);
+    }
+    bool is_between_images(EdgeId e) {
+        const HalfEdgeId h = active_.mesh().half_edge(e);
+        const Vec3& b = active_.rest_position(active_.mesh().origin(h));
+        const Vec3& c = active_.rest_position(active_.mesh().target(h));
+        return glm::distance(criteria_.limits().symmetry->image(b), c) <=
+               kSameImage * rest_length(e);
+    }
+    // Of an edge's middle, moved to the plane's positive side; different for different places.
+    double folded_key(EdgeId e) const {
+        const HalfEdgeId h = active_.mesh().half_edge(e);
+        const MirrorPlane& plane = *criteria_.limits().symmetry;
+        Vec3 middle = active_.rest_position(active_.mesh().origin(h)) +
+                      active_.rest_position(active_.mesh().target(h));
+        middle[plane.axis] = std::abs(middle[plane.axis] - 2.0 * plane.at);
+        return glm::dot(middle, kGenericDirection);
     }
 
     // Precondition: e ends its chain, so any edge more than rho times as long is blocked.

@@ -78,8 +78,10 @@ struct Session::State {
 
     bool has_object() const { return mesh->face_slots() > 0; }
     AdaptLimits limits(const std::optional<Lattice>& lattice) const {
-        return adapt_settings.limits(lattice ? lattice->smallest_cell_extent() : kOff, diagonal,
-                                     largest_coordinate);
+        AdaptLimits limits = adapt_settings.limits(lattice ? lattice->smallest_cell_extent() : kOff,
+                                                   diagonal, largest_coordinate);
+        limits.symmetry = symmetry;
+        return limits;
     }
     void take(BuiltMesh built);
     const FaceTree& face_tree();
