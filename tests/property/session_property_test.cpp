@@ -48,7 +48,25 @@ command::Drag random_drag(const TriMesh& mesh, Random& random) {
         drag.moves.push_back({from, from + length * random.direction()});
     }
     if (random.chance(0.3)) drag.pins.push_back(random_surface_point(mesh, random));
+    drag.connected = random.chance(0.3);
+    drag.fold_free = random.chance(0.5);
+    if (random.chance(0.1)) {
+        drag.via.push_back(drag.moves[0].from + 0.1 * random.direction());
+    }
+    if (random.chance(0.1)) {
+        drag.moves[0].twist = {random.direction(), random.uniform(-60.0, 60.0)};
+        drag.moves[0].scale = random.scale(0.7, 1.4);
+    }
     return drag;
+}
+
+command::Control random_control(Random& random) {
+    command::Control control;
+    for (int i = random.integer(1, 3); i > 0; --i) {
+        const IVec3 index{random.integer(0, 3), random.integer(0, 3), random.integer(0, 3)};
+        control.points.push_back({index, 1.5 * random.direction()});
+    }
+    return control;
 }
 
 command::Adapt random_adapt(Random& random) {
@@ -71,7 +89,14 @@ command::Adapt random_adapt(Random& random) {
 
 Command random_command(const TriMesh& mesh, Random& random) {
     const double which = random.uniform(0.0, 1.0);
-    if (which < 0.45) return random_drag(mesh, random);
+    if (which < 0.42) return random_drag(mesh, random);
+    if (which < 0.44) return random_control(random);
+    if (which < 0.45) {
+        const bool is_on = random.chance(0.5);
+        command::Symmetry symmetry;
+        if (is_on) symmetry.plane = command::Symmetry::Plane::x;
+        return symmetry;
+    }
     if (which < 0.58) return command::Undo{.count = random.integer(1, 3)};
     if (which < 0.68) return command::Redo{.count = random.integer(1, 3)};
     if (which < 0.76) return command::Readapt{};
@@ -91,7 +116,8 @@ bool execute(Session& session, const Command& command, Random& random, EachFrame
     std::vector<Vec3> points, targets;
     for (const auto& move : drag->moves) points.push_back(move.from);
     const TriMesh before = session.mesh();
-    if (session.begin_drag(points, drag->pins)) return false;
+    const bool turns = drag->moves[0].twist.has_value();
+    if (session.begin_drag(points, drag->pins, {drag->connected, drag->fold_free})) return false;
     const int frames = random.integer(0, 3);
     for (int i = 0; i < frames; ++i) {
         const double share = random.uniform(-0.5, 1.5);
@@ -103,7 +129,11 @@ bool execute(Session& session, const Command& command, Random& random, EachFrame
     }
     targets.clear();
     for (const auto& move : drag->moves) targets.push_back(move.to);
-    const bool refused = session.drag_to(targets).has_value();
+    bool refused = session.drag_to(targets).has_value();
+    if (turns && !refused && drag->moves.size() == 1) {
+        const DragTarget target{drag->moves[0].to, drag->moves[0].twist, drag->moves[0].scale};
+        refused = session.drag_to(std::span(&target, 1)).has_value();
+    }
     if (refused || random.chance(0.2)) {
         session.cancel_drag();
         EXPECT_TRUE(session.mesh() == before) << "cancelled";

@@ -30,7 +30,7 @@ class RandomCommand {
     explicit RandomCommand(std::uint64_t seed) : bits_(seed) {}
 
     Command operator()() {
-        switch (below(12)) {
+        switch (below(14)) {
             case 0:
                 return command::Open{text(), from(0.0, 180.0)};
             case 1:
@@ -53,6 +53,11 @@ class RandomCommand {
                 return command::Save{text()};
             case 10:
                 return screenshot();
+            case 11:
+                return command::Symmetry{maybe(static_cast<command::Symmetry::Plane>(below(3))),
+                                         point()};
+            case 12:
+                return control();
             default:
                 return command::Stats{text()};
         }
@@ -105,8 +110,25 @@ class RandomCommand {
     }
     Command drag() {
         command::Drag result;
-        for (int i = 1 + below(3); i > 0; --i) result.moves.push_back({point(), point()});
+        for (int i = 1 + below(3); i > 0; --i) {
+            result.moves.push_back({.from = point(), .to = point()});
+            if (below(2)) result.moves.back().twist = {point() + Vec3{0.0, 0.0, 1.0}, number()};
+            if (below(2)) result.moves.back().scale = positive();
+            if (result.moves.back().twist && result.moves.back().twist->axis == Vec3{0.0}) {
+                result.moves.back().twist.reset();
+            }
+        }
         for (int i = below(3); i > 0; --i) result.pins.push_back(point());
+        for (int i = below(3); i > 0; --i) result.via.push_back(point());
+        result.connected = below(2) == 0;
+        result.fold_free = below(2) == 0;
+        return result;
+    }
+    Command control() {
+        command::Control result;
+        for (int i = 1 + below(3); i > 0; --i) {
+            result.points.push_back({counts() - 1, point()});
+        }
         return result;
     }
 
@@ -307,7 +329,39 @@ TEST(CommandErrors, NameThePlaceInsideLatticesAndPoints) {
                   {"moves[0].to[2] must be a number"}},
           BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0], "via": 1}]})",
                   "drag",
-                  {"moves[0]", "unknown field \"via\"", "from, to"}},
+                  {"moves[0]", "unknown field \"via\"", "from, to, twist, scale"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0], "scale": 0}]})",
+                  "drag",
+                  {"moves[0].scale must be a number above 0"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0],
+                      "twist": {"axis": [0,0,0], "degrees": 3}}]})",
+                  "drag",
+                  {"moves[0].twist.axis must have a length"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0],
+                      "twist": {"axis": [0,0,1]}}]})",
+                  "drag",
+                  {"moves[0].twist.degrees is missing"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0],
+                      "twist": {"axis": [0,0,1], "angle": 1}}]})",
+                  "drag",
+                  {"moves[0].twist", "unknown field \"angle\"", "axis, degrees"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0]}], "via": [1]})",
+                  "drag",
+                  {"via[0] must be a point"}},
+          BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0]}], "fold_free": 1})",
+                  "drag",
+                  {"fold_free must be true or false"}},
+          BadLine{R"({"cmd": "symmetry"})", "symmetry", {"plane is missing", "\"x\""}},
+          BadLine{R"({"cmd": "symmetry", "plane": "w"})", "symmetry", {"plane must be", "\"w\""}},
+          BadLine{R"({"cmd": "symmetry", "plane": null, "through": 1})", "symmetry", {"through"}},
+          BadLine{R"({"cmd": "control"})", "control", {"points is missing"}},
+          BadLine{R"({"cmd": "control", "points": []})", "control", {"at least one"}},
+          BadLine{R"({"cmd": "control", "points": [{"index": [0,0], "to": [0,0,0]}]})",
+                  "control",
+                  {"points[0].index must be an array of three"}},
+          BadLine{R"({"cmd": "control", "points": [{"index": [0,0,256], "to": [0,0,0]}]})",
+                  "control",
+                  {"points[0].index[2]", "from 0 to 255"}},
           BadLine{R"({"cmd": "drag", "moves": [{"from": [0,0,0], "to": [0,0,0]}], "pins": 1})",
                   "drag",
                   {"pins must be an array of points"}},

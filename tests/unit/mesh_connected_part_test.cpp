@@ -1,0 +1,107 @@
+// What hangs together inside a zone, and the face nearest to a point.
+#include "mesh/connected_part.h"
+
+#include <gtest/gtest.h>
+
+#include "mesh/build_mesh.h"
+#include "mesh/face_tree.h"
+#include "mesh/shapes.h"
+#include "support/mesh_figures.h"
+#include "support/random_mesh.h"
+
+namespace pectin {
+namespace {
+
+std::vector<FaceId> part_from(const TriMesh& mesh, std::uint32_t seed, const Box& zone) {
+    const auto faces = FaceTree(mesh).faces_meeting(zone, mesh);
+    const std::vector<FaceId> seeds{FaceId{seed}};
+    return connected_part(mesh, faces, seeds, std::vector{zone});
+}
+
+// Two triangles that meet in vertex 2 at the origin.
+const std::string kBowTie = "v -1 -1 0\nv -1 1 0\nv 0 0 0\nv 1 1 0\nv 1 -1 0\nf 1 3 2\nf 3 5 4\n";
+
+TEST(ConnectedPart, ReachesAcrossAVertexInTheZoneThatTwoSheetsShare) {
+    const TriMesh mesh = test::mesh_of(kBowTie);
+    EXPECT_EQ(part_from(mesh, 0, {Vec3{-2}, Vec3{2}}).size(), 2u);
+}
+
+// The vertex they share lies outside, and both reach in with a corner of their own.
+TEST(ConnectedPart, DoesNotReachAcrossAVertexOutsideTheZone) {
+    const TriMesh mesh = test::mesh_of(
+        "v 0 0 0\nv 2 0 0\nv 2 0.1 0\nv 2 1 0\nv 2 1.1 0\n"
+        "f 1 2 3\nf 1 4 5\n");
+    const Box zone{{1, -1, -1}, {3, 2, 1}};
+    EXPECT_EQ(part_from(mesh, 0, zone), std::vector{FaceId{0}});
+    EXPECT_EQ(part_from(mesh, 1, zone), std::vector{FaceId{1}});
+}
+
+// All corners are outside; the edge between them runs through the zone.
+TEST(ConnectedPart, ReachesAcrossAnEdgeThatOnlyPassesThroughTheZone) {
+    const TriMesh mesh = test::mesh_of("v -5 0 0\nv 5 0 0\nv 0 5 0\nv 0 -5 0\nf 1 2 3\nf 2 1 4\n");
+    const Box zone{Vec3{-0.5}, Vec3{0.5}};
+    EXPECT_EQ(part_from(mesh, 0, zone).size(), 2u);
+    const Box beside{{-0.5, 0.5, -0.5}, {0.5, 1.0, 0.5}};
+    EXPECT_EQ(part_from(mesh, 0, beside).size(), 1u);
+    EXPECT_TRUE(part_from(mesh, 1, beside).empty());
+}
+
+TEST(ConnectedPart, OfATubeCutByTheZoneIsTheSideOfTheSeed) {
+    const TriMesh mesh = build_mesh(make_shape(ShapeKind::torus, 12)).mesh;
+    const Box slab{{-2, -2, -0.2}, {2, 2, 0.2}};
+    const auto faces = FaceTree(mesh).faces_meeting(slab, mesh);
+    const FaceId seed = faces.front();
+    const auto part = part_from(mesh, index(seed), slab);
+    EXPECT_GT(part.size(), 0u);
+    EXPECT_LT(part.size(), faces.size());
+    const auto side = [&](FaceId f) {
+        return mesh.position(mesh.origin(TriMesh::half_edge(f, 0))).x > 0.0;
+    };
+    std::size_t same_side = 0;
+    for (const FaceId f : faces) same_side += side(f) == side(seed) ? 1 : 0;
+    EXPECT_EQ(part.size(), same_side);
+    for (const FaceId f : part) EXPECT_EQ(side(f), side(seed));
+}
+
+TEST(FaceTree, FindsTheNearestFaceAsLookingAtAllDoes) {
+    test::Random random(111);
+    for (int round = 0; round < test::case_count(20); ++round) {
+        const TriMesh mesh = test::random_mesh(random).mesh;
+        const FaceTree tree(mesh);
+        for (int i = 0; i < 20; ++i) {
+            const Vec3 p = random.scale(0.01, 3.0) * random.direction();
+            double least = 1e300;
+            for (const FaceId f : test::live_faces(mesh)) {
+                const HalfEdgeId h = TriMesh::half_edge(f, 0);
+                const Vec3 q = nearest_on_triangle(p, mesh.position(mesh.origin(h)),
+                                                   mesh.position(mesh.target(h)),
+                                                   mesh.position(mesh.origin(TriMesh::prev(h))));
+                least = std::min(least, glm::distance(p, q));
+            }
+            const HalfEdgeId h = TriMesh::half_edge(*tree.nearest(p, mesh), 0);
+            const Vec3 found =
+                nearest_on_triangle(p, mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)),
+                                    mesh.position(mesh.origin(TriMesh::prev(h))));
+            EXPECT_NEAR(glm::distance(p, found), least, 1e-12) << "seed 111, round " << round;
+        }
+    }
+}
+
+TEST(NearestOnTriangle, IsNearerThanAnySampleOfIt) {
+    test::Random random(112);
+    for (int round = 0; round < 500; ++round) {
+        const Vec3 a = random.direction(), b = random.direction(), c = random.direction();
+        const Vec3 p = random.scale(0.1, 3.0) * random.direction();
+        const double nearest = glm::distance(p, nearest_on_triangle(p, a, b, c));
+        double sampled = 1e300;
+        for (int i = 0; i < 300; ++i) {
+            const double u = random.uniform(0, 1), v = random.uniform(0, 1 - u);
+            sampled = std::min(sampled, glm::distance(p, u * a + v * b + (1 - u - v) * c));
+        }
+        EXPECT_LE(nearest, sampled + 1e-12);
+        EXPECT_GE(nearest, sampled - 0.3);
+    }
+}
+
+}  // namespace
+}  // namespace pectin
