@@ -59,6 +59,11 @@ std::optional<DragRefusal> check_target(const DragPlan& plan, const Vec3& from, 
     return refuse_outside(to, plan.lattice.influenced_zone());
 }
 
+// How far beyond a step the proof looks, so that the next questions are answered.
+constexpr double kLookAhead = 1.5;
+// What a bound may be off by, so that it never grants what the proof itself would not.
+constexpr double kRounding = 1e-9;
+
 class Planner {
   public:
     explicit Planner(const DragPlan& plan) : plan_(plan) {
@@ -94,7 +99,7 @@ class Planner {
             };
             if (const auto refusal = solver_->check(motions(1))) return refusal;
             while (plan_.fold_free) {
-                const double t = injective_fraction(solver_->step(motions(pieces)), bounds_);
+                const double t = guard_->limit(solver_->step(motions(pieces)));
                 if (t >= 1.0) break;
                 const double enough = std::ceil(static_cast<double>(pieces) / t);
                 if (!(enough <= static_cast<double>(kMaxSteps - warp_.steps.size()))) {
@@ -134,7 +139,7 @@ class Planner {
         auto solved = DragSolver::create(lattice, grips_, plan_.pins, plan_.plane);
         if (auto* refusal = std::get_if<DragRefusal>(&solved)) return std::move(*refusal);
         solver_.emplace(std::move(std::get<DragSolver>(solved)));
-        if (plan_.fold_free) bounds_ = gradient_bounds(*solver_);
+        if (plan_.fold_free) guard_.emplace(*solver_);
         return std::nullopt;
     }
 
@@ -155,7 +160,7 @@ class Planner {
     Warp warp_;
     std::vector<Vec3> points_;
     std::optional<DragSolver> solver_;
-    std::vector<double> bounds_;
+    std::optional<FoldGuard> guard_;
 };
 
 }  // namespace
@@ -191,8 +196,7 @@ std::variant<PlannedDrag, DragRefusal> plan_drag(const DragPlan& plan) {
     return Planner(plan).run();
 }
 
-std::vector<double> gradient_bounds(const DragSolver& solver) {
-    std::vector<double> bounds;
+FoldGuard::FoldGuard(const DragSolver& solver) {
     DragStep step{solver.field(), std::vector<Vec3>(solver.field().move_count()),
                   solver.symmetry()};
     for (std::size_t m = 0; m < step.displacements.size(); ++m) {
@@ -203,19 +207,28 @@ std::vector<double> gradient_bounds(const DragSolver& solver) {
         unit[is_odd || !step.symmetry ? across : (across + 1) % 3] = 1.0;
         std::fill(step.displacements.begin(), step.displacements.end(), Vec3{0.0});
         step.displacements[m] = unit;
-        bounds.push_back(gradient_bound(step.lattice_fields()));
+        bounds_.push_back(gradient_bound(step.lattice_fields()));
     }
-    return bounds;
+    proven_.assign(bounds_.size(), Vec3{0.0});
 }
 
-double injective_fraction(const DragStep& step, std::span<const double> bounds) {
-    assert(bounds.size() == step.displacements.size());
-    double most = 0.0;
-    for (std::size_t m = 0; m < bounds.size(); ++m) {
-        most += bounds[m] * glm::length(step.displacements[m]);
+double FoldGuard::limit(const DragStep& step) {
+    assert(bounds_.size() == step.displacements.size());
+    double along = 0.0, squared = 0.0;
+    for (std::size_t m = 0; m < bounds_.size(); ++m) {
+        along += glm::dot(step.displacements[m], proven_[m]);
+        squared += glm::dot(proven_[m], proven_[m]);
     }
-    if (most <= 1.0 - kLeastStretch) return 1.0;
-    return injective_fraction(step.lattice_fields());
+    const double t = squared > 0.0 ? std::max(0.0, along / squared) : 0.0;
+    double steepness = t * steepness_;
+    for (std::size_t m = 0; m < bounds_.size(); ++m) {
+        steepness += bounds_[m] * glm::length(step.displacements[m] - t * proven_[m]);
+    }
+    if (steepness <= (1.0 - kLeastStretch) * (1.0 - kRounding)) return 1.0;
+    const double found = injective_limit(step.lattice_fields(), kLookAhead);
+    proven_ = step.displacements;
+    steepness_ = (1.0 - kLeastStretch) / found;
+    return std::min(1.0, found);
 }
 
 }  // namespace pectin

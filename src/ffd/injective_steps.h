@@ -61,11 +61,24 @@ std::variant<PlannedDrag, DragRefusal> plan_drag(const DragPlan& plan);
 // What plan_drag() refuses of targets and turns alone, without solving.
 std::optional<DragRefusal> check_drag(const DragPlan& plan);
 
-// A bound on |∇D| of a step, per unit of each of its displacements: Σ bound·|d| below
-// 1 − kLeastStretch needs no other proof. One for each move of the solver's field.
-std::vector<double> gradient_bounds(const DragSolver& solver);
+// injective_limit() of one solver's steps, for a hand that moves little between two questions.
+//
+// With the solver fixed, D is linear in its displacements d. Let h(d) be the least h for which the
+// proof gives t = (1 − kLeastStretch)/h. As a largest value of linear functions (of d·g_i, or of
+// −vᵀS_i v over i and unit v) h is convex and h(td) = t h(d), so for any d₀ and t ≥ 0
+//     h(d) ≤ t h(d₀) + h(d − t d₀) ≤ t h(d₀) + Σ_c G_c |d_c − t d₀_c|,    G_c ≥ |∇w_c| everywhere.
+// That often spares the proof: near d = 0, and for the rest of a straight drag after one.
+class FoldGuard {
+  public:
+    explicit FoldGuard(const DragSolver& solver);
 
-// injective_fraction(), tried by such bounds first.
-double injective_fraction(const DragStep& step, std::span<const double> bounds);
+    // The largest t in (0, 1] as injective_limit() finds it.
+    double limit(const DragStep& step);
+
+  private:
+    std::vector<double> bounds_;  // G_c, of every move of the field
+    std::vector<Vec3> proven_;    // d₀
+    double steepness_ = 0.0;      // h(d₀)
+};
 
 }  // namespace pectin

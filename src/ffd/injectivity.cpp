@@ -253,12 +253,12 @@ double limit_of_symmetric_part(const Mat3& g, double most) {
 
 }  // namespace
 
-double injective_fraction(std::span<const LatticeField> sum) {
+double injective_limit(std::span<const LatticeField> sum, double most) {
     assert(!sum.empty());
     const auto limit = is_along_one_direction(sum) ? limit_of_trace : limit_of_symmetric_part;
     const BernsteinGrid whole(sum, 1), halved(sum, 2);
     Coefficients coefficients;
-    double fraction = 1.0;
+    double fraction = most;
     const auto lower = [&](double& t) {
         for (int flat = 0; flat < 64; ++flat) t = limit(coefficients.gradient(flat), t);
     };

@@ -36,10 +36,10 @@ namespace pectin {
 // this. It is far more than what float weights and the rounding of coefficients (1e-12) can lose.
 inline constexpr double kLeastStretch = 0.05;
 
-// The largest t in (0, 1] such that x + t·Σ D(x) is proven one to one, with kLeastStretch to
-// spare. At most kLeastStretch below the bound; 0 never. sum: at least one field. Deterministic.
-// Cost: about 5k multiplications for each cell that moves, as much again for each that is halved.
-double injective_fraction(std::span<const LatticeField> sum);
+// The largest t in (0, most] such that x + t·Σ D(x) is proven one to one, with kLeastStretch to
+// spare. sum: at least one field. Deterministic. Cost: about 5k multiplications for each cell that
+// moves, eight times as much again for each that is halved.
+double injective_limit(std::span<const LatticeField> sum, double most = 1.0);
 
 // A bound on |∇D(x)| over space (Frobenius norm, of the coefficients). Same cost.
 double gradient_bound(std::span<const LatticeField> sum);

@@ -131,8 +131,8 @@ Refusal Session::State::embed(InHand& begun) {
                               planned.points.end());
         begun.is_one_step_left = true;
     }
-    begun.bounds.clear();
-    if (begun.drag.fold_free) begun.bounds = gradient_bounds(planned.last);
+    begun.guard.reset();
+    if (begun.drag.fold_free) begun.guard.emplace(planned.last);
     begun.solver.emplace(std::move(planned.last));
     begun.measured.seconds.solve = stopwatch.lap();
 
@@ -183,15 +183,14 @@ bool Session::State::is_single_step(const command::Drag& drag, Refusal& refusal)
         refusal = refused->what;
         return true;
     }
-    return !drag.fold_free ||
-           injective_fraction(in_hand->solver->step(motions), in_hand->bounds) >= 1.0;
+    return !in_hand->guard || in_hand->guard->limit(in_hand->solver->step(motions)) >= 1.0;
 }
 
 // Whether the last step has used up half of what it could.
 bool Session::State::is_past_half_way() const {
     DragStep step = in_hand->solver->step(last_motions(in_hand->drag));
     for (Vec3& d : step.displacements) d *= 2.0;
-    return in_hand->is_one_step_left && injective_fraction(step, in_hand->bounds) < 1.0;
+    return in_hand->is_one_step_left && in_hand->guard->limit(step) < 1.0;
 }
 
 Refusal Session::State::drag_to(const command::Drag& asked) {
