@@ -98,16 +98,13 @@ void Embedding::place(const ActiveSet::Inserted& inserted) {
         const std::span<const Vec3> d(warp_.steps[step].displacements);
         Stage& next = stages_[step + 1];
         next.positions[entry] = displaced(start_position(step, entry), weights(step, entry), d);
-        for (std::uint32_t w : {inserted.left_wedge_entry, inserted.right_wedge_entry}) {
+        for (std::uint32_t w : inserted.wedge_entries) {
             next.normals[w] = covariant_normal(start_normal(step, w), weights(step, entry), d);
         }
     }
     const std::size_t last = stages_.size() - 1;
     deform_vertices(last, entry, entry + 1);
-    deform_wedges(last, inserted.left_wedge_entry, inserted.left_wedge_entry + 1);
-    if (inserted.right_wedge_entry != inserted.left_wedge_entry) {
-        deform_wedges(last, inserted.right_wedge_entry, inserted.right_wedge_entry + 1);
-    }
+    for (std::uint32_t w : inserted.wedge_entries) deform_wedges(last, w, w + 1);
 }
 
 std::uint64_t Embedding::folded_vertices() const {
