@@ -169,6 +169,7 @@ struct FieldWriter {
     void operator()(const command::Undo& undo) const { json.field("count", undo.count); }
     void operator()(const command::Redo& redo) const { json.field("count", redo.count); }
     void operator()(const command::Readapt&) const {}
+    void operator()(const command::Bake&) const {}
     void operator()(const command::Save& save) const { json.field("path", save.path); }
     void operator()(const command::Stats& stats) const { json.field("path", stats.path); }
     void operator()(const command::Screenshot& screenshot) const {

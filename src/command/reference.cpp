@@ -41,6 +41,7 @@ std::vector<CommandReference> make_reference() {
         {"undo", "takes edits back", {{"count", "how many (1)"}}},
         {"redo", "does undone edits again", {{"count", "how many (1)"}}},
         {"readapt", "refines and thins the whole object once", {}},
+        {"bake", "makes the refined mesh the base mesh", {}},
         {"save", "writes the model", {{"path", "an OBJ file"}}},
         {"stats", "writes figures of the object and the last edit", {{"path", "a JSON file"}}},
         {"screenshot",

@@ -84,6 +84,8 @@ struct Star {
     bool on_boundary() const { return mb == kNone<HalfEdgeId>; }
 };
 
+struct Baked;
+
 class TriMesh {
   public:
     // --- Slots. Loops run over [0, *_slots()) and skip what is not live.
@@ -218,6 +220,9 @@ class TriMesh {
     // reverse order: the slots they had added are then free, below all others in the free lists.
     void truncate(const SlotCounts& counts);
 
+    // The same surface with all that splits have inserted made base (bake.cpp). O(n).
+    Baked baked() const;
+
     // Every violated invariant in one line each, empty if all hold. O(n).
     std::vector<std::string> validate() const;
 
@@ -227,6 +232,7 @@ class TriMesh {
 
   private:
     friend class MeshBuilder;
+    friend class MeshBaker;
     class Validator;
 
     struct BaseFace {
@@ -278,6 +284,15 @@ class TriMesh {
     std::vector<WedgeId> free_wedges_;
     std::vector<EdgeId> free_edges_;
     std::vector<FaceId> free_faces_;
+};
+
+// A mesh of which everything is base: vertices in the order that a save would give them, faces too,
+// wedges and edges by id. Polygons of which no face was split stay polygons, every piece of the
+// others is one of its own. What has been deformed stays marked so.
+struct Baked {
+    TriMesh mesh;
+    std::vector<EdgeId>
+        edges;  // n_edge_slots of the mesh it was made from: what they became, or none
 };
 
 // The rule for a midpoint's normal on one side: normalise(nb + nc), with the side's face normal

@@ -106,6 +106,13 @@ void Session::State::note(const Frame& frame) {
     blocked.erase(std::unique(blocked.begin(), blocked.end()), blocked.end());
 }
 
+void Session::State::exchange(TriMesh& other) {
+    std::swap(*mesh, other);
+    tree.reset();
+    dirty = {};
+    dirty.everything = true;
+}
+
 void Session::State::restore_outcome() {
     outcome = history.latest() ? history.latest()->outcome : AdaptOutcome{};
 }
@@ -186,9 +193,13 @@ Refusal Session::State::run(const command::Undo& undo_command) {
                std::to_string(count);
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const MeshChange& change = history.step_back().change;
-        undo(change, *mesh);
-        follow(change.faces);
+        History::Step& step = history.step_back();
+        if (step.exchanged) {
+            exchange(*step.exchanged);
+        } else {
+            undo(step.change, *mesh);
+            follow(step.change.faces);
+        }
     }
     restore_outcome();
     return std::nullopt;
@@ -201,9 +212,13 @@ Refusal Session::State::run(const command::Redo& redo_command) {
                std::to_string(count);
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const MeshChange& change = history.step_forward().change;
-        redo(change, *mesh);
-        follow(change.faces);
+        History::Step& step = history.step_forward();
+        if (step.exchanged) {
+            exchange(*step.exchanged);
+        } else {
+            redo(step.change, *mesh);
+            follow(step.change.faces);
+        }
     }
     restore_outcome();
     return std::nullopt;
@@ -248,6 +263,19 @@ Refusal Session::State::run(const command::Readapt& readapt) {
     note(frame);
     add_step(readapt, std::move(change));
     last.seconds.commit = stopwatch.lap();
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Bake& bake) {
+    if (!has_object()) return kNoObject;
+    if (mesh->vertex_count() == mesh->base_vertex_count()) return std::nullopt;
+    Baked baked = mesh->baked();
+    for (EdgeId& e : outcome.blocked) e = baked.edges[index(e)];
+    std::sort(outcome.blocked.begin(), outcome.blocked.end());
+    auto before = std::make_unique<TriMesh>(std::move(baked.mesh));
+    exchange(*before);
+    history.add({bake, {}, outcome, std::move(before)});
+    last = {};
     return std::nullopt;
 }
 

@@ -86,6 +86,8 @@ struct Session::State {
     // The same, and the tree has to follow.
     void follow(std::span<const FaceId> faces);
     void restore_outcome();
+    // Of a bake's step: the mesh on its one side for that on its other.
+    void exchange(TriMesh& other);
 
     // --- One for each command.
     Refusal run(const command::Open& open);
@@ -97,6 +99,7 @@ struct Session::State {
     Refusal run(const command::Undo& undo);
     Refusal run(const command::Redo& redo);
     Refusal run(const command::Readapt& readapt);
+    Refusal run(const command::Bake& bake);
     Refusal run(const command::Save& save);
     Refusal run(const command::Stats& stats);
     Refusal run(const command::Screenshot& screenshot);

@@ -30,7 +30,7 @@ class RandomCommand {
     explicit RandomCommand(std::uint64_t seed) : bits_(seed) {}
 
     Command operator()() {
-        switch (below(12)) {
+        switch (below(13)) {
             case 0:
                 return command::Open{text(), from(0.0, 180.0)};
             case 1:
@@ -53,6 +53,8 @@ class RandomCommand {
                 return command::Save{text()};
             case 10:
                 return screenshot();
+            case 11:
+                return command::Bake{};
             default:
                 return command::Stats{text()};
         }
