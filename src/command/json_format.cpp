@@ -193,6 +193,13 @@ struct FieldWriter {
     }
 };
 
+void write_input(JsonWriter& json, const std::vector<Statistics::Count>& input) {
+    json.key("input");
+    json.open('{');
+    for (const Statistics::Count& count : input) json.field(count.name, count.count);
+    json.close('}');
+}
+
 void write_last(JsonWriter& json, const Statistics::Last& last) {
     json.key("last");
     json.open('{');
@@ -230,6 +237,7 @@ std::string format_statistics(const Statistics& statistics) {
     json.field("base_vertices", statistics.base_vertices);
     json.field("base_faces", statistics.base_faces);
     json.field("max_level", statistics.max_level);
+    write_input(json, statistics.input);
     write_last(json, statistics.last);
     json.field("edge_max", statistics.edge_max);
     json.field("angle_min_deg", statistics.angle_min_deg);

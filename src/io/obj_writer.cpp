@@ -91,10 +91,29 @@ class UniqueValues {
     std::vector<Value> values_;
 };
 
+// Advances a part of the work every few thousand of its elements.
+class Steps {
+  public:
+    Steps(const Progress& part, std::size_t elements) : part_(part), elements_(elements) {}
+
+    // That many are behind it, no fewer than last time.
+    void at(std::size_t done) {
+        if (done < next_) return;
+        constexpr std::size_t kElementsAStep = 4096;
+        next_ = done + kElementsAStep;
+        part_.advance(static_cast<double>(done) / static_cast<double>(elements_));
+    }
+
+  private:
+    Progress part_;
+    std::size_t elements_, next_ = 0;
+};
+
 class ObjWriter {
   public:
-    ObjWriter(const TriMesh& mesh, std::function<void(std::string_view)> sink)
-        : mesh_(mesh), text_(std::move(sink)), pieces_(mesh) {}
+    ObjWriter(const TriMesh& mesh, const Progress& progress,
+              std::function<void(std::string_view)> sink)
+        : mesh_(mesh), progress_(progress), text_(std::move(sink)), pieces_(mesh) {}
 
     void write() {
         for (const std::string& name : form().material_libraries) write_name("mtllib", name);
@@ -128,15 +147,22 @@ class ObjWriter {
         for (int i = 0; i < v.length(); ++i) (text_ << ' ').number(v[i]);
     }
     template <typename Vector>
-    void write_values(std::string_view keyword, const std::vector<Vector>& values) {
-        for (const Vector& value : values) {
+    void write_values(std::string_view keyword, const std::vector<Vector>& values,
+                      const Progress& part) {
+        Steps steps(part, values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            steps.at(i);
             text_ << keyword;
-            write_vector(value);
+            write_vector(values[i]);
             text_ << '\n';
         }
     }
 
+    // Where each part ends, of the time that writing takes.
+    static constexpr double kPositions = 0.3, kNumbered = 0.45, kUvs = 0.5, kNormals = 0.65;
+
     const TriMesh& mesh_;
+    const Progress& progress_;
     TextBuffer text_;
     FacePieces pieces_;
     std::vector<std::uint32_t> vertices_;  // n_vertex_slots; from 1
@@ -150,7 +176,9 @@ class ObjWriter {
 void ObjWriter::write_positions() {
     vertices_.assign(mesh_.vertex_slots(), 0);
     std::uint32_t number = 0;
+    Steps steps(progress_.part(0.0, kPositions), mesh_.vertex_slots());
     for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+        steps.at(i);
         const VertexId v{i};
         if (!mesh_.is_live(v)) continue;
         vertices_[i] = ++number;
@@ -167,9 +195,12 @@ void ObjWriter::write_wedges() {
     UniqueValues<Vec3f> normals(mesh_.wedge_slots() + loose);
     const auto number_of = [&](const Vec2f& uv) { return std::isnan(uv.x) ? 0 : uvs.number(uv); };
     wedges_.assign(mesh_.wedge_slots(), {});
-    for (FaceId f : pieces_.all()) {
+    const std::span<const FaceId> faces = pieces_.all();
+    Steps steps(progress_.part(kPositions, kNumbered), faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        steps.at(i);
         for (int corner = 0; corner < 3; ++corner) {
-            const WedgeId w = mesh_.wedge(TriMesh::half_edge(f, corner));
+            const WedgeId w = mesh_.wedge(TriMesh::half_edge(faces[i], corner));
             Attributes& wedge = wedges_[index(w)];
             if (wedge.normal != 0) continue;
             wedge.normal = normals.number(mesh_.normal(w));
@@ -182,13 +213,15 @@ void ObjWriter::write_wedges() {
     for (const LooseCorner& corner : form().element_corners) {
         element_uvs_.push_back(number_of(corner.uv));
     }
-    write_values("vt", uvs.values());
-    write_values("vn", normals.values());
+    write_values("vt", uvs.values(), progress_.part(kNumbered, kUvs));
+    write_values("vn", normals.values(), progress_.part(kUvs, kNormals));
 }
 
 void ObjWriter::write_polygons() {
     PolygonWalk polygon(mesh_);
+    Steps steps(progress_.part(kNormals, 1.0), mesh_.base_face_count());
     while (polygon.next()) {
+        steps.at(polygon.first_face());
         write_elements_before(polygon.polygon());
         write_part(polygon.part());
         write_polygon(polygon);
@@ -282,13 +315,15 @@ void ObjWriter::write_name(std::string_view keyword, std::string_view name) {
 
 std::string format_obj(const TriMesh& mesh) {
     std::string text;
-    ObjWriter(mesh, [&text](std::string_view piece) { text.append(piece); }).write();
+    const Progress unseen;
+    ObjWriter(mesh, unseen, [&text](std::string_view piece) { text.append(piece); }).write();
     return text;
 }
 
-void write_obj(const TriMesh& mesh, const std::string& path) {
+void write_obj(const TriMesh& mesh, const std::string& path, const Progress& progress) {
     AtomicFile file(path);
-    ObjWriter(mesh, [&file](std::string_view piece) { file.write(piece); }).write();
+    ObjWriter(mesh, progress, [&file](std::string_view piece) { file.write(piece); }).write();
+    progress.advance(1.0);
     file.commit();
 }
 

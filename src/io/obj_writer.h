@@ -3,6 +3,7 @@
 
 #include <string>
 
+#include "io/progress.h"
 #include "mesh/tri_mesh.h"
 
 namespace pectin {
@@ -21,7 +22,7 @@ namespace pectin {
 // Cost: O(n), O(n) memory besides the text.
 std::string format_obj(const TriMesh& mesh);
 
-// Writes that to the file, whole or not at all (AtomicFile). Throws FileError.
-void write_obj(const TriMesh& mesh, const std::string& path);
+// Writes that to the file, whole or not at all (AtomicFile). Throws FileError, Cancelled.
+void write_obj(const TriMesh& mesh, const std::string& path, const Progress& progress = {});
 
 }  // namespace pectin

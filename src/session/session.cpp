@@ -1,16 +1,13 @@
 #include "session/session.h"
 
 #include <algorithm>
-#include <cctype>
+#include <cassert>
 #include <cmath>
-#include <string_view>
 #include <utility>
 
 #include "command/json.h"
 #include "geometry/decimal.h"
 #include "io/atomic_file.h"
-#include "io/obj_reader.h"
-#include "io/obj_writer.h"
 #include "mesh/shapes.h"
 #include "session/session_state.h"
 
@@ -33,28 +30,17 @@ ShapeKind shape_kind(command::Shape::Kind kind) {
     return ShapeKind::sphere;
 }
 
-bool has_extension(const std::string& path, std::string_view extension) {
-    if (path.size() < extension.size()) return false;
-    const auto same = [](char x, char y) {
-        return std::tolower(static_cast<unsigned char>(x)) == y;
-    };
-    return std::equal(extension.begin(), extension.end(),
-                      path.end() - static_cast<std::ptrdiff_t>(extension.size()),
-                      [&](char y, char x) { return same(x, y); });
-}
-
 }  // namespace
 
 // The new object starts a new history; settings stay.
-void Session::State::take(BuiltMesh built) {
-    *mesh = std::move(built.mesh);
-    active = std::make_unique<ActiveSet>(*mesh);
-    tree.reset();
+void Session::State::adopt(LoadedModel model) {
+    active = std::move(model.active);
+    mesh = std::move(model.mesh);
+    tree = std::move(model.tree);
     history.clear();
-    input_report = built.report;
-    const Box box = mesh->bounding_box();
-    diagonal = box.diagonal();
-    const Vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+    input_report = model.report;
+    diagonal = model.box.diagonal();
+    const Vec3 farthest = glm::max(glm::abs(model.box.min), glm::abs(model.box.max));
     largest_coordinate = glm::max(farthest.x, glm::max(farthest.y, farthest.z));
     lattice_in_use.reset();
     last = {};
@@ -123,14 +109,7 @@ void Session::State::add_step(Command command, MeshChange change) {
 }
 
 Refusal Session::State::run(const command::Open& open) {
-    const IndexedFaceSet input = read_obj(open.path);
-    BuiltMesh built = build_mesh(input, {.crease_angle = open.crease_angle});
-    if (built.mesh.face_slots() == 0) {
-        return "'" + open.path +
-               "' has no face with three different vertices; a model needs at "
-               "least one";
-    }
-    take(std::move(built));
+    adopt(load_model(open));
     return std::nullopt;
 }
 
@@ -141,7 +120,7 @@ Refusal Session::State::run(const command::Shape& shape) {
         return "resolution " + std::to_string(shape.resolution) + " must be from " +
                std::to_string(least) + " to " + std::to_string(most) + " for this shape";
     }
-    take(build_mesh(make_shape(kind, shape.resolution)));
+    adopt(make_model(build_mesh(make_shape(kind, shape.resolution))));
     return std::nullopt;
 }
 
@@ -281,10 +260,7 @@ Refusal Session::State::run(const command::Bake& bake) {
 
 Refusal Session::State::run(const command::Save& save) {
     if (!has_object()) return kNoObject;
-    if (!has_extension(save.path, ".obj")) {
-        return "'" + save.path + "' does not end in .obj; save writes OBJ files";
-    }
-    write_obj(*mesh, save.path);
+    save_model(*mesh, save);
     return std::nullopt;
 }
 
@@ -310,6 +286,11 @@ Session& Session::operator=(Session&&) noexcept = default;
 std::optional<std::string> Session::execute(const Command& command) {
     if (is_dragging()) return "a drag is in hand; end or cancel it first";
     return std::visit([this](const auto& c) { return state_->run(c); }, command);
+}
+
+void Session::adopt(LoadedModel model) {
+    assert(!is_dragging());
+    state_->adopt(std::move(model));
 }
 
 void Session::set_viewport(Viewport* viewport) { state_->viewport = viewport; }
@@ -364,6 +345,8 @@ DirtyElements Session::take_dirty() {
 }
 
 Statistics Session::statistics() const { return state_->statistics(); }
+
+const BuildReport& Session::input_report() const { return state_->input_report; }
 
 const AdaptSettings& Session::adapt_settings() const { return state_->adapt_settings; }
 

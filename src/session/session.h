@@ -14,6 +14,7 @@
 #include "mesh/tri_mesh.h"
 #include "session/gesture.h"
 #include "session/history.h"
+#include "session/model_file.h"
 #include "session/settings.h"
 #include "session/viewport.h"
 
@@ -44,6 +45,10 @@ class Session {
     // Throws what io throws (FileError) for files; the object is then as it was, too.
     std::optional<std::string> execute(const Command& command);
 
+    // Makes it the object, as opening its file does. Precondition: no drag is in hand. Cost: O(1),
+    // and that of freeing what was there.
+    void adopt(LoadedModel model);
+
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
     // executed meanwhile. Ending it does what the Drag command with the last targets does, to the
     // byte, whatever the frames before.
@@ -70,6 +75,8 @@ class Session {
     // What has changed since it was last asked. Cost: O(changed).
     DirtyElements take_dirty();
     Statistics statistics() const;  // O(n)
+    // What was found in the input of the object; see input_summary.
+    const BuildReport& input_report() const;
 
     // --- For who shows them.
     const AdaptSettings& adapt_settings() const;

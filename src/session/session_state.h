@@ -9,10 +9,9 @@
 #include <vector>
 
 #include "ffd/drag_solver.h"
-#include "mesh/build_mesh.h"
-#include "mesh/face_tree.h"
 #include "session/gesture.h"
 #include "session/history.h"
+#include "session/model_file.h"
 #include "session/session.h"
 #include "session/settings.h"
 
@@ -77,7 +76,7 @@ struct Session::State {
         if (!lattice_in_use) return std::nullopt;
         return lattice_in_use->influenced_zone();
     }
-    void take(BuiltMesh built);
+    void adopt(LoadedModel model);
     const FaceTree& face_tree();
     void note(const Frame& frame);
     void add_step(Command command, MeshChange change);
