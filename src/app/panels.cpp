@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/file_panel.h"
+#include "app/progress_panel.h"
 
 namespace pectin {
 namespace {
@@ -55,7 +56,7 @@ std::string grouped(std::uint64_t number) {
 }  // namespace
 
 void Panels::draw(Editor& editor, const PictureFigures& figures) {
-    const bool had_dialog = editor.browser || editor.question;
+    const bool had_dialog = editor.has_dialog();
     areas_.clear();
     draw_hint(editor);  // first, so that in a small window the panels lie over it
     draw_menus(editor);
@@ -65,8 +66,9 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     draw_message(editor);
     draw_question(editor);
     draw_file_panel(editor, scale_);
+    draw_progress_panel(editor, scale_);
     // A dialog that has just been closed claims nothing more, though Dear ImGui knows it yet.
-    has_popup_ = editor.browser || editor.question ||
+    has_popup_ = editor.has_dialog() ||
                  (!had_dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
                                                             ImGuiPopupFlags_AnyPopupLevel));
     has_text_field_ = !had_dialog && ImGui::IsAnyItemActive() && ImGui::GetIO().WantTextInput;
