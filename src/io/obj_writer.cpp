@@ -1,5 +1,6 @@
 #include "io/obj_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
@@ -94,7 +95,8 @@ class UniqueValues {
 // Advances a part of the work every few thousand of its elements.
 class Steps {
   public:
-    Steps(const Progress& part, std::size_t elements) : part_(part), elements_(elements) {}
+    Steps(const Progress& part, std::size_t elements)
+        : part_(part), elements_(std::max<std::size_t>(elements, 1)) {}
 
     // That many are behind it, no fewer than last time.
     void at(std::size_t done) {
@@ -159,7 +161,7 @@ class ObjWriter {
     }
 
     // Where each part ends, of the time that writing takes.
-    static constexpr double kPositions = 0.3, kNumbered = 0.45, kUvs = 0.5, kNormals = 0.65;
+    static constexpr double kPositions = 0.35, kNumbered = 0.5, kUvs = 0.55, kNormals = 0.75;
 
     const TriMesh& mesh_;
     const Progress& progress_;

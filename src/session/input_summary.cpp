@@ -41,6 +41,9 @@ constexpr std::array kFindings{
     Finding{"points", &BuildReport::points, "group of points kept", "groups of points kept"},
 };
 
+static_assert(kFindings.size() * sizeof(std::uint32_t) == sizeof(BuildReport),
+              "a count of the report is missing here");
+
 }  // namespace
 
 std::vector<Statistics::Count> input_counts(const BuildReport& report) {

@@ -13,7 +13,7 @@ namespace pectin {
 namespace {
 
 // Where reading ends and building ends, of the time that loading takes.
-constexpr double kRead = 0.55, kBuilt = 0.75;
+constexpr double kRead = 0.5, kBuilt = 0.8;
 
 bool has_extension(const std::string& path, std::string_view extension) {
     if (path.size() < extension.size()) return false;

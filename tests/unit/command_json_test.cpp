@@ -336,6 +336,7 @@ TEST(ScriptHeader, IsVersionOneAndNothingElse) {
 TEST(StatisticsJson, HasItsFieldsInOrderAndEndsWithANewline) {
     Statistics statistics;
     statistics.vertices = 12;
+    statistics.input = {{"lines", 3}, {"points", 0}};
     statistics.last.seconds.refine = 0.25;
     statistics.angle_min_deg = std::numeric_limits<double>::quiet_NaN();
     const std::string text = format_statistics(statistics);
@@ -346,6 +347,9 @@ TEST(StatisticsJson, HasItsFieldsInOrderAndEndsWithANewline) {
                               "\"base_vertices\"",
                               "\"base_faces\"",
                               "\"max_level\"",
+                              "\"input\": {\n",
+                              "\"lines\": 3,\n",
+                              "\"points\": 0\n  },\n",
                               "\"last\": {\n",
                               "\"splits\"",
                               "\"unsplits\"",
