@@ -18,6 +18,9 @@ constexpr ImGuiWindowFlags kBare = kFixed | ImGuiWindowFlags_NoTitleBar |
                                    ImGuiWindowFlags_NoScrollbar |
                                    ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr float kMargin = 12.0f;  // between panels and the window's edge
+constexpr float kSettingsWidth = 310.0f;
+
+constexpr float kMessageGap = 12.0f;  // between a message and the button that takes it away
 
 constexpr std::array kHint{
     "Drag a point of the surface: what is round it follows.",
@@ -149,7 +152,7 @@ void Panels::draw_radius(Editor& editor) {
 }
 
 void Panels::draw_settings(Editor& editor) {
-    const float width = scaled(310.0f), top = menu_height_ + scaled(kMargin);
+    const float width = scaled(kSettingsWidth), top = menu_height_ + scaled(kMargin);
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(room.x - width - scaled(kMargin), top));
     ImGui::SetNextWindowSizeConstraints(
@@ -252,7 +255,10 @@ void Panels::draw_message(Editor& editor) {
     if (message.empty()) return;
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     const float close = ImGui::GetFrameHeight();
-    const float most = std::min(scaled(640.0f), 0.6f * room.x);
+    // Between the panels, in the middle of the window; over them where that is too narrow.
+    const float frame = close + scaled(kMessageGap) + 2.0f * ImGui::GetStyle().WindowPadding.x;
+    const float beside = room.x - 2.0f * scaled(kSettingsWidth + 2.0f * kMargin) - frame;
+    const float most = std::max(beside, 0.4f * room.x);
     const float text = std::min(most, ImGui::CalcTextSize(message.c_str()).x + scaled(2.0f));
     ImGui::SetNextWindowPos(ImVec2(0.5f * room.x, menu_height_ + scaled(kMargin)), ImGuiCond_Always,
                             ImVec2(0.5f, 0.0f));
@@ -264,7 +270,7 @@ void Panels::draw_message(Editor& editor) {
     ImGui::PushTextWrapPos(left + text);
     ImGui::TextUnformatted(message.c_str());
     ImGui::PopTextWrapPos();
-    ImGui::SameLine(left + text + scaled(12.0f));
+    ImGui::SameLine(left + text + scaled(kMessageGap));
     if (ImGui::Button("×", ImVec2(close, close))) editor.workspace().dismiss();
     ImGui::End();
     ImGui::PopStyleColor();
