@@ -74,25 +74,25 @@ Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
 
 double Criteria::divergence(const ActiveSet& active, EdgeId e, double enough) {
     const TriMesh& mesh = active.mesh();
-    const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
-    const SideEnds left = side_of(mesh, h);
-    double greatest = side_divergence(active, left, enough);
-    if (exists(twin)) {
-        const SideEnds right = side_of(mesh, twin);
-        const bool smooth = right.first == left.second && right.second == left.first;
-        if (!smooth) greatest = std::max(greatest, side_divergence(active, right, enough));
-    }
+    const SideEnds left = side_of(mesh, mesh.half_edge(e));
+    double greatest = -1.0;
+    mesh.for_each_side(e, [&](HalfEdgeId h) {
+        const SideEnds side = side_of(mesh, h);
+        const bool smooth = side.first == left.second && side.second == left.first;
+        if (!smooth) greatest = std::max(greatest, side_divergence(active, side, enough));
+    });
     return greatest;
 }
 
 double Criteria::full_divergence(const TriMesh& mesh, EdgeId e) {
-    const auto of_side = [&](HalfEdgeId h) {
+    double greatest = 0.0;
+    mesh.for_each_side(e, [&](HalfEdgeId h) {
         const SideEnds side = side_of(mesh, h);
         const Vec3f n1 = mesh.normal(side.first), n2 = mesh.normal(side.second);
-        return is_defined(n1) && is_defined(n2) ? normal_divergence(n1, n2) : 0.0;
-    };
-    const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
-    return exists(twin) ? std::max(of_side(h), of_side(twin)) : of_side(h);
+        if (is_defined(n1) && is_defined(n2))
+            greatest = std::max(greatest, normal_divergence(n1, n2));
+    });
+    return greatest;
 }
 
 bool Criteria::diverges(const TriMesh& mesh, EdgeId e) const {
@@ -110,14 +110,14 @@ bool Criteria::needs_refinement(const ActiveSet& active, EdgeId e) const {
     if (zones_.empty() || limits_.l_max == kOff) return false;
     const bool is_long = mesh.squared_length(e) > square(limits_.l_max);
     if (!is_long && !between_) return false;
-    const auto side_needs = [&](HalfEdgeId side) {
-        const VertexId a = mesh.origin(TriMesh::prev(side));
+    bool any = false;
+    mesh.for_each_side(e, [&](HalfEdgeId side) {
+        const VertexId v = mesh.origin(TriMesh::prev(side));
         const VertexId b = mesh.origin(side), c = mesh.target(side);
-        return (is_long && meets_zone(active, b, c, a)) ||
-               (between_ && between_->is_long_between_steps(a, b, c, limits_.l_max));
-    };
-    const HalfEdgeId twin = mesh.twin(h);
-    return side_needs(h) || (exists(twin) && side_needs(twin));
+        any = any || (is_long && meets_zone(active, b, c, v)) ||
+              (between_ && between_->is_long_between_steps(v, b, c, limits_.l_max));
+    });
+    return any;
 }
 
 bool Criteria::is_below_floor(const TriMesh& mesh, EdgeId e) const {
@@ -130,12 +130,24 @@ bool Criteria::may_unsplit(const ActiveSet& active, const Star& star) const {
            restored_faces_fit(active, star);
 }
 
+// Whether all sheets at star.m are as `holds` says of one.
+template <typename Holds>
+bool Criteria::in_all_sheets(const ActiveSet& active, const Star& star, Holds holds) {
+    bool all = true;
+    active.mesh().for_each_sheet(star, [&](const Star& sheet) { all = all && holds(sheet); });
+    return all;
+}
+
+// The edges along a cut pass for all sheets at once.
 bool Criteria::edges_pass(const ActiveSet& active, const Star& star) const {
     const TriMesh& mesh = active.mesh();
     return passes_decimation(active, mesh.edge(star.bm)) &&
            passes_decimation(active, mesh.edge(star.mc)) &&
-           passes_decimation(active, mesh.edge(TriMesh::prev(star.mc))) &&
-           (star.on_boundary() || passes_decimation(active, mesh.edge(TriMesh::prev(star.mb))));
+           in_all_sheets(active, star, [&](const Star& sheet) {
+               return passes_decimation(active, mesh.edge(TriMesh::prev(sheet.mc))) &&
+                      (sheet.on_boundary() ||
+                       passes_decimation(active, mesh.edge(TriMesh::prev(sheet.mb))));
+           });
 }
 
 bool Criteria::passes_decimation(const ActiveSet& active, EdgeId e) const {
@@ -149,11 +161,14 @@ bool Criteria::merged_edge_is_fine(const ActiveSet& active, const Star& star) co
     const TriMesh& mesh = active.mesh();
     if (refine_divergence_ == kOff) return true;
     if (!mesh.is_deformed(star.b) && !mesh.is_deformed(star.c)) return true;
-    const SideEnds left{mesh.wedge(star.bm), mesh.wedge(TriMesh::next(star.mc))};
-    if (side_divergence(active, left, refine_divergence_) > refine_divergence_) return false;
-    if (star.on_boundary()) return true;
-    const SideEnds right{mesh.wedge(star.cm), mesh.wedge(TriMesh::next(star.mb))};
-    return !(side_divergence(active, right, refine_divergence_) > refine_divergence_);
+    const auto is_fine = [&](const SideEnds& side) {
+        return !(side_divergence(active, side, refine_divergence_) > refine_divergence_);
+    };
+    return in_all_sheets(active, star, [&](const Star& sheet) {
+        return is_fine({mesh.wedge(sheet.bm), mesh.wedge(TriMesh::next(sheet.mc))}) &&
+               (sheet.on_boundary() ||
+                is_fine({mesh.wedge(sheet.cm), mesh.wedge(TriMesh::next(sheet.mb))}));
+    });
 }
 
 // No edge of a restored face longer than l_max would belong to a face that meets the zone.
@@ -172,7 +187,10 @@ bool Criteria::restored_faces_fit(const ActiveSet& active, const Star& star) con
                               between_->is_long_between_steps(b, c, a, limits_.l_max) ||
                               between_->is_long_between_steps(c, a, b, limits_.l_max));
     };
-    return fits(star.a, star.b, star.c) && (star.on_boundary() || fits(star.d, star.c, star.b));
+    return in_all_sheets(active, star, [&](const Star& sheet) {
+        return fits(sheet.a, sheet.b, sheet.c) &&
+               (sheet.on_boundary() || fits(sheet.d, sheet.c, sheet.b));
+    });
 }
 
 // Flatness guard: how far the surface moves if m goes, |f1.delta| + |f2.delta|.
@@ -204,8 +222,10 @@ bool Criteria::star_meets_scope(const ActiveSet& active, const Star& star) const
                                       active.rest_position(q), box);
         });
     };
-    return meets(star.c, star.a) || meets(star.a, star.b) ||
-           (!star.on_boundary() && (meets(star.b, star.d) || meets(star.d, star.c)));
+    return !in_all_sheets(active, star, [&](const Star& sheet) {
+        return !meets(sheet.c, sheet.a) && !meets(sheet.a, sheet.b) &&
+               (sheet.on_boundary() || (!meets(sheet.b, sheet.d) && !meets(sheet.d, sheet.c)));
+    });
 }
 
 bool Criteria::meets_zone(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const {

@@ -32,8 +32,10 @@ struct AdaptLimits {
     std::optional<MirrorPlane> symmetry{};
 };
 
-// The tests of one pass. Divergences are compared as 1 - cos(angle), here |n1 - n2|^2 / 2, which
-// is the same for unit normals and does not cancel for small angles.
+// The tests of one pass. Edges along a cut (siblings) are one edge to all of them, with as many
+// sides as there are sheets, so that they are split and restored together. Divergences are compared
+// as 1 - cos(angle), here |n1 - n2|^2 / 2, which is the same for unit normals and does not cancel
+// for small angles.
 class Criteria {
   public:
     // zone: where edges longer than l_max are refined; none if no lattice is in use.
@@ -70,6 +72,8 @@ class Criteria {
     bool diverges(const TriMesh& mesh, EdgeId e) const;
 
   private:
+    template <typename Holds>
+    static bool in_all_sheets(const ActiveSet& active, const Star& star, Holds holds);
     bool star_meets_scope(const ActiveSet& active, const Star& star) const;
     bool edges_pass(const ActiveSet& active, const Star& star) const;
     bool passes_decimation(const ActiveSet& active, EdgeId e) const;

@@ -157,26 +157,24 @@ void Embedding::place(const ActiveSet::Inserted& inserted) {
     const std::uint32_t entry = inserted.vertex_entry;
     if (stages_.empty()) return;
     resize();
-    const bool has_two = inserted.right_wedge_entry != inserted.left_wedge_entry;
-    const auto for_each_wedge = [&](const auto& visit) {
-        visit(inserted.left_wedge_entry);
-        if (has_two) visit(inserted.right_wedge_entry);
-    };
+    const std::span<const std::uint32_t> wedges(inserted.wedge_entries);
     if (stages_.size() > 1) {
-        for_each_wedge([&](std::uint32_t w) { normals_[w] = active_.rest_normal_at(w); });
+        for (std::uint32_t w : wedges) normals_[w] = active_.rest_normal_at(w);
     }
     const bool moves = active_.is_influenced_at(entry);
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
         const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
         scratch_.assign(drag ? drag->displacements.size() : 0, {});
-        if (moves) weigh(step, entry, scratch_);
-        if (moves) for_each_wedge([&](std::uint32_t w) { turn(step, w, scratch_); });
+        if (moves) {
+            weigh(step, entry, scratch_);
+            for (std::uint32_t w : wedges) turn(step, w, scratch_);
+        }
         advance(step, entry, scratch_);
     }
     if (!moves) return;
     embed_entry(entry);
     deform_vertices(entry, entry + 1);
-    for_each_wedge([&](std::uint32_t w) { deform_wedges(w, w + 1); });
+    for (std::uint32_t w : wedges) deform_wedges(w, w + 1);
 }
 
 std::uint64_t Embedding::folded_vertices() const {

@@ -62,7 +62,7 @@ class Refiner {
         while (true) {
             const EdgeId first = end_of_chain(e);
             if (is_too_thin_beside_blocked(first)) {
-                result_.blocked.push_back(e);
+                active_.mesh().for_each_side(e, [this](HalfEdgeId h) { block(h); });
                 result_.floor_hit = true;
                 return;
             }
@@ -133,10 +133,17 @@ class Refiner {
         return glm::dot(middle, kGenericDirection);
     }
 
+    // Once an edge, also where it has two sides.
+    void block(HalfEdgeId h) {
+        const EdgeId e = active_.mesh().edge(h);
+        if (active_.mesh().half_edge(e) == h) result_.blocked.push_back(e);
+    }
+
     // Precondition: e ends its chain, so any edge more than rho times as long is blocked.
     bool is_too_thin_beside_blocked(EdgeId e) {
-        const HalfEdgeId h = active_.mesh().half_edge(e), twin = active_.mesh().twin(h);
-        return thins_too_far(h) || (exists(twin) && thins_too_far(twin));
+        bool any = false;
+        active_.mesh().for_each_side(e, [&](HalfEdgeId h) { any = any || thins_too_far(h); });
+        return any;
     }
 
     // Whether halving h's face across h leaves it too thin, beside an edge that is longer.
@@ -155,12 +162,10 @@ class Refiner {
     template <typename Visit>
     void for_each_neighbour(EdgeId e, Visit visit) const {
         const TriMesh& mesh = active_.mesh();
-        const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
-        visit(mesh.edge(TriMesh::next(h)));
-        visit(mesh.edge(TriMesh::prev(h)));
-        if (!exists(twin)) return;
-        visit(mesh.edge(TriMesh::next(twin)));
-        visit(mesh.edge(TriMesh::prev(twin)));
+        mesh.for_each_side(e, [&](HalfEdgeId h) {
+            visit(mesh.edge(TriMesh::next(h)));
+            visit(mesh.edge(TriMesh::prev(h)));
+        });
     }
 
     double rest_length(EdgeId e) { return static_cast<double>(active_.rest_length(e)); }
@@ -171,7 +176,8 @@ class Refiner {
 
     bool split(EdgeId e) {
         const TriMesh& mesh = active_.mesh();
-        const std::uint64_t added = exists(mesh.twin(mesh.half_edge(e))) ? 2 : 1;
+        std::uint64_t added = 0;
+        mesh.for_each_side(e, [&](HalfEdgeId) { ++added; });
         if (mesh.face_count() + added > criteria_.limits().budget) {
             result_.budget_hit = true;
             return false;
@@ -179,9 +185,7 @@ class Refiner {
         const ActiveSet::Inserted inserted = active_.split(e);
         embedding_.place(inserted);
         ++result_.splits;
-        const Split& s = inserted.split;
-        for (EdgeId round : {s.bm, s.mc, s.am}) push_if_needed(round);
-        if (s.right) push_if_needed(s.dm);
+        for (EdgeId round : inserted.edges) push_if_needed(round);
         return true;
     }
 

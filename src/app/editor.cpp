@@ -20,15 +20,10 @@ constexpr double kFreeWidth = 0.56, kFreeHeight = 0.78;
 
 bool is_letter(Key key, char letter) { return key == Key{letter}; }
 
-std::string absolute(const std::string& path) {
-    std::error_code error;
-    const std::filesystem::path whole = std::filesystem::absolute(path, error);
-    return error ? path : whole.lexically_normal().string();
-}
-
 }  // namespace
 
-Editor::Editor(std::optional<Recorder> recorder) : workspace_(std::move(recorder)) {
+Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds patience)
+    : workspace_(std::move(recorder), patience) {
     frame_all(kFitDirection);
 }
 
@@ -36,7 +31,7 @@ Editor::Editor(std::optional<Recorder> recorder) : workspace_(std::move(recorder
 
 void Editor::handle(const InputEvent& input, const UiClaims& asked) {
     // A dialog takes all, also what comes in before it has been drawn.
-    const UiClaims claims = browser || question ? UiClaims{.mouse = true, .keyboard = true} : asked;
+    const UiClaims claims = has_dialog() ? UiClaims{.mouse = true, .keyboard = true} : asked;
     if (const auto* press = std::get_if<event::Press>(&input)) {
         on(*press, claims.mouse);
     } else if (const auto* release = std::get_if<event::Release>(&input)) {
@@ -110,19 +105,22 @@ void Editor::on(const event::KeyDown& key, bool is_claimed) {
         return;
     }
     if (key.key == Key::enter && !key.is_repeat) enter_ = browser || question;
+    const auto action = action_for(key.key, key.modifiers);
+    if (workspace_.file_task() && action == Action::quit) return quit();
     if (is_claimed) return;
     if (is_letter(key.key, 'F') && key.modifiers == Modifiers{}) {
         if (!key.is_repeat) begin_radius_drag();
         return;
     }
-    const auto action = action_for(key.key, key.modifiers);
     const bool repeats = action == Action::undo || action == Action::redo;
     if (action && (!key.is_repeat || repeats)) perform(*action);
 }
 
 // Whether there was one to leave.
 bool Editor::escape_dialog() {
-    if (!file_to_replace_.empty()) {
+    if (workspace_.file_task()) {
+        workspace_.cancel_file_task();
+    } else if (!file_to_replace_.empty()) {
         keep_file();
     } else if (question) {
         answer(Answer::cancel);
@@ -145,11 +143,18 @@ void Editor::on(const event::Drop& drop) {
 void Editor::advance() {
     if (sculptor_.is_dragging()) {
         if (std::exchange(moved_, false)) drag();
-        return;
+    } else if (const auto* task = workspace_.file_task()) {
+        const Command command = task->command;
+        conclude(command, workspace_.poll());
     }
-    const bool looks = cursor_is_ours_ && !navigation_.is_active() && !browser && !question;
-    if (radius_drag_) return;  // the circle stays where it was
+    look();
+}
+
+void Editor::look() {
+    // A circle that is being set stays where it was.
+    if (sculptor_.is_dragging() || radius_drag_) return;
     hover_.reset();
+    const bool looks = cursor_is_ours_ && !navigation_.is_active() && !has_dialog();
     if (looks) hover_ = workspace_.session().pick(ray_at(cursor_));
 }
 
@@ -317,111 +322,25 @@ void Editor::perform(Action action) {
 }
 
 bool Editor::execute(const Command& command) {
-    if (is_busy() || !workspace_.execute(command)) return false;
-    hover_.reset();
-    if (std::holds_alternative<command::Open>(command) ||
-        std::holds_alternative<command::Shape>(command)) {
-        figures_ = {};
-        frame_all(kFitDirection);
-    }
-    return true;
+    return !is_busy() && conclude(command, workspace_.execute(command));
 }
-
-void Editor::open(const std::string& path) { ask_or_do({command::Open{.path = absolute(path)}}); }
 
 void Editor::new_shape(command::Shape::Kind kind, int resolution) {
     ask_or_do({command::Shape{kind, resolution}});
 }
 
-void Editor::quit() { ask_or_do({Question::Quit{}}); }
+void Editor::quit() {
+    if (workspace_.file_task()) {
+        workspace_.cancel_file_task();
+        quits_next_ = true;
+    } else {
+        ask_or_do({Question::Quit{}});
+    }
+}
 
 void Editor::frame_all(const std::optional<Vec3>& direction) {
     const double aspect = kFreeWidth * size_.x / (kFreeHeight * size_.y);
     navigation_.frame(seen_positions(session().mesh()), aspect, kFreeHeight, direction);
-}
-
-// --- Files.
-
-void Editor::begin_save() {
-    if (workspace_.path().empty()) {
-        perform(Action::save_as);
-    } else {
-        execute(command::Save{workspace_.path()});
-    }
-}
-
-void Editor::accept_file() {
-    const std::string path = browser->choose();
-    if (path.empty()) return;
-    const bool replaces = browser->purpose() != FileBrowser::Purpose::open &&
-                          path != workspace_.path() && FileBrowser::exists(path);
-    if (replaces && path != file_to_replace_) {
-        file_to_replace_ = path;
-        return;
-    }
-    use_file(browser->purpose(), path);
-}
-
-void Editor::use_file(FileBrowser::Purpose purpose, const std::string& path) {
-    const std::optional<Question> next = std::exchange(after_save_, std::nullopt);
-    close_browser();
-    switch (purpose) {
-        case FileBrowser::Purpose::open:
-            open(path);
-            break;
-        case FileBrowser::Purpose::save:
-            if (execute(command::Save{path}) && next) carry_out(*next);
-            break;
-        case FileBrowser::Purpose::save_picture:
-            execute(command::Screenshot{.path = path,
-                                        .width = std::clamp(size_.x, 16, 8192),
-                                        .height = std::clamp(size_.y, 16, 8192),
-                                        .camera = camera(),
-                                        .show = {.wireframe = display.wireframe,
-                                                 .lattice = display.lattice,
-                                                 .levels = display.levels}});
-            break;
-    }
-}
-
-void Editor::close_browser() {
-    browser.reset();
-    enter_ = false;
-    file_to_replace_.clear();
-    after_save_.reset();
-}
-
-void Editor::ask_or_do(Question asked) {
-    if (is_busy()) return;
-    if (workspace_.is_modified()) {
-        close_browser();  // one dialog at a time
-        question = std::move(asked);
-    } else {
-        carry_out(asked);
-    }
-}
-
-void Editor::carry_out(const Question& asked) {
-    if (const auto* open = std::get_if<command::Open>(&asked.then)) {
-        execute(*open);
-    } else if (const auto* shape = std::get_if<command::Shape>(&asked.then)) {
-        execute(*shape);
-    } else {
-        wants_to_end_ = true;
-    }
-}
-
-void Editor::answer(Answer answer) {
-    const Question asked = *std::exchange(question, std::nullopt);
-    enter_ = false;
-    if (answer == Answer::discard) carry_out(asked);
-    if (answer != Answer::save) return;
-    if (workspace_.path().empty()) {
-        perform(Action::save_as);
-        after_save_ = asked;
-    } else if (execute(command::Save{workspace_.path()})) {
-        carry_out(asked);
-    }
 }
 
 }  // namespace pectin

@@ -2,6 +2,7 @@
 // window system and draws nothing.
 #pragma once
 
+#include <chrono>
 #include <optional>
 #include <string>
 #include <utility>
@@ -36,20 +37,26 @@ struct UiClaims {
 
 class Editor {
   public:
-    explicit Editor(std::optional<Recorder> recorder = {});
+    explicit Editor(std::optional<Recorder> recorder = {},
+                    std::chrono::milliseconds patience = kPatience);
 
     // --- Input.
     void handle(const InputEvent& event, const UiClaims& claims = {});
-    // Once a frame, after its events: moves the drag in hand, or looks what is under the cursor.
+    // Once a frame, after its events: moves the drag in hand, looks what has become of a file that
+    // is under way, or what is under the cursor.
     void advance();
 
-    // --- What menus, panels and keys ask for. Nothing happens during a drag.
+    // --- What menus, panels and keys ask for. Nothing happens during a drag, nor while a file is
+    // under way: all there is then is to cancel it.
     void perform(Action action);
-    bool execute(const Command& command);
+    bool execute(const Command& command);  // whether it is done already
+    // What the window begins with: the model or, where none is given or it cannot be opened, a
+    // sphere.
+    void begin(const std::string& model);
     // Those that would lose changes ask first.
     void open(const std::string& path);
     void new_shape(command::Shape::Kind kind, int resolution);
-    void quit();
+    void quit();                     // cancels a file that is under way first
     void set_radius(double radius);  // kept within sensible bounds
     // As far as the object's size goes.
     double least_radius() const;
@@ -71,7 +78,8 @@ class Editor {
     bool wants_to_end() const { return wants_to_end_; }
 
     Display display{};
-    // --- Dialogs, while they are open.
+    // --- Dialogs, while they are open; one more tells of a file that is under way.
+    bool has_dialog() const { return browser || question || workspace_.file_task(); }
     std::optional<FileBrowser> browser{};
     // Does with the file named in the browser what it is for and closes it; asks first where a
     // file would be replaced, and does nothing where no file is named.
@@ -109,15 +117,20 @@ class Editor {
     void follow_cursor();
     void release_drag();
     void cancel_drag();
+    void look();
     void begin_radius_drag();
     void end_radius_drag(bool keeps);
     void frame_all(const std::optional<Vec3>& direction = {});
+    bool conclude(const Command& command, Workspace::Outcome outcome);
     void begin_save();
+    void save(const std::string& path, std::optional<Question> next);
     bool escape_dialog();
     void use_file(FileBrowser::Purpose purpose, const std::string& path);
     void ask_or_do(Question question);
     void carry_out(const Question& question);
-    bool is_busy() const { return sculptor_.is_dragging() || radius_drag_.has_value(); }
+    bool is_busy() const {
+        return sculptor_.is_dragging() || radius_drag_ || workspace_.file_task();
+    }
 
     // F and a move of the mouse: the radius doubles over kPixelsPerDoubling.
     struct RadiusDrag {
@@ -135,7 +148,9 @@ class Editor {
     std::optional<Pick> hover_;
     std::optional<RadiusDrag> radius_drag_;
     FrameFigures figures_;
-    std::optional<Question> after_save_;
+    std::optional<Question> after_save_;  // once the browser has a file for it
+    std::optional<Question> next_;        // once the save that is under way is done
+    bool quits_next_ = false;             // once the file that is under way is gone
     std::string file_to_replace_;
     bool enter_ = false;
     bool shows_hint_ = true;

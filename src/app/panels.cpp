@@ -7,6 +7,7 @@
 #include <cstdio>
 
 #include "app/file_panel.h"
+#include "app/progress_panel.h"
 
 namespace pectin {
 namespace {
@@ -17,6 +18,9 @@ constexpr ImGuiWindowFlags kBare = kFixed | ImGuiWindowFlags_NoTitleBar |
                                    ImGuiWindowFlags_NoScrollbar |
                                    ImGuiWindowFlags_NoFocusOnAppearing;
 constexpr float kMargin = 12.0f;  // between panels and the window's edge
+constexpr float kSettingsWidth = 310.0f;
+
+constexpr float kMessageGap = 12.0f;  // between a message and the button that takes it away
 
 constexpr std::array kHint{
     "Drag a point of the surface: what is round it follows.",
@@ -55,7 +59,7 @@ std::string grouped(std::uint64_t number) {
 }  // namespace
 
 void Panels::draw(Editor& editor, const PictureFigures& figures) {
-    const bool had_dialog = editor.browser || editor.question;
+    const bool had_dialog = editor.has_dialog();
     areas_.clear();
     draw_hint(editor);  // first, so that in a small window the panels lie over it
     draw_menus(editor);
@@ -65,8 +69,9 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     draw_message(editor);
     draw_question(editor);
     draw_file_panel(editor, scale_);
+    draw_progress_panel(editor, scale_);
     // A dialog that has just been closed claims nothing more, though Dear ImGui knows it yet.
-    has_popup_ = editor.browser || editor.question ||
+    has_popup_ = editor.has_dialog() ||
                  (!had_dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
                                                             ImGuiPopupFlags_AnyPopupLevel));
     has_text_field_ = !had_dialog && ImGui::IsAnyItemActive() && ImGui::GetIO().WantTextInput;
@@ -147,7 +152,7 @@ void Panels::draw_radius(Editor& editor) {
 }
 
 void Panels::draw_settings(Editor& editor) {
-    const float width = scaled(310.0f), top = menu_height_ + scaled(kMargin);
+    const float width = scaled(kSettingsWidth), top = menu_height_ + scaled(kMargin);
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     ImGui::SetNextWindowPos(ImVec2(room.x - width - scaled(kMargin), top));
     ImGui::SetNextWindowSizeConstraints(
@@ -250,7 +255,10 @@ void Panels::draw_message(Editor& editor) {
     if (message.empty()) return;
     const ImVec2 room = ImGui::GetIO().DisplaySize;
     const float close = ImGui::GetFrameHeight();
-    const float most = std::min(scaled(640.0f), 0.6f * room.x);
+    // Between the panels, in the middle of the window; over them where that is too narrow.
+    const float frame = close + scaled(kMessageGap) + 2.0f * ImGui::GetStyle().WindowPadding.x;
+    const float beside = room.x - 2.0f * scaled(kSettingsWidth + 2.0f * kMargin) - frame;
+    const float most = std::max(beside, 0.4f * room.x);
     const float text = std::min(most, ImGui::CalcTextSize(message.c_str()).x + scaled(2.0f));
     ImGui::SetNextWindowPos(ImVec2(0.5f * room.x, menu_height_ + scaled(kMargin)), ImGuiCond_Always,
                             ImVec2(0.5f, 0.0f));
@@ -262,7 +270,7 @@ void Panels::draw_message(Editor& editor) {
     ImGui::PushTextWrapPos(left + text);
     ImGui::TextUnformatted(message.c_str());
     ImGui::PopTextWrapPos();
-    ImGui::SameLine(left + text + scaled(12.0f));
+    ImGui::SameLine(left + text + scaled(kMessageGap));
     if (ImGui::Button("×", ImVec2(close, close))) editor.workspace().dismiss();
     ImGui::End();
     ImGui::PopStyleColor();

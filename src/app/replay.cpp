@@ -9,6 +9,7 @@
 #include "app/execute.h"
 #include "app/offscreen_viewport.h"
 #include "command/script.h"
+#include "session/input_summary.h"
 #include "session/session.h"
 
 namespace pectin {
@@ -22,8 +23,11 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
     session.set_viewport(&viewport);
     ScriptReader reader(text);
     while (std::optional<ScriptLine> line = reader.next()) {
-        const auto refuse = [&](const std::string& command, const std::string& what) {
+        const auto tell = [&](const std::string& command, const std::string& what) {
             errors << title << ':' << line->number << ": " << command << ": " << what << '\n';
+        };
+        const auto refuse = [&](const std::string& command, const std::string& what) {
+            tell(command, what);
             return false;
         };
         if (const auto* error = std::get_if<CommandError>(&line->command))
@@ -31,6 +35,10 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
         auto& command = std::get<Command>(line->command);
         resolve_paths(command, folder);
         if (const auto what = execute(session, command)) return refuse(name(command), *what);
+        if (const auto* open = std::get_if<command::Open>(&command)) {
+            const std::string note = input_summary(open->path, session.input_report());
+            if (!note.empty()) tell(name(command), note);
+        }
     }
     return true;
 }

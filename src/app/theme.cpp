@@ -86,6 +86,7 @@ void set_colours(ImGuiStyle& style) {
     colours[ImGuiCol_HeaderHovered] = grey(0.265f);
     colours[ImGuiCol_HeaderActive] = grey(0.30f);
     colours[ImGuiCol_CheckMark] = amber(1.0f);
+    colours[ImGuiCol_PlotHistogram] = amber(1.0f);  // of progress bars
     colours[ImGuiCol_SliderGrab] = amber(0.5f);
     colours[ImGuiCol_SliderGrabActive] = amber(0.7f);
     colours[ImGuiCol_Separator] = grey(0.27f, 0.7f);

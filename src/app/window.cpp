@@ -22,9 +22,13 @@ namespace pectin {
 namespace {
 
 constexpr IVec2 kFirstSize{1280, 800};
-constexpr int kFirstSphere = 4;
 // Frames that panels need to come to rest after an event.
 constexpr int kSettlingFrames = 3;
+// Seconds to wait for events, where nothing is to be drawn: not for ever, in case the driver, which
+// reads from the same connection while drawing, has taken an event from there already.
+constexpr double kLongestWait = 0.1;
+// And between frames that show how far a file is: what draws faster takes from what works on it.
+constexpr double kProgressWait = 1.0 / 30.0;
 
 // Dear ImGui's context, fed by the host's window.
 class Interface {
@@ -66,7 +70,8 @@ class Window {
           object_(host_.gl()),
           viewport_(host_.gl(), renderer_, object_) {
         editor_.workspace().session().set_viewport(&viewport_);
-        begin(options.model);
+        editor_.handle(event::Resize{host_.size()});
+        editor_.begin(options.model);
     }
 
     void run() {
@@ -83,19 +88,12 @@ class Window {
     }
 
   private:
-    void begin(const std::string& model) {
-        editor_.handle(event::Resize{host_.size()});
-        if (!model.empty()) editor_.open(model);
-        if (editor_.session().mesh().face_slots() > 0) return;
-        // Whatever is told of the model stays to be read.
-        const std::string message = editor_.workspace().message();
-        editor_.execute(command::Shape{command::Shape::Kind::sphere, kFirstSphere});
-        if (!message.empty()) editor_.workspace().tell(message);
-    }
-
     void take_input() {
-        const std::vector<InputEvent> events = host_.take_events(frames_to_draw_ == 0);
-        if (!events.empty()) frames_to_draw_ = kSettlingFrames;
+        const bool shows_progress = editor_.workspace().file_task() != nullptr;
+        const double rest = frames_to_draw_ == 0 ? kLongestWait : 0.0;
+        const std::vector<InputEvent> events =
+            host_.take_events(shows_progress ? kProgressWait : rest);
+        if (!events.empty() || shows_progress) frames_to_draw_ = kSettlingFrames;
         for (const InputEvent& event : events) {
             if (const auto* move = std::get_if<event::Move>(&event)) cursor_ = move->at;
             editor_.handle(event, panels_.claims(cursor_));

@@ -12,8 +12,6 @@
 namespace pectin {
 namespace {
 
-constexpr double kLongestWait = 0.1;  // seconds
-
 std::string last_error() {
     const char* description = nullptr;
     glfwGetError(&description);
@@ -140,11 +138,9 @@ WindowHost::WindowHost(const std::string& title, const IVec2& size)
 
 WindowHost::~WindowHost() = default;
 
-std::vector<InputEvent> WindowHost::take_events(bool waits) {
-    if (waits && events_.empty()) {
-        // Not for ever, in case the driver, which reads from the same connection while drawing, has
-        // taken an event from there already.
-        glfwWaitEventsTimeout(kLongestWait);
+std::vector<InputEvent> WindowHost::take_events(double longest_wait) {
+    if (longest_wait > 0.0 && events_.empty()) {
+        glfwWaitEventsTimeout(longest_wait);
     } else {
         glfwPollEvents();
     }

@@ -25,8 +25,8 @@ class WindowHost {
     const Gl& gl() const { return gl_; }
     GLFWwindow* handle() const { return window_.get(); }
 
-    // What has been done since the last call; waits for something, a while, where `waits`.
-    std::vector<InputEvent> take_events(bool waits);
+    // What has been done since the last call; waits for something, as many seconds as this.
+    std::vector<InputEvent> take_events(double longest_wait);
     void show();  // what has been drawn
     void set_title(const std::string& title);
 

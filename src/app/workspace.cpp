@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/execute.h"
+#include "session/input_summary.h"
 #include "session/settings.h"
 
 namespace pectin {
@@ -24,19 +25,72 @@ const char* shape_name(command::Shape::Kind kind) {
     return "untitled";
 }
 
+using FileWork = std::function<Workspace::FileTask::Result(const Progress&)>;
+
+// What a command does with a file while the session stays as it is; none for other commands.
+FileWork file_work(const Command& command, const Session& session) {
+    if (const auto* open = std::get_if<command::Open>(&command)) {
+        return [open = *open](const Progress& progress) { return load_model(open, progress); };
+    }
+    const auto* save = std::get_if<command::Save>(&command);
+    const TriMesh& mesh = session.mesh();
+    if (!save || mesh.face_slots() == 0) return {};  // the session says what is missing
+    return [save = *save, &mesh, folder = session.folder()](const Progress& progress) {
+        save_model(mesh, save, folder, progress);
+        return std::nullopt;
+    };
+}
+
 }  // namespace
 
-bool Workspace::execute(const Command& command) {
-    const std::size_t undo_count = session_.undo_count();
-    if (const auto refusal = pectin::execute(session_, command)) {
-        tell(*refusal);
-        return false;
+Workspace::Outcome Workspace::execute(const Command& command) {
+    if (file_task_) {
+        tell("a file is under way; wait until it is done, or cancel it");
+        return Outcome::failed;
     }
-    dismiss();
+    const std::size_t undo_count = session_.undo_count();
+    const auto complaint = complaint_about([&]() -> std::optional<std::string> {
+        auto work = file_work(command, session_);
+        if (!work) return session_.execute(command);
+        file_task_ = std::make_unique<FileTask>(command, std::move(work));
+        return std::nullopt;
+    });
+    if (complaint) {
+        tell(*complaint);
+        return Outcome::failed;
+    }
+    if (file_task_) return poll(patience_);
     if (session_.undo_count() != undo_count) is_modified_ = true;
+    finish(command);
+    return Outcome::done;
+}
+
+Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
+    if (!file_task_->work.has_ended(longest_wait)) return Outcome::under_way;
+    const std::unique_ptr<FileTask> task = std::move(file_task_);
+    const bool is_cancelled = task->work.is_cancelled();
+    const auto complaint = complaint_about([&]() -> std::optional<std::string> {
+        std::optional<LoadedModel> model = task->work.take();
+        if (model && is_cancelled) throw Cancelled();
+        if (model) session_.adopt(std::move(*model));
+        return std::nullopt;
+    });
+    if (complaint) {
+        if (!is_cancelled) tell(*complaint);
+        return Outcome::failed;
+    }
+    finish(task->command);
+    return Outcome::done;
+}
+
+// The command is done.
+void Workspace::finish(const Command& command) {
+    dismiss();
     note(command);
+    if (const auto* open = std::get_if<command::Open>(&command)) {
+        tell(input_summary(open->path, session_.input_report()));
+    }
     record(command);
-    return true;
 }
 
 void Workspace::note_drag(const command::Drag& drag, bool has_changed) {

@@ -2,24 +2,52 @@
 // and what there is to tell about it.
 #pragma once
 
+#include <chrono>
+#include <functional>
+#include <memory>
 #include <optional>
 #include <string>
-#include <vector>
+#include <utility>
 
+#include "app/background_task.h"
 #include "app/recorder.h"
 #include "geometry/box.h"
 #include "session/session.h"
 
 namespace pectin {
 
+// How long a file may keep everything waiting; what takes longer is done in the background.
+inline constexpr std::chrono::milliseconds kPatience{200};
+
 class Workspace {
   public:
-    explicit Workspace(std::optional<Recorder> recorder = {}) : recorder_(std::move(recorder)) {}
+    explicit Workspace(std::optional<Recorder> recorder = {},
+                       std::chrono::milliseconds patience = kPatience)
+        : recorder_(std::move(recorder)), patience_(patience) {}
 
-    // Does and records it, or tells why not and leaves everything as it was.
-    bool execute(const Command& command);
+    enum class Outcome { done, failed, under_way };
+    // Does and records it, or tells why not and leaves everything as it was. A file that takes
+    // longer is under way then: it is read or written in the background, the object stays as it is
+    // until poll() says otherwise, and all commands fail.
+    Outcome execute(const Command& command);
     // The same for a drag that the session has done already.
     void note_drag(const command::Drag& drag, bool has_changed);
+
+    // --- A file that is under way.
+    struct FileTask {
+        using Result = std::optional<LoadedModel>;  // what was read; none where it was written
+        FileTask(Command begun, std::function<Result(const Progress&)> how)
+            : command(std::move(begun)), work(std::move(how)) {}
+
+        Command command;  // open or save
+        BackgroundTask<Result> work;
+    };
+    const FileTask* file_task() const { return file_task_.get(); }
+    // What has become of it, waiting for that as long as this. Where it is done or has failed it
+    // is there no more; that it was cancelled, which is a failure, too, is not told.
+    // Precondition: there is one.
+    Outcome poll(std::chrono::milliseconds longest_wait = {});
+    void cancel_file_task() { file_task_->work.cancel(); }
 
     Session& session() { return session_; }
     const Session& session() const { return session_; }
@@ -40,16 +68,19 @@ class Workspace {
     double radius() const;
 
   private:
+    void finish(const Command& command);
     void note(const Command& command);
     void record(const Command& command);
 
     Session session_;
     std::optional<Recorder> recorder_;
+    std::chrono::milliseconds patience_;
     std::string message_;
     std::string path_;
     std::string shape_name_ = "untitled";
     double diagonal_ = 1.0;
     bool is_modified_ = false;
+    std::unique_ptr<FileTask> file_task_;  // last: it looks at the session's mesh
 };
 
 }  // namespace pectin

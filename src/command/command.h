@@ -129,6 +129,11 @@ struct Readapt {
     bool operator==(const Readapt&) const = default;
 };
 
+// Makes everything that refinement has inserted part of the base mesh.
+struct Bake {
+    bool operator==(const Bake&) const = default;
+};
+
 struct Save {
     std::string path{};
     bool operator==(const Save&) const = default;
@@ -155,10 +160,10 @@ struct Screenshot {
 
 }  // namespace command
 
-using Command =
-    std::variant<command::Open, command::Shape, command::Adapt, command::Brush, command::Cage,
-                 command::Symmetry, command::Drag, command::Control, command::Undo, command::Redo,
-                 command::Readapt, command::Save, command::Stats, command::Screenshot>;
+using Command = std::variant<command::Open, command::Shape, command::Adapt, command::Brush,
+                             command::Cage, command::Symmetry, command::Drag, command::Control,
+                             command::Undo, command::Redo, command::Readapt, command::Bake,
+                             command::Save, command::Stats, command::Screenshot>;
 
 // The name a script calls it by.
 const char* name(const Command& command);

@@ -439,6 +439,7 @@ constexpr std::array<Reader, std::variant_size_v<Command>> kReaders{
     read_count<command::Undo>,
     read_count<command::Redo>,
     [](const json&) -> Command { return command::Readapt{}; },
+    [](const json&) -> Command { return command::Bake{}; },
     read_path<command::Save>,
     read_path<command::Stats>,
     read_screenshot};

@@ -200,6 +200,7 @@ struct FieldWriter {
     void operator()(const command::Undo& undo) const { json.field("count", undo.count); }
     void operator()(const command::Redo& redo) const { json.field("count", redo.count); }
     void operator()(const command::Readapt&) const {}
+    void operator()(const command::Bake&) const {}
     void operator()(const command::Save& save) const { json.field("path", save.path); }
     void operator()(const command::Stats& stats) const { json.field("path", stats.path); }
     void operator()(const command::Screenshot& screenshot) const {
@@ -222,6 +223,13 @@ struct FieldWriter {
         if (!shown.empty()) json.array("show", shown);
     }
 };
+
+void write_input(JsonWriter& json, const std::vector<Statistics::Count>& input) {
+    json.key("input");
+    json.open('{');
+    for (const Statistics::Count& count : input) json.field(count.name, count.count);
+    json.close('}');
+}
 
 void write_last(JsonWriter& json, const Statistics::Last& last) {
     json.key("last");
@@ -261,6 +269,7 @@ std::string format_statistics(const Statistics& statistics) {
     json.field("base_vertices", statistics.base_vertices);
     json.field("base_faces", statistics.base_faces);
     json.field("max_level", statistics.max_level);
+    write_input(json, statistics.input);
     write_last(json, statistics.last);
     json.field("edge_max", statistics.edge_max);
     json.field("angle_min_deg", statistics.angle_min_deg);

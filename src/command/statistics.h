@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 namespace pectin {
 
@@ -9,6 +10,13 @@ struct Statistics {
     std::uint64_t vertices = 0, faces = 0;  // live
     std::uint64_t base_vertices = 0, base_faces = 0;
     int max_level = 0;
+
+    struct Count {
+        const char* name = "";
+        std::uint64_t count = 0;
+        bool operator==(const Count&) const = default;
+    };
+    std::vector<Count> input{};  // what was found in the input of the object
 
     struct Seconds {
         double begin = 0.0, solve = 0.0, deform = 0.0, refine = 0.0, decimate = 0.0, commit = 0.0;

@@ -3,14 +3,11 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstring>
 #include <system_error>
 
 namespace pectin {
 namespace {
-
-// By hand: most of a model is blanks and short tokens, and find_first_of calls memchr for each
-// of their characters.
-bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
 std::string_view without_leading_blanks(std::string_view text) {
     while (!text.empty() && is_blank(text.front())) text.remove_prefix(1);
@@ -47,35 +44,45 @@ bool is_tiny(std::string_view number) {
     return static_cast<double>(point) - static_cast<double>(first) + exponent < 0.0;
 }
 
+// The first c in [begin, end), or end.
+const char* find(char c, const char* begin, const char* end) {
+    const void* found =
+        begin == end ? nullptr : std::memchr(begin, c, static_cast<std::size_t>(end - begin));
+    return found == nullptr ? end : static_cast<const char*>(found);
+}
+
 }  // namespace
 
-ObjStatements::ObjStatements(std::string_view text) : rest_(text) {
+ObjStatements::ObjStatements(std::string_view text) {
     constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-    if (rest_.starts_with(kByteOrderMark)) rest_.remove_prefix(kByteOrderMark.size());
+    if (text.starts_with(kByteOrderMark)) text.remove_prefix(kByteOrderMark.size());
+    at_ = text.data();
+    end_ = at_ + text.size();
+    newline_ = find('\n', at_, end_);
 }
 
 std::string_view ObjStatements::take_line() {
-    std::size_t end = 0;
-    while (end < rest_.size() && rest_[end] != '\n' && rest_[end] != '\r') ++end;
-    const std::string_view line = rest_.substr(0, end);
-    const bool two = rest_.substr(end).starts_with("\r\n");
-    rest_.remove_prefix(std::min(rest_.size(), end + (two ? 2 : 1)));
+    if (newline_ < at_) newline_ = find('\n', at_, end_);
+    const char* const begin = at_;
+    const char* const end = find('\r', begin, newline_);
+    at_ = end == newline_ || end + 1 == newline_ ? newline_ : end;
+    if (at_ != end_) ++at_;
     ++lines_taken_;
-    return line;
+    return {begin, end};
 }
 
 std::string_view ObjStatements::joined_with_continuations(std::string_view line) {
     joined_.clear();
     while (line.ends_with('\\')) {
         joined_.append(line.substr(0, line.size() - 1)).push_back(' ');
-        line = rest_.empty() ? std::string_view{} : take_line();
+        line = at_ == end_ ? std::string_view{} : take_line();
     }
     joined_.append(line);
     return joined_;
 }
 
 bool ObjStatements::next() {
-    while (!rest_.empty()) {
+    while (at_ != end_) {
         line_ = lines_taken_ + 1;
         std::string_view statement = take_line();
         const std::string_view content = without_leading_blanks(statement);
@@ -88,14 +95,6 @@ bool ObjStatements::next() {
         if (!keyword_.empty()) return true;
     }
     return false;
-}
-
-std::optional<std::string_view> take_token(std::string_view& arguments) {
-    arguments = without_leading_blanks(arguments);
-    if (arguments.empty() || arguments.front() == '#') return std::nullopt;
-    const std::string_view token = leading_token(arguments);
-    arguments.remove_prefix(token.size());
-    return token;
 }
 
 template <typename Real>

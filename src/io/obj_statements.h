@@ -24,19 +24,40 @@ class ObjStatements {
     std::string_view arguments() const { return arguments_; }  // without blanks at the ends
     std::size_t line() const { return line_; }                 // from 1, of its first line
 
+    std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
+
   private:
     std::string_view take_line();
     std::string_view joined_with_continuations(std::string_view line);
 
-    std::string_view rest_;
+    const char* at_;
+    const char* end_;
+    const char*
+        newline_;  // the first \n not before at_, or end_; found anew once at_ has passed it
     std::size_t lines_taken_ = 0;
     std::size_t line_ = 0;
     std::string joined_;
     std::string_view keyword_, arguments_;
 };
 
+inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
+
 // The next token, cut off the front of `arguments`; none at the end or at a # that begins one.
-std::optional<std::string_view> take_token(std::string_view& arguments);
+// By hand: most of a model is blanks and short tokens, too short for find_first_of and memchr.
+inline std::optional<std::string_view> take_token(std::string_view& arguments) {
+    const std::size_t size = arguments.size();
+    std::size_t begin = 0;
+    while (begin < size && is_blank(arguments[begin])) ++begin;
+    if (begin == size || arguments[begin] == '#') {
+        arguments.remove_prefix(begin);
+        return std::nullopt;
+    }
+    std::size_t end = begin + 1;
+    while (end < size && !is_blank(arguments[end])) ++end;
+    const std::string_view token = arguments.substr(begin, end - begin);
+    arguments.remove_prefix(end);
+    return token;
+}
 
 // The Real nearest to the decimal number that `token` is; a leading + is allowed and what is too
 // small is 0. For anything else, nan and infinities among it, returns none and says why.

@@ -1,17 +1,18 @@
 #include "io/obj_writer.h"
 
+#include <algorithm>
 #include <array>
 #include <bit>
 #include <charconv>
 #include <cmath>
 #include <functional>
-#include <numeric>
+#include <limits>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "io/atomic_file.h"
-#include "io/polygon_outline.h"
+#include "mesh/face_pieces.h"
 
 namespace pectin {
 namespace {
@@ -91,134 +92,206 @@ class UniqueValues {
     std::vector<Value> values_;
 };
 
+// Advances a part of the work every few thousand of its elements.
+class Steps {
+  public:
+    Steps(const Progress& part, std::size_t elements)
+        : part_(part), elements_(std::max<std::size_t>(elements, 1)) {}
+
+    // That many are behind it, no fewer than last time.
+    void at(std::size_t done) {
+        if (done < next_) return;
+        constexpr std::size_t kElementsAStep = 4096;
+        next_ = done + kElementsAStep;
+        part_.advance(static_cast<double>(done) / static_cast<double>(elements_));
+    }
+
+  private:
+    Progress part_;
+    std::size_t elements_, next_ = 0;
+};
+
 class ObjWriter {
   public:
-    ObjWriter(const TriMesh& mesh, std::function<void(std::string_view)> sink)
-        : mesh_(mesh), outline_(mesh), text_(std::move(sink)) {}
+    ObjWriter(const TriMesh& mesh, const Progress& progress,
+              std::function<void(std::string_view)> sink)
+        : mesh_(mesh), progress_(progress), text_(std::move(sink)), pieces_(mesh) {}
 
     void write() {
-        order_faces();
-        for (const std::string& name : mesh_.material_libraries()) write_name("mtllib", name);
+        for (const std::string& name : form().material_libraries) write_name("mtllib", name);
         write_positions();
         write_wedges();
-        write_faces();
+        write_polygons();
         text_.flush();
     }
 
   private:
-    void order_faces();
+    struct Attributes {  // numbers from 1; 0 where none
+        std::uint32_t uv = 0, normal = 0;
+    };
+
     void write_positions();
     void write_wedges();
-    void write_faces();
-    void write_polygon(FaceId first, FaceId last);
-    void write_face(std::span<const HalfEdgeId> corners);
-    void write_part(const Part& part);
+    void write_polygons();
+    void write_polygon(const PolygonWalk& polygon);
+    void write_outline(std::span<const OutlineCorner> corners);
+    void write_triangle(FaceId f);
+    void write_corner(VertexId v, const Attributes& attributes);
+    void write_corner(HalfEdgeId h);
+    void write_elements_before(std::uint32_t polygon);
+    void write_element(const InputForm::Element& element);
+    void write_part(std::uint32_t part);
     void write_name(std::string_view keyword, std::string_view name);
-    std::span<const FaceId> pieces(FaceId first, FaceId last) const {
-        return std::span(faces_).subspan(
-            first_piece_[index(first)], first_piece_[index(last) + 1] - first_piece_[index(first)]);
+
+    const InputForm& form() const { return mesh_.input_form(); }
+    template <typename Vector>
+    void write_vector(const Vector& v) {
+        for (int i = 0; i < v.length(); ++i) (text_ << ' ').number(v[i]);
     }
     template <typename Vector>
-    void write_vector(std::string_view keyword, const Vector& v) {
-        text_ << keyword;
-        for (int i = 0; i < v.length(); ++i) (text_ << ' ').number(v[i]);
-        text_ << '\n';
+    void write_values(std::string_view keyword, const std::vector<Vector>& values,
+                      const Progress& part) {
+        Steps steps(part, values.size());
+        for (std::size_t i = 0; i < values.size(); ++i) {
+            steps.at(i);
+            text_ << keyword;
+            write_vector(values[i]);
+            text_ << '\n';
+        }
     }
+
+    // Where each part ends, of the time that writing takes.
+    static constexpr double kPositions = 0.35, kNumbered = 0.5, kUvs = 0.55, kNormals = 0.75;
 
     const TriMesh& mesh_;
-    PolygonOutline outline_;
+    const Progress& progress_;
     TextBuffer text_;
-    std::vector<FaceId> faces_;               // live ones in the order they are written
-    std::vector<std::uint32_t> first_piece_;  // n_base_faces + 1; into faces_
-    std::vector<std::uint32_t> vertices_;     // n_vertex_slots; from 1
-    std::vector<std::uint32_t> uvs_;          // n_wedge_slots, or empty; from 1, 0 where none
-    std::vector<std::uint32_t> normals_;      // n_wedge_slots; from 1, 0 where unused
-    Part part_;                               // that of the last face written
+    FacePieces pieces_;
+    std::vector<std::uint32_t> vertices_;  // n_vertex_slots; from 1
+    std::vector<Attributes> wedges_;       // n_wedge_slots
+    std::vector<Attributes> loose_;        // n_loose_corners
+    std::vector<std::uint32_t> element_uvs_;
+    std::uint32_t elements_written_ = 0;
+    Part part_;  // that of the last face or element written
 };
-
-// By base face, then by id: a counting sort.
-void ObjWriter::order_faces() {
-    first_piece_.assign(mesh_.base_face_count() + std::size_t{1}, 0);
-    for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
-        if (mesh_.is_live(FaceId{i})) ++first_piece_[index(mesh_.base_face(FaceId{i})) + 1];
-    }
-    std::partial_sum(first_piece_.begin(), first_piece_.end(), first_piece_.begin());
-    faces_.resize(first_piece_.back());
-    std::vector<std::uint32_t> at(first_piece_.begin(), first_piece_.end() - 1);
-    for (std::uint32_t i = 0; i < mesh_.face_slots(); ++i) {
-        const FaceId f{i};
-        if (mesh_.is_live(f)) faces_[at[index(mesh_.base_face(f))]++] = f;
-    }
-}
 
 void ObjWriter::write_positions() {
     vertices_.assign(mesh_.vertex_slots(), 0);
     std::uint32_t number = 0;
+    Steps steps(progress_.part(0.0, kPositions), mesh_.vertex_slots());
     for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) {
-        if (!mesh_.is_live(VertexId{i})) continue;
+        steps.at(i);
+        const VertexId v{i};
+        if (!mesh_.is_live(v)) continue;
         vertices_[i] = ++number;
-        write_vector("v", mesh_.position(VertexId{i}));
+        text_ << 'v';
+        write_vector(mesh_.position(v));
+        if (mesh_.has_colors() && !std::isnan(mesh_.color(v).x)) write_vector(mesh_.color(v));
+        text_ << '\n';
     }
 }
 
 void ObjWriter::write_wedges() {
-    UniqueValues<Vec2f> uvs(mesh_.has_uvs() ? mesh_.wedge_slots() : 0);
-    UniqueValues<Vec3f> normals(mesh_.wedge_slots());
-    uvs_.assign(mesh_.has_uvs() ? mesh_.wedge_slots() : 0, 0);
-    normals_.assign(mesh_.wedge_slots(), 0);
-    for (FaceId f : faces_) {
+    const std::size_t loose = form().loose_corners.size() + form().element_corners.size();
+    UniqueValues<Vec2f> uvs(mesh_.has_uvs() ? mesh_.wedge_slots() + loose : loose);
+    UniqueValues<Vec3f> normals(mesh_.wedge_slots() + loose);
+    const auto number_of = [&](const Vec2f& uv) { return std::isnan(uv.x) ? 0 : uvs.number(uv); };
+    wedges_.assign(mesh_.wedge_slots(), {});
+    const std::span<const FaceId> faces = pieces_.all();
+    Steps steps(progress_.part(kPositions, kNumbered), faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        steps.at(i);
         for (int corner = 0; corner < 3; ++corner) {
-            const WedgeId w = mesh_.wedge(TriMesh::half_edge(f, corner));
-            if (normals_[index(w)] != 0) continue;
-            normals_[index(w)] = normals.number(mesh_.normal(w));
-            if (!mesh_.has_uvs() || std::isnan(mesh_.uv(w).x)) continue;
-            uvs_[index(w)] = uvs.number(mesh_.uv(w));
+            const WedgeId w = mesh_.wedge(TriMesh::half_edge(faces[i], corner));
+            Attributes& wedge = wedges_[index(w)];
+            if (wedge.normal != 0) continue;
+            wedge.normal = normals.number(mesh_.normal(w));
+            if (mesh_.has_uvs()) wedge.uv = number_of(mesh_.uv(w));
         }
     }
-    for (const Vec2f& uv : uvs.values()) write_vector("vt", uv);
-    for (const Vec3f& normal : normals.values()) write_vector("vn", normal);
+    for (const LooseCorner& corner : form().loose_corners) {
+        loose_.push_back({number_of(corner.uv), normals.number(corner.normal)});
+    }
+    for (const LooseCorner& corner : form().element_corners) {
+        element_uvs_.push_back(number_of(corner.uv));
+    }
+    write_values("vt", uvs.values(), progress_.part(kNumbered, kUvs));
+    write_values("vn", normals.values(), progress_.part(kUvs, kNormals));
 }
 
-// Base faces that come from one polygon are neighbours.
-void ObjWriter::write_faces() {
-    const std::uint32_t count = mesh_.base_face_count();
-    for (std::uint32_t first = 0, end = 0; first < count; first = end) {
-        const std::uint32_t polygon = mesh_.polygon(FaceId{first});
-        while (end < count && mesh_.polygon(FaceId{end}) == polygon) ++end;
-        write_part(mesh_.part(FaceId{first}));
-        write_polygon(FaceId{first}, FaceId{end - 1});
+void ObjWriter::write_polygons() {
+    PolygonWalk polygon(mesh_);
+    Steps steps(progress_.part(kNormals, 1.0), mesh_.base_face_count());
+    while (polygon.next()) {
+        steps.at(polygon.first_face());
+        write_elements_before(polygon.polygon());
+        write_part(polygon.part());
+        write_polygon(polygon);
+    }
+    write_elements_before(std::numeric_limits<std::uint32_t>::max());
+}
+
+void ObjWriter::write_polygon(const PolygonWalk& polygon) {
+    const std::uint32_t first = polygon.first_face(), end = polygon.end_face();
+    if (polygon.has_outline() && pieces_.are_whole(first, end)) {
+        write_outline(polygon.outline());
+    } else {
+        for (FaceId f : pieces_.of(first, end)) write_triangle(f);
     }
 }
 
-void ObjWriter::write_polygon(FaceId first, FaceId last) {
-    const std::span<const FaceId> faces = pieces(first, last);
-    const std::size_t unsplit = index(last) - index(first) + std::size_t{1};
-    if (unsplit > 1 && faces.size() == unsplit) {
-        const std::span<const HalfEdgeId> corners = outline_.find(first, last);
-        if (!corners.empty()) {
-            write_face(corners);
-            return;
-        }
-    }
-    for (FaceId f : faces) {
-        const std::array corners = {TriMesh::half_edge(f, 0), TriMesh::half_edge(f, 1),
-                                    TriMesh::half_edge(f, 2)};
-        write_face(corners);
-    }
-}
-
-void ObjWriter::write_face(std::span<const HalfEdgeId> corners) {
+void ObjWriter::write_outline(std::span<const OutlineCorner> corners) {
     text_ << 'f';
-    for (HalfEdgeId h : corners) {
-        const std::uint32_t w = index(mesh_.wedge(h));
-        (text_ << ' ').number(vertices_[index(mesh_.origin(h))]) << '/';
-        if (!uvs_.empty() && uvs_[w] != 0) text_.number(uvs_[w]);
-        (text_ << '/').number(normals_[w]);
+    for (const OutlineCorner& corner : corners) {
+        if (corner.is_loose()) {
+            const std::uint32_t i = corner.loose_index();
+            write_corner(form().loose_corners[i].vertex, loose_[i]);
+        } else {
+            write_corner(corner.half_edge());
+        }
     }
     text_ << '\n';
 }
 
-void ObjWriter::write_part(const Part& part) {
+void ObjWriter::write_triangle(FaceId f) {
+    text_ << 'f';
+    for (int corner = 0; corner < 3; ++corner) write_corner(TriMesh::half_edge(f, corner));
+    text_ << '\n';
+}
+
+void ObjWriter::write_corner(HalfEdgeId h) {
+    write_corner(mesh_.origin(h), wedges_[index(mesh_.wedge(h))]);
+}
+
+void ObjWriter::write_corner(VertexId v, const Attributes& attributes) {
+    (text_ << ' ').number(vertices_[index(v)]) << '/';
+    if (attributes.uv != 0) text_.number(attributes.uv);
+    (text_ << '/').number(attributes.normal);
+}
+
+void ObjWriter::write_elements_before(std::uint32_t polygon) {
+    const auto& elements = form().elements;
+    while (elements_written_ < elements.size() &&
+           elements[elements_written_].before_polygon <= polygon) {
+        write_element(elements[elements_written_++]);
+    }
+}
+
+void ObjWriter::write_element(const InputForm::Element& element) {
+    write_part(element.part);
+    text_ << (element.kind == InputForm::Element::Kind::line ? 'l' : 'p');
+    const std::span<const LooseCorner> corners = form().corners(element);
+    const std::size_t first =
+        static_cast<std::size_t>(corners.data() - form().element_corners.data());
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+        (text_ << ' ').number(vertices_[index(corners[i].vertex)]);
+        if (element_uvs_[first + i] != 0) (text_ << '/').number(element_uvs_[first + i]);
+    }
+    text_ << '\n';
+}
+
+void ObjWriter::write_part(std::uint32_t id) {
+    const Part& part = form().parts[id];
     if (part == part_) return;
     if (part.object != part_.object) write_name("o", part.object);
     if (part.group != part_.group) write_name("g", part.group);
@@ -244,13 +317,15 @@ void ObjWriter::write_name(std::string_view keyword, std::string_view name) {
 
 std::string format_obj(const TriMesh& mesh) {
     std::string text;
-    ObjWriter(mesh, [&text](std::string_view piece) { text.append(piece); }).write();
+    const Progress unseen;
+    ObjWriter(mesh, unseen, [&text](std::string_view piece) { text.append(piece); }).write();
     return text;
 }
 
-void write_obj(const TriMesh& mesh, const std::string& path) {
+void write_obj(const TriMesh& mesh, const std::string& path, const Progress& progress) {
     AtomicFile file(path);
-    ObjWriter(mesh, [&file](std::string_view piece) { file.write(piece); }).write();
+    ObjWriter(mesh, progress, [&file](std::string_view piece) { file.write(piece); }).write();
+    progress.advance(1.0);
     file.commit();
 }
 

@@ -141,61 +141,84 @@ float ActiveSet::rest_length(EdgeId e) {
 }
 
 ActiveSet::Inserted ActiveSet::split(EdgeId e) {
-    const HalfEdgeId bc = mesh_.half_edge(e), cb = mesh_.twin(bc);
-    const Vec3 a = rest_position(mesh_.origin(TriMesh::prev(bc)));
-    const Vec3 b = rest_position(mesh_.origin(bc)), c = rest_position(mesh_.target(bc));
-    const Vec3 d = exists(cb) ? rest_position(mesh_.origin(TriMesh::prev(cb))) : a;
     const float half_length = 0.5f * rest_length(e);
-    faces_.push_back(TriMesh::face(bc));
-    if (exists(cb)) faces_.push_back(TriMesh::face(cb));
+    mesh_.for_each_side(e, [this](HalfEdgeId h) { faces_.push_back(TriMesh::face(h)); });
 
     Inserted inserted;
     const Split& s = inserted.split = mesh_.insert_midpoint(e);
-    edits_.push_back(TopologyEdit::split(e));
+    edits_.push_back(TopologyEdit::split(s.bm));
     ++splits_;
-    faces_.push_back(s.face3);
-    if (s.right) faces_.push_back(s.face4);
-
-    const Vec3 rest = 0.5 * b + 0.5 * c;
+    const Vec3 rest = 0.5 * rest_position(s.b) + 0.5 * rest_position(s.c);
     mesh_.set_position(s.m, rest);
     inserted.vertex_entry = add_vertex(s.m, rest, mesh_.is_deformed(s.m));
-    const auto add_side = [&](const Split::Side& side, const Vec3& area_normal) {
-        const Vec3f normal = midpoint_normal(rest_normal(side.b), rest_normal(side.c), area_normal);
-        mesh_.set_normal(side.m, normal);
-        return add_wedge(side.m, normal, inserted.vertex_entry);
-    };
-    inserted.left_wedge_entry = add_side(s.left, glm::cross(c - b, a - b));
-    inserted.right_wedge_entry = inserted.left_wedge_entry;
-    if (s.right && s.right->m != s.left.m) {
-        inserted.right_wedge_entry = add_side(*s.right, glm::cross(rest_position(s.d) - b, c - b));
-    }
-    add_edge(s.bm).rest_length = half_length;
-    add_edge(s.mc).rest_length = half_length;
-    add_edge(s.am).rest_length = static_cast<float>(glm::distance(a, rest));
-    if (s.right) add_edge(s.dm).rest_length = static_cast<float>(glm::distance(d, rest));
+    inserted_wedges_.clear();
+    inserted_edges_.assign({s.bm, s.mc});
+    mesh_.for_each_sheet(*mesh_.removable(s.m), [&](const Star& star) {
+        insert_sheet(star, inserted.vertex_entry, half_length);
+    });
+    inserted.wedge_entries = inserted_wedges_;
+    inserted.edges = inserted_edges_;
     return inserted;
 }
 
-void ActiveSet::unsplit(const Star& star) {
-    const EdgeId mc = mesh_.edge(star.mc), am = mesh_.edge(TriMesh::prev(star.mc));
+// The rest state of what a split has made in one sheet.
+void ActiveSet::insert_sheet(const Star& star, std::uint32_t vertex_entry, float half_length) {
+    const Vec3 a = rest_position(star.a), b = rest_position(star.b), c = rest_position(star.c);
+    const Vec3& m = rest_positions_[vertex_entry];
+    const auto measure = [this](EdgeId e, float length) { add_edge(e).rest_length = length; };
+    const EdgeId am = mesh_.edge(TriMesh::prev(star.mc));
+    measure(mesh_.edge(star.bm), half_length);
+    measure(mesh_.edge(star.mc), half_length);
+    measure(am, static_cast<float>(glm::distance(a, m)));
+    inserted_edges_.push_back(am);
+    faces_.push_back(TriMesh::face(star.mc));
     const WedgeId left = mesh_.wedge(star.mc);
-    const WedgeId right = star.on_boundary() ? left : mesh_.wedge(star.mb);
-    for (HalfEdgeId h : {star.mc, star.bm}) faces_.push_back(TriMesh::face(h));
-    drop_edge(mc);
-    drop_edge(am);
-    if (!star.on_boundary()) {
-        drop_edge(mesh_.edge(TriMesh::prev(star.mb)));
-        for (HalfEdgeId h : {star.mb, star.cm}) faces_.push_back(TriMesh::face(h));
-    }
+    insert_side(left, mesh_.wedge(star.bm), mesh_.wedge(TriMesh::next(star.mc)),
+                glm::cross(c - b, a - b), vertex_entry);
+    if (star.on_boundary()) return;
+
+    const Vec3 d = rest_position(star.d);
+    const EdgeId dm = mesh_.edge(TriMesh::prev(star.mb));
+    measure(dm, static_cast<float>(glm::distance(d, m)));
+    inserted_edges_.push_back(dm);
+    faces_.push_back(TriMesh::face(star.cm));
+    const WedgeId right = mesh_.wedge(star.mb);
+    if (right == left) return;
+    insert_side(right, mesh_.wedge(TriMesh::next(star.mb)), mesh_.wedge(star.cm),
+                glm::cross(d - b, c - b), vertex_entry);
+}
+
+void ActiveSet::insert_side(WedgeId m, WedgeId b, WedgeId c, const Vec3& area_normal,
+                            std::uint32_t owner) {
+    const Vec3f normal = midpoint_normal(rest_normal(b), rest_normal(c), area_normal);
+    mesh_.set_normal(m, normal);
+    inserted_wedges_.push_back(add_wedge(m, normal, owner));
+}
+
+void ActiveSet::unsplit(const Star& star) {
+    mesh_.for_each_sheet(star, [this](const Star& sheet) { drop_sheet(sheet); });
     std::uint32_t& entry = vertex_entry_[index(star.m)];
     vertices_[entry] = kNone<VertexId>;
     if (entry >= original_vertices_) free_vertex_entries_.push_back(entry);
     entry = kNoEntry;
-    drop_wedge(left);
-    if (right != left) drop_wedge(right);
     const EdgeId bc = mesh_.unsplit(star);
     edits_.push_back(TopologyEdit::unsplit(bc));
-    add_edge(bc).rest_length = kUnmeasured;
+    mesh_.for_each_side(
+        bc, [this](HalfEdgeId h) { add_edge(mesh_.edge(h)).rest_length = kUnmeasured; });
+}
+
+// Forgets what an unsplit takes from one sheet.
+void ActiveSet::drop_sheet(const Star& star) {
+    for (HalfEdgeId h : {star.mc, star.bm}) faces_.push_back(TriMesh::face(h));
+    drop_edge(mesh_.edge(star.mc));
+    drop_edge(mesh_.edge(TriMesh::prev(star.mc)));
+    const WedgeId left = mesh_.wedge(star.mc);
+    drop_wedge(left);
+    if (star.on_boundary()) return;
+    for (HalfEdgeId h : {star.mb, star.cm}) faces_.push_back(TriMesh::face(h));
+    drop_edge(mesh_.edge(TriMesh::prev(star.mb)));
+    const WedgeId right = mesh_.wedge(star.mb);
+    if (right != left) drop_wedge(right);
 }
 
 void ActiveSet::drop_wedge(WedgeId w) {
@@ -356,7 +379,8 @@ std::size_t ActiveSet::memory_bytes() const {
            capacity_bytes(rest_normals_) + capacity_bytes(wedge_owners_) + capacity_bytes(edges_) +
            capacity_bytes(measured_edges_) + capacity_bytes(edits_) + capacity_bytes(lost_wedges_) +
            capacity_bytes(lost_normals_) + capacity_bytes(free_vertex_entries_) +
-           capacity_bytes(free_wedge_entries_) + capacity_bytes(vertex_entry_) +
+           capacity_bytes(free_wedge_entries_) + capacity_bytes(inserted_wedges_) +
+           capacity_bytes(inserted_edges_) + capacity_bytes(vertex_entry_) +
            capacity_bytes(wedge_entry_) + capacity_bytes(edge_states_);
 }
 

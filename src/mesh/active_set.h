@@ -92,8 +92,12 @@ class ActiveSet {
     struct Inserted {
         Split split;
         std::uint32_t vertex_entry = 0;
-        std::uint32_t left_wedge_entry = 0, right_wedge_entry = 0;  // equal on a smooth edge
+        // Valid until the next split: a wedge a side (one for both where the edge is smooth), and
+        // the edges round the vertex (of those that lie along each other one).
+        std::span<const std::uint32_t> wedge_entries;
+        std::span<const EdgeId> edges;
     };
+    // Splits e and its siblings. Cost: O(1), with siblings O(siblings).
     Inserted split(EdgeId e);
     // Precondition: star.m has an entry.
     void unsplit(const Star& star);
@@ -120,6 +124,9 @@ class ActiveSet {
     void collect(std::span<const FaceId> faces);
     std::uint32_t add_vertex(VertexId v, const Vec3& rest, bool was_deformed);
     std::uint32_t add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner);
+    void insert_sheet(const Star& star, std::uint32_t vertex_entry, float half_length);
+    void insert_side(WedgeId m, WedgeId b, WedgeId c, const Vec3& area_normal, std::uint32_t owner);
+    void drop_sheet(const Star& star);
     void drop_wedge(WedgeId w);
     EdgeState& add_edge(EdgeId e);
     void drop_edge(EdgeId e);
@@ -151,6 +158,8 @@ class ActiveSet {
     std::vector<EdgeId> edges_;
     std::vector<EdgeId> measured_edges_;  // not in edges_, but their rest length is remembered
     std::vector<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone
+    std::vector<std::uint32_t> inserted_wedges_;                           // of the last split
+    std::vector<EdgeId> inserted_edges_;
 
     std::vector<TopologyEdit> edits_;
     std::uint64_t splits_ = 0;

@@ -1,58 +1,75 @@
 #include "mesh/build_mesh.h"
 
 #include <algorithm>
-#include <cmath>
-#include <cstring>
-#include <limits>
+#include <array>
+#include <cassert>
 #include <numeric>
+#include <utility>
 
-#include "mesh/corner_normals.h"
+#include "mesh/corner_wedges.h"
 #include "mesh/triangulate.h"
 
 namespace pectin {
 
 class MeshBuilder {
   public:
-    MeshBuilder(const IndexedFaceSet& input, const BuildOptions& options)
-        : input_(input), options_(options) {}
+    MeshBuilder(IndexedFaceSet input, const BuildOptions& options)
+        : input_(std::move(input)), options_(options) {}
 
     BuiltMesh build() {
-        mesh_.positions_ = input_.positions;
-        mesh_.parts_ = input_.parts;
-        mesh_.material_libraries_ = input_.material_libraries;
-        mesh_.base_vertices_ = static_cast<std::uint32_t>(input_.positions.size());
+        take_input();
         make_faces();
         match_twins();
         make_edges();
+        join_siblings();
         name_vertices();
         make_wedges();
+        keep_elements();
+        survey(mesh_, report_);
         return {std::move(mesh_), report_};
     }
 
   private:
     using Corner = IndexedFaceSet::Corner;
 
+    void take_input();
     void make_faces();
     void add_polygon(std::uint32_t polygon);
+    void add_triangles(std::uint32_t polygon);
+    void add_outline(std::uint32_t polygon);
+    LooseCorner loose_corner(const Corner& corner) const;
     void match_twins();
     void match_run(std::span<const HalfEdgeId> run);
     void make_edges();
+    void join_siblings();
     void name_vertices();
     void make_wedges();
-    WedgeId find_wedge(std::size_t first, const Vec3f& normal, const Vec2f& uv) const;
+    void keep_elements();
 
     HalfEdge& half(HalfEdgeId h) { return mesh_.half_edges_[index(h)]; }
+    std::uint32_t vertex(std::uint32_t corner) const { return input_.corners[corner].position; }
 
-    const IndexedFaceSet& input_;
+    IndexedFaceSet input_;
     const BuildOptions& options_;
     TriMesh mesh_;
     BuildReport report_;
     std::vector<std::uint32_t> corner_of_;  // 3 n_faces; into input_.corners
+    std::vector<HalfEdgeId> cut_;           // half-edges along cuts, run by run
+    std::vector<std::size_t> cut_ends_;     // of the runs
 
-    std::vector<std::uint32_t> ring_;  // scratch of add_polygon
+    std::vector<std::uint32_t> ring_;  // scratch of add_polygon: corners without repetition
     std::vector<Vec3> ring_positions_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
+    std::vector<OutlineCorner> ring_corners_;
 };
+
+void MeshBuilder::take_input() {
+    mesh_.positions_ = std::move(input_.positions);
+    mesh_.colors_ = std::move(input_.colors);
+    mesh_.form_.parts = std::move(input_.parts);
+    mesh_.form_.material_libraries = std::move(input_.material_libraries);
+    mesh_.base_vertices_ = static_cast<std::uint32_t>(mesh_.positions_.size());
+}
 
 void MeshBuilder::make_faces() {
     const std::size_t triangles =
@@ -63,34 +80,85 @@ void MeshBuilder::make_faces() {
 
     mesh_.half_edges_.resize(corner_of_.size());
     for (std::size_t i = 0; i < corner_of_.size(); ++i) {
-        mesh_.half_edges_[i].origin = VertexId{input_.corners[corner_of_[i]].position};
+        mesh_.half_edges_[i].origin = VertexId{vertex(corner_of_[i])};
     }
     mesh_.face_bases_.resize(mesh_.base_faces_.size());
     for (std::uint32_t f = 0; f < mesh_.base_face_count(); ++f) mesh_.face_bases_[f] = FaceId{f};
 }
 
 void MeshBuilder::add_polygon(std::uint32_t polygon) {
+    const std::uint32_t begin = input_.polygon_begin(polygon), end = input_.polygon_end[polygon];
+    const bool is_triangle = end - begin == 3 && vertex(begin) != vertex(begin + 1) &&
+                             vertex(begin + 1) != vertex(begin + 2) &&
+                             vertex(begin + 2) != vertex(begin);
+    if (is_triangle) {
+        corner_of_.insert(corner_of_.end(), {begin, begin + 1, begin + 2});
+        mesh_.base_faces_.push_back({input_.polygon_part[polygon], polygon});
+        return;
+    }
+    const std::size_t faces_before = mesh_.base_faces_.size();
+    add_triangles(polygon);
+    add_outline(polygon);
+    const std::size_t faces = mesh_.base_faces_.size() - faces_before;
+    if (faces > 1) ++report_.triangulated_polygons;
+    if (faces == 0) {
+        ++report_.degenerate_polygons;
+    } else if (ring_.size() < end - begin || faces < triangles_.size()) {
+        ++report_.repeated_corners;
+    }
+}
+
+// Of the polygon without corners that follow one at the same vertex. Notes in ring_corners_ which
+// half-edge, if any, has each corner of the ring.
+void MeshBuilder::add_triangles(std::uint32_t polygon) {
     ring_.clear();
     ring_positions_.clear();
     triangles_.clear();
-    const auto vertex = [&](std::uint32_t corner) { return input_.corners[corner].position; };
     for (std::uint32_t c = input_.polygon_begin(polygon); c < input_.polygon_end[polygon]; ++c) {
         if (ring_.empty() || vertex(ring_.back()) != vertex(c)) ring_.push_back(c);
     }
     while (ring_.size() > 1 && vertex(ring_.front()) == vertex(ring_.back())) ring_.pop_back();
-    const std::size_t faces_before = mesh_.base_faces_.size();
-    if (ring_.size() >= 3) {
-        for (std::uint32_t c : ring_) ring_positions_.push_back(input_.positions[vertex(c)]);
-        triangulate(ring_positions_, triangles_);
-    }
+    constexpr std::uint32_t kNobody = 0;
+    ring_corners_.assign(ring_.size(), OutlineCorner::loose(kNobody));
+    if (ring_.size() < 3) return;
+    for (std::uint32_t c : ring_) ring_positions_.push_back(mesh_.positions_[vertex(c)]);
+    triangulate(ring_positions_, triangles_);
     for (const auto& t : triangles_) {
         const std::uint32_t a = ring_[t[0]], b = ring_[t[1]], c = ring_[t[2]];
         if (vertex(a) == vertex(b) || vertex(b) == vertex(c) || vertex(c) == vertex(a)) continue;
-        corner_of_.insert(corner_of_.end(), {a, b, c});
+        for (std::uint32_t corner : t) {
+            const HalfEdgeId h{static_cast<std::uint32_t>(corner_of_.size())};
+            if (ring_corners_[corner].is_loose()) ring_corners_[corner] = OutlineCorner::of(h);
+            corner_of_.push_back(ring_[corner]);
+        }
         mesh_.base_faces_.push_back({input_.polygon_part[polygon], polygon});
     }
-    if (ring_.size() > 3) ++report_.triangulated_polygons;
-    if (mesh_.base_faces_.size() == faces_before) ++report_.skipped_polygons;
+}
+
+// After add_triangles: all corners in input order, those that no triangle has as loose ones.
+void MeshBuilder::add_outline(std::uint32_t polygon) {
+    InputForm& form = mesh_.form_;
+    form.outlines.push_back({polygon, input_.polygon_part[polygon],
+                             static_cast<std::uint32_t>(form.outline_corners.size())});
+    std::size_t in_ring = 0;
+    for (std::uint32_t c = input_.polygon_begin(polygon); c < input_.polygon_end[polygon]; ++c) {
+        const bool is_in_ring = in_ring < ring_.size() && ring_[in_ring] == c;
+        if (is_in_ring && !ring_corners_[in_ring].is_loose()) {
+            form.outline_corners.push_back(ring_corners_[in_ring]);
+        } else {
+            form.outline_corners.push_back(
+                OutlineCorner::loose(static_cast<std::uint32_t>(form.loose_corners.size())));
+            form.loose_corners.push_back(loose_corner(input_.corners[c]));
+        }
+        in_ring += is_in_ring ? 1 : 0;
+    }
+}
+
+LooseCorner MeshBuilder::loose_corner(const Corner& corner) const {
+    LooseCorner loose{.vertex = VertexId{corner.position}, .uv = kNoUv};
+    if (corner.uv != IndexedFaceSet::kNoIndex) loose.uv = input_.uvs[corner.uv];
+    if (corner.normal != IndexedFaceSet::kNoIndex) loose.normal = input_.normals[corner.normal];
+    return loose;
 }
 
 // Half-edges sorted by their lower vertex (counting sort), then within it by the upper one.
@@ -98,7 +166,7 @@ void MeshBuilder::match_twins() {
     const auto count = static_cast<std::uint32_t>(mesh_.half_edges_.size());
     const auto lower = [&](HalfEdgeId h) { return std::min(mesh_.origin(h), mesh_.target(h)); };
     const auto upper = [&](HalfEdgeId h) { return std::max(mesh_.origin(h), mesh_.target(h)); };
-    std::vector<std::uint32_t> first(input_.positions.size() + 1, 0);
+    std::vector<std::uint32_t> first(mesh_.positions_.size() + 1, 0);
     for (std::uint32_t h = 0; h < count; ++h) ++first[index(lower(HalfEdgeId{h})) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<HalfEdgeId> sorted(count);
@@ -108,8 +176,9 @@ void MeshBuilder::match_twins() {
     }
     for (std::size_t v = 0; v + 1 < first.size(); ++v) {
         const std::span<HalfEdgeId> around(sorted.data() + first[v], first[v + 1] - first[v]);
-        std::stable_sort(around.begin(), around.end(),
-                         [&](HalfEdgeId x, HalfEdgeId y) { return upper(x) < upper(y); });
+        std::sort(around.begin(), around.end(), [&](HalfEdgeId x, HalfEdgeId y) {
+            return std::pair(upper(x), x) < std::pair(upper(y), y);
+        });
         for (std::size_t i = 0, end = 0; i < around.size(); i = end) {
             while (end < around.size() && upper(around[end]) == upper(around[i])) ++end;
             match_run(around.subspan(i, end - i));
@@ -124,12 +193,16 @@ void MeshBuilder::match_run(std::span<const HalfEdgeId> run) {
     if (run.size() == 2 && mesh_.origin(run[0]) != mesh_.origin(run[1])) {
         half(run[0]).twin = run[1];
         half(run[1]).twin = run[0];
-    } else {
-        ++report_.cut_edges;
+        return;
     }
+    ++(run.size() == 2 ? report_.misoriented_edges : report_.nonmanifold_edges);
+    cut_.insert(cut_.end(), run.begin(), run.end());
+    cut_ends_.push_back(cut_.size());
 }
 
 void MeshBuilder::make_edges() {
+    // Each inner edge has two half-edges.
+    mesh_.edge_half_edges_.reserve(mesh_.half_edges_.size() / 2 + cut_.size());
     for (std::uint32_t i = 0; i < mesh_.half_edges_.size(); ++i) {
         const HalfEdgeId h{i};
         if (exists(half(h).edge)) continue;
@@ -141,6 +214,20 @@ void MeshBuilder::make_edges() {
     mesh_.edge_levels_.assign(mesh_.edge_half_edges_.size(), 0);
 }
 
+void MeshBuilder::join_siblings() {
+    if (cut_.empty()) return;
+    mesh_.siblings_.resize(mesh_.edge_half_edges_.size());
+    for (std::uint32_t e = 0; e < mesh_.siblings_.size(); ++e) mesh_.siblings_[e] = EdgeId{e};
+    std::size_t begin = 0;
+    for (std::size_t end : cut_ends_) {
+        for (std::size_t i = begin; i < end; ++i) {
+            const HalfEdgeId next = cut_[i + 1 < end ? i + 1 : begin];
+            mesh_.siblings_[index(half(cut_[i]).edge)] = half(next).edge;
+        }
+        begin = end;
+    }
+}
+
 void MeshBuilder::name_vertices() {
     mesh_.vertex_half_edges_.assign(mesh_.positions_.size(), kNone<HalfEdgeId>);
     mesh_.vertex_levels_.assign(mesh_.positions_.size(), 0);
@@ -148,55 +235,31 @@ void MeshBuilder::name_vertices() {
     for (std::uint32_t i = static_cast<std::uint32_t>(mesh_.half_edges_.size()); i-- > 0;) {
         mesh_.vertex_half_edges_[index(mesh_.half_edges_[i].origin)] = HalfEdgeId{i};
     }
-    report_.isolated_vertices = static_cast<std::uint32_t>(std::count(
-        mesh_.vertex_half_edges_.begin(), mesh_.vertex_half_edges_.end(), kNone<HalfEdgeId>));
 }
 
-WedgeId MeshBuilder::find_wedge(std::size_t first, const Vec3f& normal, const Vec2f& uv) const {
-    for (std::size_t w = first; w < mesh_.normals_.size(); ++w) {
-        if (std::memcmp(&mesh_.normals_[w], &normal, sizeof normal) == 0 &&
-            (!mesh_.has_uvs() || std::memcmp(&mesh_.uvs_[w], &uv, sizeof uv) == 0)) {
-            return WedgeId{static_cast<std::uint32_t>(w)};
-        }
-    }
-    return kNone<WedgeId>;
-}
-
-// Vertex by vertex, so that wedges lie in memory as their vertices do.
 void MeshBuilder::make_wedges() {
-    const std::vector<Vec3f> normals = corner_normals(mesh_, input_, corner_of_, options_);
-    const auto count = static_cast<std::uint32_t>(mesh_.half_edges_.size());
-    std::vector<std::uint32_t> first(mesh_.positions_.size() + 1, 0);
-    for (const HalfEdge& h : mesh_.half_edges_) ++first[index(h.origin) + 1];
-    std::partial_sum(first.begin(), first.end(), first.begin());
-    std::vector<std::uint32_t> at_vertex(count);
-    std::vector<std::uint32_t> at(first.begin(), first.end() - 1);
-    for (std::uint32_t h = 0; h < count; ++h) {
-        at_vertex[at[index(mesh_.half_edges_[h].origin)]++] = h;
+    CornerWedges wedges = corner_wedges(mesh_, input_, corner_of_, options_);
+    for (std::size_t h = 0; h < mesh_.half_edges_.size(); ++h) {
+        mesh_.half_edges_[h].wedge = wedges.of_half_edge[h];
     }
-    const bool with_uvs = !input_.uvs.empty();
-    const Vec2f no_uv{std::numeric_limits<float>::quiet_NaN()};
-    mesh_.normals_.reserve(mesh_.positions_.size());
-    if (with_uvs) mesh_.uvs_.reserve(mesh_.positions_.size());
-    for (std::size_t v = 0; v + 1 < first.size(); ++v) {
-        const std::size_t first_wedge = mesh_.normals_.size();
-        for (std::uint32_t i = first[v]; i < first[v + 1]; ++i) {
-            const std::uint32_t h = at_vertex[i];
-            const std::uint32_t uv_index = input_.corners[corner_of_[h]].uv;
-            const Vec2f uv = uv_index == IndexedFaceSet::kNoIndex ? no_uv : input_.uvs[uv_index];
-            WedgeId w = find_wedge(first_wedge, normals[h], uv);
-            if (!exists(w)) {
-                w = WedgeId{static_cast<std::uint32_t>(mesh_.normals_.size())};
-                mesh_.normals_.push_back(normals[h]);
-                if (with_uvs) mesh_.uvs_.push_back(uv);
-            }
-            mesh_.half_edges_[h].wedge = w;
-        }
+    mesh_.normals_ = std::move(wedges.normals);
+    mesh_.uvs_ = std::move(wedges.uvs);
+}
+
+void MeshBuilder::keep_elements() {
+    using Kind = IndexedFaceSet::Element::Kind;
+    for (const IndexedFaceSet::Element& element : input_.elements) {
+        ++(element.kind == Kind::line ? report_.lines : report_.points);
+    }
+    mesh_.form_.elements = std::move(input_.elements);
+    mesh_.form_.element_corners.reserve(input_.element_corners.size());
+    for (const Corner& corner : input_.element_corners) {
+        mesh_.form_.element_corners.push_back(loose_corner(corner));
     }
 }
 
-BuiltMesh build_mesh(const IndexedFaceSet& input, const BuildOptions& options) {
-    return MeshBuilder(input, options).build();
+BuiltMesh build_mesh(IndexedFaceSet input, const BuildOptions& options) {
+    return MeshBuilder(std::move(input), options).build();
 }
 
 }  // namespace pectin

@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "mesh/build_report.h"
 #include "mesh/indexed_face_set.h"
 #include "mesh/tri_mesh.h"
 
@@ -14,23 +15,18 @@ struct BuildOptions {
     double crease_angle = 45.0;
 };
 
-// What had to be done to make triangles and manifold sheets of the input.
-struct BuildReport {
-    std::uint32_t triangulated_polygons = 0;  // polygons with more than three corners
-    std::uint32_t skipped_polygons = 0;       // fewer than three different vertices
-    std::uint32_t cut_edges = 0;  // more than two faces, or two that disagree on direction
-    std::uint32_t isolated_vertices = 0;
-};
-
 struct BuiltMesh {
     TriMesh mesh;
     BuildReport report;
 };
 
 // Positions become base vertices in input order, triangles base faces in input order. Corners
-// at one vertex whose normal and texture coordinate are the same share a wedge.
-// Precondition: indices in range, positions finite. Cost: O(n), and
-// quadratic in the wedges of one vertex.
-BuiltMesh build_mesh(const IndexedFaceSet& input, const BuildOptions& options = {});
+// at one vertex whose normal and texture coordinate are the same share a wedge. Two half-edges
+// that run in opposite directions are twins; edges with more faces, or with two that disagree on
+// direction, are cut: their half-edges become boundaries and siblings. Polygons keep their corners
+// in InputForm; those without surface, lines and points are there alone.
+// Precondition: indices in range, positions finite, fewer than 2^31 corners of triangles.
+// Cost: O(n log n) at worst, O(n) where no vertex has many faces.
+BuiltMesh build_mesh(IndexedFaceSet input, const BuildOptions& options = {});
 
 }  // namespace pectin

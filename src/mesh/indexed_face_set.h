@@ -36,6 +36,7 @@ struct IndexedFaceSet {
         std::uint32_t before_polygon = 0;  // stands ahead of this polygon in the input
         std::uint32_t part = 0;            // index into parts
         std::uint32_t corners_end = 0;     // into element_corners; begins where the one before ends
+        bool operator==(const Element&) const = default;
     };
 
     std::vector<Vec3> positions;

@@ -43,25 +43,37 @@ void TriMesh::link(HalfEdgeId h, HalfEdgeId twin) {
     half_edges_[index(twin)].twin = h;
 }
 
-bool TriMesh::may_split(EdgeId e) const {
+EdgeId TriMesh::leader(EdgeId e) const {
+    EdgeId lowest = e;
+    for (EdgeId s = sibling(e); s != e; s = sibling(s)) lowest = std::min(lowest, s);
+    return lowest;
+}
+
+std::uint16_t TriMesh::highest_level_round(EdgeId e) const {
     const HalfEdgeId bc = half_edge(e);
-    std::uint16_t highest =
-        std::max({level(origin(bc)), level(target(bc)), level(origin(prev(bc)))});
-    if (exists(twin(bc))) highest = std::max(highest, level(origin(prev(twin(bc)))));
-    return highest < std::numeric_limits<std::uint16_t>::max();
+    std::uint16_t highest = std::max(level(origin(bc)), level(target(bc)));
+    for_each_side(e, [&](HalfEdgeId h) { highest = std::max(highest, level(origin(prev(h)))); });
+    return highest;
+}
+
+bool TriMesh::may_split(EdgeId e) const {
+    return highest_level_round(e) < std::numeric_limits<std::uint16_t>::max();
 }
 
 Split TriMesh::split(EdgeId e) {
     const Split s = insert_midpoint(e);
     positions_[index(s.m)] = 0.5 * position(s.b) + 0.5 * position(s.c);
-    const auto set_normal_of = [this](const Split::Side& side, const Vec3& area_normal) {
-        normals_[index(side.m)] = midpoint_normal(normal(side.b), normal(side.c), area_normal);
+    const auto set_normal = [this](WedgeId m, HalfEdgeId from_b, HalfEdgeId from_c, VertexId apex) {
+        const Vec3& b = position(origin(from_b));
+        const Vec3 area_normal = glm::cross(position(origin(from_c)) - b, position(apex) - b);
+        normals_[index(m)] =
+            midpoint_normal(normal(wedge(from_b)), normal(wedge(from_c)), area_normal);
     };
-    const Vec3 bc = position(s.c) - position(s.b);
-    set_normal_of(s.left, glm::cross(bc, position(s.a) - position(s.b)));
-    if (s.right && s.right->m != s.left.m) {
-        set_normal_of(*s.right, glm::cross(position(s.d) - position(s.b), bc));
-    }
+    for_each_sheet(*star_from(half_edge(s.m)), [&](const Star& star) {
+        set_normal(wedge(star.mc), star.bm, next(star.mc), star.a);
+        if (star.on_boundary() || wedge(star.mb) == wedge(star.mc)) return;
+        set_normal(wedge(star.mb), star.cm, next(star.mb), star.d);
+    });
     return s;
 }
 
@@ -76,11 +88,46 @@ Split TriMesh::split(EdgeId e) {
 //          \ /                        \|/
 //           d                          d
 //
-//  Allocation order: m; its wedges; mc, am, dm; faces 3, 4. unsplit releases in reverse.
+//  Allocation order: m; its wedges; mc, am, dm; faces 3, 4; along a cut wedge, mc, am and face 3
+//  of each sibling round the ring. unsplit releases in reverse.
 Split TriMesh::insert_midpoint(EdgeId e) {
     assert(is_live(e) && may_split(e));
-    make_room();
-    const Split s = allocate_midpoint(e);
+    e = leader(e);
+    make_room(e);
+    const VertexId m = allocate_vertex();
+    vertex_levels_[index(m)] = static_cast<std::uint16_t>(highest_level_round(e) + 1);
+    const Split s = insert_into_sheet(e, m);
+    vertex_half_edges_[index(m)] = half_edge(s.face3, 0);
+    deformed_[index(m)] = is_deformed(s.b) || is_deformed(s.c) ? 1 : 0;
+    if (has_colors()) colors_[index(m)] = 0.5f * color(s.b) + 0.5f * color(s.c);
+    if (sibling(e) != e) insert_into_siblings(s);
+    return s;
+}
+
+// For the most a split adds, before it changes anything: without the memory nothing has happened.
+void TriMesh::make_room(EdgeId e) {
+    std::size_t sides = 0;
+    for_each_side(e, [&](HalfEdgeId) { ++sides; });
+    const auto room = [](auto& slots, std::size_t added) {
+        if (slots.capacity() - slots.size() < added) slots.reserve(2 * slots.size() + added);
+    };
+    room(positions_, 1);
+    room(vertex_half_edges_, 1);
+    room(vertex_levels_, 1);
+    room(deformed_, 1);
+    if (has_colors()) room(colors_, 1);
+    room(normals_, sides);
+    if (has_uvs()) room(uvs_, sides);
+    const std::size_t edges = 2 * sides;
+    room(edge_half_edges_, edges);
+    room(edge_levels_, edges);
+    if (!siblings_.empty()) room(siblings_, edges);
+    room(half_edges_, 3 * sides);
+    room(face_bases_, sides);
+}
+
+Split TriMesh::insert_into_sheet(EdgeId e, VertexId m) {
+    const Split s = allocate_sheet(e, m);
     connect_left(s);
     if (s.right) connect_right(s);
     const auto interpolate_uv = [this](const Split::Side& side) {
@@ -90,44 +137,48 @@ Split TriMesh::insert_midpoint(EdgeId e) {
         interpolate_uv(s.left);
         if (s.right && s.right->m != s.left.m) interpolate_uv(*s.right);
     }
-    deformed_[index(s.m)] = is_deformed(s.b) || is_deformed(s.c) ? 1 : 0;
     return s;
 }
 
-// For the most a split adds, before it changes anything: without the memory nothing has happened.
-void TriMesh::make_room() {
-    const auto room = [](auto& slots, std::size_t added) {
-        if (slots.capacity() - slots.size() < added) slots.reserve(2 * slots.size() + added);
+// The siblings of the edge that `leader` has split, about the same m. Along bm and along mc the
+// pieces become siblings, in the order that the edges had.
+//
+//      a1 a2             a1 a2
+//      | / |             |\./|
+//      b===c   ---->     b=m=c     here sheets 1 and 2 run the same way; where one runs from c to
+//                                  b, its own bm lies along the others' mc
+void TriMesh::insert_into_siblings(const Split& leader) {
+    EdgeId along_bm = leader.bm, along_mc = leader.mc;
+    const auto follow = [this](EdgeId& last, EdgeId e) {
+        siblings_[index(last)] = e;
+        last = e;
     };
-    room(positions_, 1);
-    room(vertex_half_edges_, 1);
-    room(vertex_levels_, 1);
-    room(deformed_, 1);
-    room(normals_, 2);
-    if (has_uvs()) room(uvs_, 2);
-    room(edge_half_edges_, 3);
-    room(edge_levels_, 3);
-    room(half_edges_, 6);
-    room(face_bases_, 2);
+    for (EdgeId e = sibling(leader.bm), next = e; e != leader.bm; e = next) {
+        next = sibling(e);
+        const Split s = insert_into_sheet(e, leader.m);
+        const bool same_way = s.b == leader.b;
+        follow(along_bm, same_way ? s.bm : s.mc);
+        follow(along_mc, same_way ? s.mc : s.bm);
+    }
+    follow(along_bm, leader.bm);
+    follow(along_mc, leader.mc);
 }
 
-Split TriMesh::allocate_midpoint(EdgeId e) {
+Split TriMesh::allocate_sheet(EdgeId e, VertexId m) {
     const HalfEdgeId bc = half_edge(e), ca = next(bc), cb = twin(bc);
     Split s;
+    s.m = m;
     s.b = origin(bc);
     s.c = origin(ca);
     s.a = origin(prev(bc));
     s.bm = e;
     s.left.b = wedge(bc);
     s.left.c = wedge(ca);
-    std::uint16_t highest = std::max({level(s.a), level(s.b), level(s.c)});
     if (exists(cb)) {
         s.d = origin(prev(cb));
         s.right = Split::Side{kNone<WedgeId>, wedge(next(cb)), wedge(cb)};
-        highest = std::max(highest, level(s.d));
     }
 
-    s.m = allocate_vertex();
     s.left.m = allocate_wedge();
     if (s.right) {
         const bool smooth = s.right->b == s.left.b && s.right->c == s.left.c;
@@ -139,11 +190,9 @@ Split TriMesh::allocate_midpoint(EdgeId e) {
     s.face3 = allocate_face(face_bases_[index(face(bc))]);
     if (s.right) s.face4 = allocate_face(face_bases_[index(face(cb))]);
 
-    const auto m_level = static_cast<std::uint16_t>(highest + 1);
-    vertex_levels_[index(s.m)] = m_level;
     edge_levels_[index(s.mc)] = level(e);
-    edge_levels_[index(s.am)] = m_level;
-    if (s.right) edge_levels_[index(s.dm)] = m_level;
+    edge_levels_[index(s.am)] = level(m);
+    if (s.right) edge_levels_[index(s.dm)] = level(m);
     return s;
 }
 
@@ -157,7 +206,6 @@ void TriMesh::connect_left(const Split& s) {
     half_edges_[index(mc)] = {s.m, kNone<HalfEdgeId>, s.left.m, s.mc};
     edge_half_edges_[index(s.mc)] = mc;
     edge_half_edges_[index(s.am)] = ma;
-    vertex_half_edges_[index(s.m)] = mc;
 }
 
 void TriMesh::connect_right(const Split& s) {
@@ -178,18 +226,30 @@ void TriMesh::connect_right(const Split& s) {
 
 std::optional<Star> TriMesh::removable(VertexId m) const {
     if (is_base(m) || !is_live(m)) return std::nullopt;
+    const std::optional<Star> star = star_from(half_edge(m));
+    if (!star || !star->on_boundary()) return star;
+    const EdgeId first = edge(star->mc);
+    for (EdgeId e = sibling(first); e != first; e = sibling(e)) {
+        if (!sheet(m, e)) return std::nullopt;
+    }
+    return star;
+}
+
+// The star that has m->c in its face 3, if it is closed with four edges, or has three and lies on
+// the boundary, and all neighbours are at m's level or lower.
+std::optional<Star> TriMesh::star_from(HalfEdgeId mc) const {
     Star star;
-    star.m = m;
-    star.mc = half_edge(m);
-    const HalfEdgeId am = prev(star.mc), ma = twin(am);
+    star.m = origin(mc);
+    star.mc = mc;
+    const HalfEdgeId am = prev(mc), ma = twin(am);
     if (!exists(ma)) return std::nullopt;
     star.bm = prev(ma);
     star.a = origin(am);
     star.b = origin(star.bm);
-    star.c = target(star.mc);
+    star.c = target(mc);
     std::uint16_t highest = std::max({level(star.a), level(star.b), level(star.c)});
     star.mb = twin(star.bm);
-    star.cm = twin(star.mc);
+    star.cm = twin(mc);
     if (exists(star.mb) != exists(star.cm)) return std::nullopt;
     if (exists(star.mb)) {
         const HalfEdgeId dm = prev(star.mb);
@@ -198,12 +258,39 @@ std::optional<Star> TriMesh::removable(VertexId m) const {
         star.d = origin(dm);
         highest = std::max(highest, level(star.d));
     }
-    if (highest > level(m)) return std::nullopt;
+    if (highest > level(star.m)) return std::nullopt;
     return star;
+}
+
+// The star in the sheet that has this boundary edge at m: its m->c, or its b->m where the sheet
+// runs the other way.
+std::optional<Star> TriMesh::sheet(VertexId m, EdgeId along_cut) const {
+    const HalfEdgeId h = half_edge(along_cut);
+    if (origin(h) == m) return star_from(h);
+    const HalfEdgeId am = twin(next(h));
+    return exists(am) ? star_from(next(am)) : std::nullopt;
 }
 
 // The reverse of insert_midpoint, statement by statement.
 EdgeId TriMesh::unsplit(const Star& star) {
+    if (star.on_boundary() && sibling(edge(star.mc)) != edge(star.mc)) unsplit_siblings(star);
+    const EdgeId e = unsplit_sheet(star);
+    release(star.m);
+    return e;
+}
+
+void TriMesh::unsplit_siblings(const Star& leader) {
+    std::vector<Star> sheets;
+    for_each_sheet(leader, [&](const Star& star) { sheets.push_back(star); });
+    for (std::size_t i = sheets.size(); i-- > 0;) {
+        const EdgeId e = edge(sheets[i].bm);
+        assert(e >= edge(leader.bm));
+        siblings_[index(e)] = edge(sheets[(i + 1) % sheets.size()].bm);
+        if (i > 0) unsplit_sheet(sheets[i]);
+    }
+}
+
+EdgeId TriMesh::unsplit_sheet(const Star& star) {
     const HalfEdgeId bc = star.bm, ma = next(bc);
     const FaceId face3 = face(star.mc);
     const HalfEdgeId ca = next(star.mc);
@@ -235,7 +322,6 @@ EdgeId TriMesh::unsplit(const Star& star) {
         release(mc_edge);
     }
     release(left_m);
-    release(star.m);
     return e;
 }
 

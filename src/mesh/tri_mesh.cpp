@@ -58,6 +58,7 @@ VertexId TriMesh::allocate_vertex() {
     vertex_half_edges_.push_back(kNone<HalfEdgeId>);
     vertex_levels_.push_back(0);
     deformed_.push_back(0);
+    if (has_colors()) colors_.emplace_back(0.0f);
     return VertexId{vertex_slots() - 1};
 }
 
@@ -80,7 +81,9 @@ EdgeId TriMesh::allocate_edge() {
     }
     edge_half_edges_.push_back(kNone<HalfEdgeId>);
     edge_levels_.push_back(0);
-    return EdgeId{edge_slots() - 1};
+    const EdgeId e{edge_slots() - 1};
+    if (!siblings_.empty()) siblings_.push_back(e);
+    return e;
 }
 
 FaceId TriMesh::allocate_face(FaceId base) {
@@ -103,6 +106,7 @@ void TriMesh::release(VertexId v) {
     vertex_half_edges_[index(v)] = kNone<HalfEdgeId>;
     vertex_levels_[index(v)] = 0;
     deformed_[index(v)] = 0;
+    if (has_colors()) colors_[index(v)] = Vec3f{0.0f};
     free_vertices_.push_back(v);
 }
 
@@ -115,6 +119,7 @@ void TriMesh::release(WedgeId w) {
 void TriMesh::release(EdgeId e) {
     edge_half_edges_[index(e)] = kNone<HalfEdgeId>;
     edge_levels_[index(e)] = 0;
+    if (!siblings_.empty()) siblings_[index(e)] = e;
     free_edges_.push_back(e);
 }
 
@@ -135,33 +140,35 @@ void TriMesh::truncate(const SlotCounts& counts) {
     vertex_half_edges_.resize(counts.vertices);
     vertex_levels_.resize(counts.vertices);
     deformed_.resize(counts.vertices);
+    if (has_colors()) colors_.resize(counts.vertices);
     normals_.resize(counts.wedges);
     if (has_uvs()) uvs_.resize(counts.wedges);
     edge_half_edges_.resize(counts.edges);
     edge_levels_.resize(counts.edges);
+    if (!siblings_.empty()) siblings_.resize(counts.edges);
     half_edges_.resize(3 * std::size_t{counts.faces});
     face_bases_.resize(counts.faces);
 }
 
 bool TriMesh::operator==(const TriMesh& o) const {
-    return base_vertices_ == o.base_vertices_ && base_faces_ == o.base_faces_ &&
-           parts_ == o.parts_ && material_libraries_ == o.material_libraries_ &&
-           same_bytes(positions_, o.positions_) &&
+    return base_vertices_ == o.base_vertices_ && base_faces_ == o.base_faces_ && form_ == o.form_ &&
+           same_bytes(colors_, o.colors_) && same_bytes(positions_, o.positions_) &&
            same_bytes(vertex_half_edges_, o.vertex_half_edges_) &&
            same_bytes(vertex_levels_, o.vertex_levels_) && same_bytes(deformed_, o.deformed_) &&
            same_bytes(normals_, o.normals_) && same_bytes(uvs_, o.uvs_) &&
            same_bytes(edge_half_edges_, o.edge_half_edges_) &&
-           same_bytes(edge_levels_, o.edge_levels_) && half_edges_ == o.half_edges_ &&
-           same_bytes(face_bases_, o.face_bases_) && free_vertices_ == o.free_vertices_ &&
-           free_wedges_ == o.free_wedges_ && free_edges_ == o.free_edges_ &&
-           free_faces_ == o.free_faces_;
+           same_bytes(edge_levels_, o.edge_levels_) && same_bytes(siblings_, o.siblings_) &&
+           half_edges_ == o.half_edges_ && same_bytes(face_bases_, o.face_bases_) &&
+           free_vertices_ == o.free_vertices_ && free_wedges_ == o.free_wedges_ &&
+           free_edges_ == o.free_edges_ && free_faces_ == o.free_faces_;
 }
 
 std::size_t TriMesh::memory_bytes() const {
     return capacity_bytes(positions_) + capacity_bytes(vertex_half_edges_) +
-           capacity_bytes(vertex_levels_) + capacity_bytes(deformed_) + capacity_bytes(normals_) +
-           capacity_bytes(uvs_) + capacity_bytes(edge_half_edges_) + capacity_bytes(edge_levels_) +
-           capacity_bytes(half_edges_) + capacity_bytes(face_bases_) + capacity_bytes(base_faces_) +
+           capacity_bytes(vertex_levels_) + capacity_bytes(deformed_) + capacity_bytes(colors_) +
+           capacity_bytes(normals_) + capacity_bytes(uvs_) + capacity_bytes(edge_half_edges_) +
+           capacity_bytes(edge_levels_) + capacity_bytes(siblings_) + capacity_bytes(half_edges_) +
+           capacity_bytes(face_bases_) + capacity_bytes(base_faces_) + form_.memory_bytes() +
            capacity_bytes(free_vertices_) + capacity_bytes(free_wedges_) +
            capacity_bytes(free_edges_) + capacity_bytes(free_faces_);
 }

@@ -14,12 +14,15 @@
 //  6. All corners of a wedge are at one vertex.
 //  7. Base vertices and faces come first: ids below base_vertex_count() have level 0, ids from
 //     there on a level above 0. Base faces stay live: splits cut them, but keep their slots.
-//  8. Every position and texture coordinate that was given is finite; normals are unit or zero.
+//  8. Every position, colour and texture coordinate that was given is finite; normals are unit or
+//  zero.
 //  9. The half-edge of an inserted vertex m that unsplit would accept is m->c, in the face that
-//     m's split made.
+//     m's split made; where m lies on a cut, of the sheet whose bm has the lowest id.
+// 10. Siblings are boundary edges with the same two ends, and their rings are closed.
 //
-// Non-manifold input is cut by build_mesh: the edges along a cut are boundaries, and a vertex
-// where several sheets meet is shared by them, so no crack opens at it.
+// Non-manifold input is cut into sheets by build_mesh: the edges along a cut are boundaries and
+// siblings of each other. Sheets share the vertices along it, and siblings split and unsplit
+// together about one midpoint, so no crack opens there.
 //
 // Source: Gain & Dodgson 1999, section 4 and figure 3.
 #pragma once
@@ -34,7 +37,7 @@
 #include "geometry/box.h"
 #include "geometry/vec.h"
 #include "mesh/ids.h"
-#include "mesh/indexed_face_set.h"
+#include "mesh/input_form.h"
 
 namespace pectin {
 
@@ -53,7 +56,8 @@ struct SlotCounts {
     bool operator==(const SlotCounts&) const = default;
 };
 
-// What split(bc) made. On a boundary there is no d, no second side, no dm.
+// What split(bc) made. On a boundary there is no d, no second side, no dm. Along a cut this is the
+// sheet of the sibling with the lowest id; for_each_sheet tells of the others.
 struct Split {
     VertexId m = kNone<VertexId>;
     VertexId a = kNone<VertexId>, b = kNone<VertexId>, c = kNone<VertexId>, d = kNone<VertexId>;
@@ -68,7 +72,8 @@ struct Split {
     std::optional<Side> right;  // the side of d; its m is left.m where the edge is smooth
 };
 
-// The surroundings of an inserted vertex that unsplit may remove (figure 3, after the split).
+// The surroundings of an inserted vertex that unsplit may remove (figure 3, after the split); along
+// a cut those in one of the sheets, whose boundary b-m-c is.
 struct Star {
     VertexId m = kNone<VertexId>;
     VertexId a = kNone<VertexId>, b = kNone<VertexId>, c = kNone<VertexId>, d = kNone<VertexId>;
@@ -78,6 +83,8 @@ struct Star {
     HalfEdgeId cm = kNone<HalfEdgeId>;  // in face cmd, none on a boundary
     bool on_boundary() const { return mb == kNone<HalfEdgeId>; }
 };
+
+struct Baked;
 
 class TriMesh {
   public:
@@ -122,6 +129,21 @@ class TriMesh {
         return HalfEdgeId{3 * index(f) + static_cast<std::uint32_t>(corner)};
     }
     HalfEdgeId half_edge(EdgeId e) const { return edge_half_edges_[index(e)]; }
+    // The next of the edges that lie along e where a cut parts their sheets; e itself where none.
+    EdgeId sibling(EdgeId e) const { return siblings_.empty() ? e : siblings_[index(e)]; }
+    // Of e and its siblings the one with the lowest id. Cost: O(siblings).
+    EdgeId leader(EdgeId e) const;
+    // visit(HalfEdgeId): e's one or two half-edges, then its siblings' (each has one).
+    template <typename Visit>
+    void for_each_side(EdgeId e, Visit visit) const {
+        const HalfEdgeId h = half_edge(e);
+        visit(h);
+        if (exists(twin(h))) {
+            visit(twin(h));
+        } else {
+            for (EdgeId s = sibling(e); s != e; s = sibling(s)) visit(half_edge(s));
+        }
+    }
     // An outgoing half-edge; none for an isolated base vertex.
     HalfEdgeId half_edge(VertexId v) const { return vertex_half_edges_[index(v)]; }
 
@@ -130,6 +152,8 @@ class TriMesh {
     void set_position(VertexId v, const Vec3& p) { positions_[index(v)] = p; }
     const Vec3f& normal(WedgeId w) const { return normals_[index(w)]; }  // unit, or 0: undefined
     void set_normal(WedgeId w, const Vec3f& n) { normals_[index(w)] = n; }
+    bool has_colors() const { return !colors_.empty(); }
+    const Vec3f& color(VertexId v) const { return colors_[index(v)]; }  // NaN where it has none
     bool has_uvs() const { return !uvs_.empty(); }
     const Vec2f& uv(WedgeId w) const { return uvs_[index(w)]; }  // NaN where a corner has none
     // Whether a committed gesture has ever moved it; midpoints inherit it from either end.
@@ -140,11 +164,10 @@ class TriMesh {
 
     // The base face that f is a piece of; f itself where it is a base face.
     FaceId base_face(FaceId f) const { return face_bases_[index(f)]; }
-    const Part& part(FaceId f) const { return parts_[part_index(f)]; }
+    const Part& part(FaceId f) const { return form_.parts[part_index(f)]; }
     std::uint32_t part_index(FaceId f) const { return base_faces_[index(base_face(f))].part; }
     std::uint32_t polygon(FaceId f) const { return base_faces_[index(base_face(f))].polygon; }
-    const std::vector<Part>& parts() const { return parts_; }
-    const std::vector<std::string>& material_libraries() const { return material_libraries_; }
+    const InputForm& input_form() const { return form_; }
 
     double squared_length(EdgeId e) const {
         const HalfEdgeId h = half_edge(e);
@@ -166,11 +189,11 @@ class TriMesh {
     //         \ /     <------      \|/
     //          d                    d
     //
-    // The midpoint gets the mean of its ends' positions and, per wedge on each side, the mean of
-    // their texture coordinates and the normalised sum of their normals (with the face normal
-    // added where that sum is shorter than 0.1). Its level, and that of am and dm, is one above
-    // the highest of a, b, c, d; bm and cm keep bc's.
-    // Precondition: may_split(e).
+    // The midpoint gets the mean of its ends' positions and colours and, per wedge on each side,
+    // the mean of their texture coordinates and the normalised sum of their normals (with the face
+    // normal added where that sum is shorter than 0.1). Its level, and that of am and dm, is one
+    // above the highest of a, b, c, d; bm and cm keep bc's. e's siblings are split with it, about
+    // the same midpoint. Precondition: may_split(e).
     Split split(EdgeId e);
     // The same, but leaves the midpoint's position and normals 0 for the caller to set.
     Split insert_midpoint(EdgeId e);
@@ -178,13 +201,27 @@ class TriMesh {
     bool may_split(EdgeId e) const;
 
     // m's surroundings, if it may go: not a base vertex, exactly four edges (three on a
-    // boundary), and all neighbours at its level or lower.
+    // boundary, as many in each sheet along a cut), and all neighbours at its level or lower.
     std::optional<Star> removable(VertexId m) const;
-    // The exact inverse of the split that made star.m: same ids, same bytes. Returns bc.
+    // visit(const Star&): m's surroundings in each sheet along a cut, star's own first. They share
+    // m and its two neighbours along the cut, each in its own direction. Precondition: star is what
+    // removable(m) says.
+    template <typename Visit>
+    void for_each_sheet(const Star& star, Visit visit) const {
+        visit(star);
+        if (!star.on_boundary()) return;
+        const EdgeId first = edge(star.mc);
+        for (EdgeId e = sibling(first); e != first; e = sibling(e)) visit(*sheet(star.m, e));
+    }
+    // The exact inverse of the split that made star.m: same ids, same bytes. Returns bc, the leader
+    // of its siblings. Precondition: star is what removable(m) says.
     EdgeId unsplit(const Star& star);
     // Cuts the slots back to `counts` where all edits made since then have been undone in
     // reverse order: the slots they had added are then free, below all others in the free lists.
     void truncate(const SlotCounts& counts);
+
+    // The same surface with all that splits have inserted made base (bake.cpp). O(n).
+    Baked baked() const;
 
     // Every violated invariant in one line each, empty if all hold. O(n).
     std::vector<std::string> validate() const;
@@ -195,10 +232,11 @@ class TriMesh {
 
   private:
     friend class MeshBuilder;
+    friend class MeshBaker;
     class Validator;
 
     struct BaseFace {
-        std::uint32_t part = 0;     // into parts_
+        std::uint32_t part = 0;     // into form_.parts
         std::uint32_t polygon = 0;  // of the input
         bool operator==(const BaseFace&) const = default;
     };
@@ -214,30 +252,47 @@ class TriMesh {
 
     void move_half_edge(HalfEdgeId from, HalfEdgeId to);
     void link(HalfEdgeId h, HalfEdgeId twin);
-    void make_room();
-    Split allocate_midpoint(EdgeId e);
+    void make_room(EdgeId e);
+    Split insert_into_sheet(EdgeId e, VertexId m);
+    Split allocate_sheet(EdgeId e, VertexId m);
     void connect_left(const Split& split);
     void connect_right(const Split& split);
+    void insert_into_siblings(const Split& leader);
+    std::uint16_t highest_level_round(EdgeId e) const;
+    std::optional<Star> star_from(HalfEdgeId mc) const;
+    std::optional<Star> sheet(VertexId m, EdgeId along_cut) const;
+    EdgeId unsplit_sheet(const Star& star);
+    void unsplit_siblings(const Star& leader);
 
     std::vector<Vec3> positions_;                // n_vertex_slots, world
     std::vector<HalfEdgeId> vertex_half_edges_;  // n_vertex_slots
     std::vector<std::uint16_t> vertex_levels_;   // n_vertex_slots
     std::vector<std::uint8_t> deformed_;         // n_vertex_slots
+    std::vector<Vec3f> colors_;                  // n_vertex_slots, or empty
     std::vector<Vec3f> normals_;                 // n_wedge_slots
     std::vector<Vec2f> uvs_;                     // n_wedge_slots, or empty
     std::vector<HalfEdgeId> edge_half_edges_;    // n_edge_slots
     std::vector<std::uint16_t> edge_levels_;     // n_edge_slots
+    std::vector<EdgeId> siblings_;               // n_edge_slots, or empty where nothing is cut
     std::vector<HalfEdge> half_edges_;           // 3 n_face_slots
     std::vector<FaceId> face_bases_;             // n_face_slots
     std::vector<BaseFace> base_faces_;           // n_base_faces
-    std::vector<Part> parts_;
-    std::vector<std::string> material_libraries_;
+    InputForm form_;
     std::uint32_t base_vertices_ = 0;
 
     std::vector<VertexId> free_vertices_;
     std::vector<WedgeId> free_wedges_;
     std::vector<EdgeId> free_edges_;
     std::vector<FaceId> free_faces_;
+};
+
+// A mesh of which everything is base: vertices in the order that a save would give them, faces too,
+// wedges and edges by id. Polygons of which no face was split stay polygons, every piece of the
+// others is one of its own. What has been deformed stays marked so.
+struct Baked {
+    TriMesh mesh;
+    std::vector<EdgeId>
+        edges;  // n_edge_slots of the mesh it was made from: what they became, or none
 };
 
 // The rule for a midpoint's normal on one side: normalise(nb + nc), with the side's face normal

@@ -1,4 +1,5 @@
 // TriMesh::validate: the invariants of the class, checked one by one.
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -19,6 +20,7 @@ class TriMesh::Validator {
     explicit Validator(const TriMesh& mesh)
         : mesh_(mesh),
           half_edges_of_edge_(mesh.edge_slots(), 0),
+          has_sibling_before_(mesh.edge_slots(), false),
           vertex_of_wedge_(mesh.wedge_slots(), kNone<VertexId>) {}
 
     std::vector<std::string> run() {
@@ -94,6 +96,24 @@ class TriMesh::Validator {
         expect(index(h) < mesh_.half_edges_.size() && mesh_.edge(h) == e,
                "4: another's half-edge at edge", e);
         expect(uses == (exists(mesh_.twin(h)) ? 2 : 1), "4: wrong number of half-edges at edge", e);
+        check_siblings(e);
+    }
+
+    void check_siblings(EdgeId e) {
+        const EdgeId next = mesh_.sibling(e);
+        if (next == e) return;
+        if (index(next) >= mesh_.edge_slots() || !mesh_.is_live(next)) {
+            expect(false, "10: dead sibling of edge", e);
+            return;
+        }
+        const auto ends = [this](EdgeId edge) {
+            const HalfEdgeId h = mesh_.half_edge(edge);
+            return std::minmax({mesh_.origin(h), mesh_.target(h)});
+        };
+        expect(!exists(mesh_.twin(mesh_.half_edge(e))), "10: siblings of an inner edge", e);
+        expect(ends(e) == ends(next), "10: sibling elsewhere than edge", e);
+        expect(!std::exchange(has_sibling_before_[index(next)], char{1}),
+               "10: ring not closed at edge", next);
     }
 
     void check(VertexId v) {
@@ -102,6 +122,8 @@ class TriMesh::Validator {
         expect(!exists(h) || mesh_.origin(h) == v, "5: another's half-edge at vertex", v);
         expect(mesh_.is_base(v) == (mesh_.level(v) == 0), "7: wrong level at vertex", v);
         expect(is_finite(mesh_.position(v)), "8: position not finite at vertex", v);
+        expect(!mesh_.has_colors() || !glm::any(glm::isinf(mesh_.color(v))),
+               "8: colour infinite at vertex", v);
         const auto star = mesh_.removable(v);
         if (!star) return;
         expect(star->mc == half_edge(face(star->mc), 0) &&
@@ -144,7 +166,8 @@ class TriMesh::Validator {
     }
 
     void check_cleared(VertexId v) {
-        expect(mesh_.position(v) == Vec3{0.0} && mesh_.level(v) == 0 && !mesh_.is_deformed(v),
+        expect(mesh_.position(v) == Vec3{0.0} && mesh_.level(v) == 0 && !mesh_.is_deformed(v) &&
+                   (!mesh_.has_colors() || mesh_.color(v) == Vec3f{0.0f}),
                "1: not cleared at dead vertex", v);
     }
 
@@ -153,7 +176,9 @@ class TriMesh::Validator {
                "1: not cleared at dead wedge", w);
     }
 
-    void check_cleared(EdgeId e) { expect(mesh_.level(e) == 0, "1: not cleared at dead edge", e); }
+    void check_cleared(EdgeId e) {
+        expect(mesh_.level(e) == 0 && mesh_.sibling(e) == e, "1: not cleared at dead edge", e);
+    }
 
     void check_cleared(FaceId f) {
         for (int corner = 0; corner < 3; ++corner) {
@@ -165,6 +190,7 @@ class TriMesh::Validator {
 
     const TriMesh& mesh_;
     std::vector<int> half_edges_of_edge_;
+    std::vector<char> has_sibling_before_;
     std::vector<VertexId> vertex_of_wedge_;
     std::vector<std::string> messages_;
 };

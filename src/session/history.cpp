@@ -15,9 +15,9 @@ void History::clear() {
     done_ = 0;
 }
 
-const History::Step& History::step_back() { return steps_[--done_]; }
+History::Step& History::step_back() { return steps_[--done_]; }
 
-const History::Step& History::step_forward() { return steps_[done_++]; }
+History::Step& History::step_forward() { return steps_[done_++]; }
 
 void History::forget_outcomes() {
     for (Step& step : steps_) step.outcome = {};
@@ -25,7 +25,10 @@ void History::forget_outcomes() {
 
 std::size_t History::memory_bytes() const {
     std::size_t bytes = steps_.capacity() * sizeof(Step);
-    for (const Step& step : steps_) bytes += step.change.memory_bytes();
+    for (const Step& step : steps_) {
+        bytes += step.change.memory_bytes();
+        if (step.exchanged) bytes += step.exchanged->memory_bytes();
+    }
     return bytes;
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <memory>
 #include <optional>
 #include <span>
 #include <vector>
@@ -23,6 +24,8 @@ class History {
         Command command;
         MeshChange change;
         AdaptOutcome outcome;
+        // Of a bake, which renames everything: the mesh before it, or once undone, after it.
+        std::unique_ptr<TriMesh> exchanged{};
     };
 
     // A new step drops what could be redone.
@@ -34,8 +37,8 @@ class History {
 
     // The step to take back or to do again, which then counts as undone or done; the caller
     // applies its change. Precondition: there is one.
-    const Step& step_back();
-    const Step& step_forward();
+    Step& step_back();
+    Step& step_forward();
     // The step that led to the mesh as it is; none at the beginning.
     const Step* latest() const { return done_ > 0 ? &steps_[done_ - 1] : nullptr; }
 

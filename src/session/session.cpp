@@ -1,17 +1,14 @@
 #include "session/session.h"
 
 #include <algorithm>
-#include <cctype>
+#include <cassert>
 #include <cmath>
 #include <limits>
-#include <string_view>
 #include <utility>
 
 #include "command/json.h"
 #include "geometry/decimal.h"
 #include "io/atomic_file.h"
-#include "io/obj_reader.h"
-#include "io/obj_writer.h"
 #include "mesh/shapes.h"
 #include "session/session_state.h"
 
@@ -34,28 +31,18 @@ ShapeKind shape_kind(command::Shape::Kind kind) {
     return ShapeKind::sphere;
 }
 
-bool has_extension(const std::string& path, std::string_view extension) {
-    if (path.size() < extension.size()) return false;
-    const auto same = [](char x, char y) {
-        return std::tolower(static_cast<unsigned char>(x)) == y;
-    };
-    return std::equal(extension.begin(), extension.end(),
-                      path.end() - static_cast<std::ptrdiff_t>(extension.size()),
-                      [&](char y, char x) { return same(x, y); });
-}
-
 }  // namespace
 
 // The new object starts a new history; settings stay.
-void Session::State::take(BuiltMesh built) {
-    *mesh = std::move(built.mesh);
-    active = std::make_unique<ActiveSet>(*mesh);
-    tree.reset();
+void Session::State::adopt(LoadedModel model) {
+    active = std::move(model.active);
+    mesh = std::move(model.mesh);
+    tree = std::move(model.tree);
     history.clear();
-    input_report = built.report;
-    const Box box = mesh->bounding_box();
-    diagonal = box.diagonal();
-    const Vec3 farthest = glm::max(glm::abs(box.min), glm::abs(box.max));
+    input_report = model.report;
+    folder = std::move(model.folder);
+    diagonal = model.box.diagonal();
+    const Vec3 farthest = glm::max(glm::abs(model.box.min), glm::abs(model.box.max));
     largest_coordinate = glm::max(farthest.x, glm::max(farthest.y, farthest.z));
     lattice_in_use.reset();
     zones_in_use.clear();
@@ -108,6 +95,13 @@ void Session::State::note(const Frame& frame) {
     blocked.erase(std::unique(blocked.begin(), blocked.end()), blocked.end());
 }
 
+void Session::State::exchange(TriMesh& other) {
+    std::swap(*mesh, other);
+    tree.reset();
+    dirty = {};
+    dirty.everything = true;
+}
+
 void Session::State::restore_outcome() {
     outcome = history.latest() ? history.latest()->outcome : AdaptOutcome{};
 }
@@ -118,14 +112,7 @@ void Session::State::add_step(Command command, MeshChange change) {
 }
 
 Refusal Session::State::run(const command::Open& open) {
-    const IndexedFaceSet input = read_obj(open.path);
-    BuiltMesh built = build_mesh(input, {.crease_angle = open.crease_angle});
-    if (built.mesh.face_slots() == 0) {
-        return "'" + open.path +
-               "' has no face with three different vertices; a model needs at "
-               "least one";
-    }
-    take(std::move(built));
+    adopt(load_model(open));
     return std::nullopt;
 }
 
@@ -136,7 +123,7 @@ Refusal Session::State::run(const command::Shape& shape) {
         return "resolution " + std::to_string(shape.resolution) + " must be from " +
                std::to_string(least) + " to " + std::to_string(most) + " for this shape";
     }
-    take(build_mesh(make_shape(kind, shape.resolution)));
+    adopt(make_model(build_mesh(make_shape(kind, shape.resolution))));
     return std::nullopt;
 }
 
@@ -196,9 +183,13 @@ Refusal Session::State::run(const command::Undo& undo_command) {
                std::to_string(count);
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const MeshChange& change = history.step_back().change;
-        undo(change, *mesh);
-        follow(change.faces);
+        History::Step& step = history.step_back();
+        if (step.exchanged) {
+            exchange(*step.exchanged);
+        } else {
+            undo(step.change, *mesh);
+            follow(step.change.faces);
+        }
     }
     restore_outcome();
     return std::nullopt;
@@ -211,9 +202,13 @@ Refusal Session::State::run(const command::Redo& redo_command) {
                std::to_string(count);
     }
     for (std::size_t i = 0; i < count; ++i) {
-        const MeshChange& change = history.step_forward().change;
-        redo(change, *mesh);
-        follow(change.faces);
+        History::Step& step = history.step_forward();
+        if (step.exchanged) {
+            exchange(*step.exchanged);
+        } else {
+            redo(step.change, *mesh);
+            follow(step.change.faces);
+        }
     }
     restore_outcome();
     return std::nullopt;
@@ -264,12 +259,22 @@ Refusal Session::State::run(const command::Readapt& readapt) {
     return std::nullopt;
 }
 
+Refusal Session::State::run(const command::Bake& bake) {
+    if (!has_object()) return kNoObject;
+    if (mesh->vertex_count() == mesh->base_vertex_count()) return std::nullopt;
+    Baked baked = mesh->baked();
+    for (EdgeId& e : outcome.blocked) e = baked.edges[index(e)];
+    std::sort(outcome.blocked.begin(), outcome.blocked.end());
+    auto before = std::make_unique<TriMesh>(std::move(baked.mesh));
+    exchange(*before);
+    history.add({bake, {}, outcome, std::move(before)});
+    last = {};
+    return std::nullopt;
+}
+
 Refusal Session::State::run(const command::Save& save) {
     if (!has_object()) return kNoObject;
-    if (!has_extension(save.path, ".obj")) {
-        return "'" + save.path + "' does not end in .obj; save writes OBJ files";
-    }
-    write_obj(*mesh, save.path);
+    save_model(*mesh, save, folder);
     return std::nullopt;
 }
 
@@ -295,6 +300,11 @@ Session& Session::operator=(Session&&) noexcept = default;
 std::optional<std::string> Session::execute(const Command& command) {
     if (is_dragging()) return "a drag is in hand; end or cancel it first";
     return std::visit([this](const auto& c) { return state_->run(c); }, command);
+}
+
+void Session::adopt(LoadedModel model) {
+    assert(!is_dragging());
+    state_->adopt(std::move(model));
 }
 
 void Session::set_viewport(Viewport* viewport) { state_->viewport = viewport; }
@@ -346,6 +356,8 @@ void Session::cancel_drag() { state_->cancel_drag(); }
 bool Session::is_dragging() const { return state_->in_hand != nullptr; }
 
 const TriMesh& Session::mesh() const { return *state_->mesh; }
+
+const std::string& Session::folder() const { return state_->folder; }
 
 std::optional<Lattice> Session::lattice_in_use() const {
     return is_dragging() ? state_->in_hand->lattice : state_->lattice_in_use;
@@ -401,6 +413,8 @@ std::optional<IVec3> Session::pick_control(const Ray& ray, double slope) const {
     }
     return found;
 }
+
+const BuildReport& Session::input_report() const { return state_->input_report; }
 
 const AdaptSettings& Session::adapt_settings() const { return state_->adapt_settings; }
 

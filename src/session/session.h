@@ -15,6 +15,7 @@
 #include "mesh/tri_mesh.h"
 #include "session/gesture.h"
 #include "session/history.h"
+#include "session/model_file.h"
 #include "session/settings.h"
 #include "session/viewport.h"
 
@@ -57,6 +58,10 @@ class Session {
     // Throws what io throws (FileError) for files; the object is then as it was, too.
     std::optional<std::string> execute(const Command& command);
 
+    // Makes it the object, as opening its file does. Precondition: no drag is in hand. Cost: O(1),
+    // and that of freeing what was there.
+    void adopt(LoadedModel model);
+
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
     // executed meanwhile. Ending it does what the Drag command that it came to does, to the byte,
     // whatever the frames before. With symmetry on, all of it happens on both sides.
@@ -89,6 +94,8 @@ class Session {
     void set_viewport(Viewport* viewport);
 
     const TriMesh& mesh() const;
+    // Of the file that was opened, as save_model wants it.
+    const std::string& folder() const;
     // The surface point that a ray meets first. Not during a drag. Cost: O(log n), the first time
     // O(n log n).
     std::optional<Pick> pick(const Ray& ray);
@@ -97,6 +104,8 @@ class Session {
     // What has changed since it was last asked. Cost: O(changed).
     DirtyElements take_dirty();
     Statistics statistics() const;  // O(n)
+    // What was found in the input of the object; see input_summary.
+    const BuildReport& input_report() const;
 
     // --- For who shows them.
     const AdaptSettings& adapt_settings() const;

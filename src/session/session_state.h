@@ -11,10 +11,9 @@
 
 #include "ffd/drag_solver.h"
 #include "ffd/injective_steps.h"
-#include "mesh/build_mesh.h"
-#include "mesh/face_tree.h"
 #include "session/gesture.h"
 #include "session/history.h"
+#include "session/model_file.h"
 #include "session/session.h"
 #include "session/settings.h"
 
@@ -73,6 +72,7 @@ struct Session::State {
     Statistics::Last last;
     std::uint64_t folded = 0;
     AdaptOutcome outcome;             // of the mesh as it is
+    std::string folder;               // of the file that was opened; empty where there was none
     BuildReport input_report;         // what opening the object took
     double largest_coordinate = 0.0;  // of the object as it was opened
 
@@ -83,7 +83,7 @@ struct Session::State {
         limits.symmetry = symmetry;
         return limits;
     }
-    void take(BuiltMesh built);
+    void adopt(LoadedModel model);
     const FaceTree& face_tree();
     void note(const Frame& frame);
     void add_step(Command command, MeshChange change);
@@ -92,6 +92,8 @@ struct Session::State {
     // The same, and the tree has to follow.
     void follow(std::span<const FaceId> faces);
     void restore_outcome();
+    // Of a bake's step: the mesh on its one side for that on its other.
+    void exchange(TriMesh& other);
 
     // --- One for each command.
     Refusal run(const command::Open& open);
@@ -105,6 +107,7 @@ struct Session::State {
     Refusal run(const command::Undo& undo);
     Refusal run(const command::Redo& redo);
     Refusal run(const command::Readapt& readapt);
+    Refusal run(const command::Bake& bake);
     Refusal run(const command::Save& save);
     Refusal run(const command::Stats& stats);
     Refusal run(const command::Screenshot& screenshot);

@@ -1,5 +1,6 @@
 // The figures of the stats command.
 #include "adapt/adapt.h"
+#include "session/input_summary.h"
 #include "session/measure.h"
 #include "session/session_state.h"
 
@@ -8,6 +9,7 @@ namespace pectin {
 Statistics Session::State::statistics() const {
     Statistics s;
     measure(*mesh, s);
+    s.input = input_counts(input_report);
     s.last = last;
     const Criteria criteria(limits(lattice_in_use), zones_in_use, {});
     const Assessment assessment = assess(*active, criteria, outcome.blocked);

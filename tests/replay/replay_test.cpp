@@ -70,6 +70,27 @@ TEST(Replay, OpensWhatItSaved) {
     EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
 }
 
+TEST(Replay, NotesWhatItFoundInTheInputAndGoesOn) {
+    const ScratchFolder folder;
+    // Three faces on the edge 1 2, and a vertex that has none.
+    folder.write("fan.obj",
+                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 9 9 9\n"
+                 "f 1 2 3\nf 2 1 4\nf 1 2 5\n");
+    folder.write("clean.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    const std::string script =
+        folder.write_script("s.jsonl", {R"({"cmd": "open", "path": "clean.obj"})",
+                                        R"({"cmd": "open", "path": "fan.obj"})",
+                                        R"({"cmd": "stats", "path": "fan.json"})"});
+    const Outcome outcome = run_program({"replay", script});
+    EXPECT_EQ(outcome.exit_status, 0);
+    EXPECT_TRUE(outcome.err.starts_with(script + ":3: open: fan.obj: 1 edge cut ")) << outcome.err;
+    EXPECT_NE(outcome.err.find("; 1 isolated vertex\n"), std::string::npos) << outcome.err;
+    EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
+    const std::string figures = folder.read("fan.json");
+    EXPECT_NE(figures.find("\"nonmanifold_edges\": 1"), std::string::npos) << figures;
+    EXPECT_NE(figures.find("\"isolated_vertices\": 1"), std::string::npos) << figures;
+}
+
 TEST(Replay, ReadsTheScriptFromStandardInput) {
     const ScratchFolder folder;
     const std::string script =

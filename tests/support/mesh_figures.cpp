@@ -39,8 +39,9 @@ std::vector<FaceId> live_faces(const TriMesh& mesh) {
 }
 
 int euler_characteristic(const TriMesh& mesh) {
-    return static_cast<int>(mesh.vertex_count()) - static_cast<int>(mesh.edge_count()) +
-           static_cast<int>(mesh.face_count());
+    int edges = 0;
+    for (EdgeId e : live_edges(mesh)) edges += mesh.leader(e) == e ? 1 : 0;
+    return static_cast<int>(mesh.vertex_count()) - edges + static_cast<int>(mesh.face_count());
 }
 
 double area(const TriMesh& mesh) {

@@ -17,7 +17,8 @@ std::vector<std::string> real_models();
 std::vector<EdgeId> live_edges(const TriMesh& mesh);
 std::vector<FaceId> live_faces(const TriMesh& mesh);
 
-// V - E + F, counting also vertices without a face.
+// V - E + F, counting also vertices without a face; edges that a cut has laid along each other are
+// one.
 int euler_characteristic(const TriMesh& mesh);
 double area(const TriMesh& mesh);
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
 
 #include "ffd/drag_solver.h"
 #include "mesh/build_mesh.h"
@@ -62,6 +63,84 @@ void stretch(IndexedFaceSet& set, Random& random) {
     for (Vec3& p : set.positions) p *= scale;
 }
 
+void add_polygon(IndexedFaceSet& set, std::vector<IndexedFaceSet::Corner> corners,
+                 std::uint32_t part) {
+    set.corners.insert(set.corners.end(), corners.begin(), corners.end());
+    set.polygon_end.push_back(static_cast<std::uint32_t>(set.corners.size()));
+    set.polygon_part.push_back(part);
+}
+
+// Some polygons the other way round, twice, with a fin on an edge (more than one in places), with
+// corners repeated or without surface.
+void damage(IndexedFaceSet& set, Random& random) {
+    const double reversed = random.chance(0.5) ? 0.1 : 0.0,
+                 doubled = random.chance(0.4) ? 0.1 : 0.0;
+    const double finned = random.scale(0.02, 0.5), degenerate = random.chance(0.3) ? 0.1 : 0.0;
+    const auto polygons = static_cast<std::uint32_t>(set.polygon_count());
+    for (std::uint32_t p = 0; p < polygons; ++p) {
+        const auto begin = set.corners.begin() + set.polygon_begin(p);
+        const auto end = set.corners.begin() + set.polygon_end[p];
+        if (random.chance(reversed)) std::reverse(begin, end);
+        const std::vector<IndexedFaceSet::Corner> corners(begin, end);
+        const std::uint32_t part = set.polygon_part[p];
+        if (random.chance(doubled)) add_polygon(set, corners, part);
+        if (random.chance(degenerate)) add_polygon(set, {corners[0], corners[0], corners[1]}, part);
+        if (random.chance(degenerate)) {
+            auto repeated = corners;
+            repeated.push_back(corners[1]);
+            add_polygon(set, repeated, part);
+        }
+        for (int fins = 0; fins < 3 && random.chance(finned); ++fins) {
+            const Vec3 &a = set.positions[corners[0].position],
+                       &b = set.positions[corners[1].position];
+            const Vec3 tip = 0.5 * (a + b) + glm::distance(a, b) * random.direction();
+            IndexedFaceSet::Corner at_tip = corners[0];
+            at_tip.position = static_cast<std::uint32_t>(set.positions.size());
+            set.positions.push_back(tip);
+            if (random.chance(0.5)) {
+                add_polygon(set, {corners[0], corners[1], at_tip}, part);
+            } else {
+                add_polygon(set, {corners[1], corners[0], at_tip}, part);
+            }
+        }
+    }
+}
+
+void add_colors(IndexedFaceSet& set, Random& random) {
+    for (std::size_t i = 0; i < set.positions.size(); ++i) {
+        const auto component = [&] { return static_cast<float>(random.integer(0, 255)) / 255.0f; };
+        set.colors.emplace_back(component(), component(), component());
+        if (random.chance(0.02)) set.colors.back() = Vec3f{std::numeric_limits<float>::quiet_NaN()};
+    }
+}
+
+// Groups and materials all over, and lines and points between them.
+void add_parts(IndexedFaceSet& set, Random& random) {
+    set.parts.clear();
+    for (int i = 0; i < 4; ++i) {
+        set.parts.push_back({.object = i < 2 ? "thing" : "other thing",
+                             .group = "g" + std::to_string(i),
+                             .material = i == 3 ? "" : "m" + std::to_string(i % 2),
+                             .smoothing_group = 0});
+    }
+    const auto vertex = [&] {
+        return IndexedFaceSet::Corner{.position = static_cast<std::uint32_t>(random.integer(
+                                          0, static_cast<int>(set.positions.size()) - 1))};
+    };
+    for (std::uint32_t p = 0; p < set.polygon_count(); ++p) {
+        set.polygon_part[p] = static_cast<std::uint32_t>(random.integer(0, 3));
+        if (!random.chance(0.05)) continue;
+        const bool is_line = random.chance(0.5);
+        for (int i = random.integer(2, 4); i > 0; --i) set.element_corners.push_back(vertex());
+        set.elements.push_back(
+            {.kind = is_line ? IndexedFaceSet::Element::Kind::line
+                             : IndexedFaceSet::Element::Kind::points,
+             .before_polygon = p,
+             .part = static_cast<std::uint32_t>(random.integer(0, 3)),
+             .corners_end = static_cast<std::uint32_t>(set.element_corners.size())});
+    }
+}
+
 }  // namespace
 
 Vec3 Random::direction() {
@@ -98,6 +177,12 @@ RandomMesh random_mesh(Random& random) {
         add_uvs(set, random);
         description += ", with uvs";
     }
+    if (random.chance(0.3)) {
+        damage(set, random);
+        description += ", damaged";
+    }
+    if (random.chance(0.3)) add_colors(set, random);
+    if (random.chance(0.3)) add_parts(set, random);
     const double crease_angle = random.chance(0.5) ? 45.0 : random.uniform(5.0, 170.0);
     return {build_mesh(set, {.crease_angle = crease_angle}).mesh, description};
 }

@@ -39,7 +39,8 @@ struct RandomMesh {
 };
 
 // Coarse and fine spheres, open grids, cubes with creases, cylinders, tori, a two-triangle
-// square; many of them perturbed, stretched or with thin triangles, some with texture coordinates.
+// square; many of them perturbed, stretched or with thin triangles, some with texture coordinates,
+// colours, groups, lines; some damaged: not manifold, with faces turned, doubled or degenerate.
 RandomMesh random_mesh(Random& random);
 
 // A drag of a point of the mesh by a brush or a cage with unequal cells, as one step of a warp.

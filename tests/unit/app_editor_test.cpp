@@ -34,7 +34,8 @@ class EditorTest : public testing::Test {
     }
     // On a sphere of the given resolution.
     Editor editor(std::optional<Recorder> recorder = {}, int resolution = 3) const {
-        Editor made(std::move(recorder));
+        Editor made(std::move(recorder),
+                    std::chrono::hours(1));  // no file goes on in the background
         made.handle(event::Resize{kSize});
         made.new_shape(command::Shape::Kind::sphere, resolution);
         return made;

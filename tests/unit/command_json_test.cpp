@@ -30,7 +30,7 @@ class RandomCommand {
     explicit RandomCommand(std::uint64_t seed) : bits_(seed) {}
 
     Command operator()() {
-        switch (below(14)) {
+        switch (below(15)) {
             case 0:
                 return command::Open{text(), from(0.0, 180.0)};
             case 1:
@@ -58,6 +58,8 @@ class RandomCommand {
                                          point()};
             case 12:
                 return control();
+            case 13:
+                return command::Bake{};
             default:
                 return command::Stats{text()};
         }
@@ -388,6 +390,7 @@ TEST(ScriptHeader, IsVersionOneAndNothingElse) {
 TEST(StatisticsJson, HasItsFieldsInOrderAndEndsWithANewline) {
     Statistics statistics;
     statistics.vertices = 12;
+    statistics.input = {{"lines", 3}, {"points", 0}};
     statistics.last.seconds.refine = 0.25;
     statistics.angle_min_deg = std::numeric_limits<double>::quiet_NaN();
     const std::string text = format_statistics(statistics);
@@ -398,6 +401,9 @@ TEST(StatisticsJson, HasItsFieldsInOrderAndEndsWithANewline) {
                               "\"base_vertices\"",
                               "\"base_faces\"",
                               "\"max_level\"",
+                              "\"input\": {\n",
+                              "\"lines\": 3,\n",
+                              "\"points\": 0\n  },\n",
                               "\"last\": {\n",
                               "\"splits\"",
                               "\"unsplits\"",

@@ -193,5 +193,19 @@ TEST_F(AtomicFileTest, IsReadBackOrRefusedWithAReason) {
     EXPECT_NE(reason(path("a/b")).find("not a folder"), std::string::npos);
 }
 
+TEST_F(AtomicFileTest, IsReadUpToAGivenSizeOnly) {
+    write_file_atomically(path("a"), std::string(3 << 20, 'x'));
+    EXPECT_EQ(read_whole_file(path("a"), {}, 3 << 20).size(), std::size_t{3} << 20);
+    try {
+        read_whole_file(path("a"), {}, 2 << 20);
+        ADD_FAILURE() << "read more than asked for";
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.message(), "is larger than 2 MB");
+    }
+    // Far larger than the memory, but nothing but a hole.
+    fs::resize_file(path("a"), std::uintmax_t{1} << 42);
+    EXPECT_THROW(read_whole_file(path("a"), {}, 4 << 20), FileError);
+}
+
 }  // namespace
 }  // namespace pectin

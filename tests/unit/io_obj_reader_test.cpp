@@ -1,13 +1,18 @@
 #include "io/obj_reader.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
+#include <algorithm>
 #include <cmath>
 #include <cstdint>
+#include <filesystem>
 #include <random>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "io/atomic_file.h"
 #include "io/file_error.h"
 
 namespace pectin {
@@ -72,10 +77,25 @@ TEST(ReadObj, ReadsEveryKindOfLine) {
     }
 }
 
-TEST(ReadObj, AcceptsAFourthCoordinateColoursAndAThirdTextureCoordinate) {
-    const IndexedFaceSet f =
-        parse("v 0 0 0 1\nv 1 0 0 0.1 0.2 0.3\nv 0 1 0\nvt 1\nvt 1 2 3\nf 1/1 2/2 3/2\n");
+TEST(ReadObj, TakesThreeNumbersBehindTheCoordinatesForAColour) {
+    const IndexedFaceSet f = parse(
+        "v 0 0 0 1\nv 1 0 0 0.1 0.2 1e-50\nv 0 1 0\nv 1 1 1 9 9\nv 2 2 2 1 0.5 0 0.25\n"
+        "v 3 3 3 7e40\nf 1 2 3\n");
     EXPECT_EQ(f.positions[1], (Vec3{1, 0, 0}));
+    EXPECT_EQ(f.positions[4], (Vec3{2, 2, 2}));
+    ASSERT_EQ(f.colors.size(), f.positions.size());
+    EXPECT_EQ(f.colors[1], Vec3f(0.1f, 0.2f, 0.0f));
+    EXPECT_EQ(f.colors[4], Vec3f(1.0f, 0.5f, 0.0f));
+    for (std::size_t v : {0u, 2u, 3u, 5u}) {
+        for (int i = 0; i < 3; ++i) EXPECT_TRUE(std::isnan(f.colors[v][i])) << v;
+    }
+    EXPECT_TRUE(parse(kTriangle + "v 1 1 1 1\nf 1 2 3\n").colors.empty());
+    EXPECT_EQ(refusal("v 0 0 0 1 1e39 0"), "t.obj:1: '1e39' is too large a number");
+    EXPECT_EQ(refusal("v 0 0 0 1 1 nan"), "t.obj:1: 'nan' is not a finite number");
+}
+
+TEST(ReadObj, IgnoresAThirdTextureCoordinate) {
+    const IndexedFaceSet f = parse(kTriangle + "vt 1\nvt 1 2 3\nf 1/1 2/2 3/2\n");
     EXPECT_EQ(f.uvs, (std::vector<Vec2f>{Vec2f(1, 0), Vec2f(1, 2)}));
 }
 
@@ -98,10 +118,48 @@ TEST(ReadObj, ReadsPolygonsOfAnySize) {
     EXPECT_EQ(f.corners[599].position, 599u);
 }
 
-TEST(ReadObj, LeavesOutFacesWithoutSurfaceButKeepsRepeatedVertices) {
-    const IndexedFaceSet f = parse(kTriangle + "f\nf 1\nf 1 2\nl 0 0\np x\nf 1 1 2\nf 3 2 1");
-    EXPECT_EQ(position_indices(f), (Indices{0, 0, 1, 2, 1, 0}));
-    EXPECT_EQ(f.polygon_count(), 2u);
+TEST(ReadObj, KeepsFacesWithoutSurfaceAndRepeatedVertices) {
+    const IndexedFaceSet f = parse(kTriangle + "f\nf 1\nf 1 2\nf 1 1 2\nf # none\nf 3 2 1 3");
+    EXPECT_EQ(position_indices(f), (Indices{0, 0, 1, 0, 0, 1, 2, 1, 0, 2}));
+    EXPECT_EQ(f.polygon_end, (Indices{1, 3, 6, 10}));
+}
+
+TEST(ReadObj, KeepsLinesAndPointsInTheirPlaces) {
+    using Kind = IndexedFaceSet::Element::Kind;
+    const IndexedFaceSet f = parse(kTriangle +
+                                   "vt 0 0\np 3\ng wire\nl 1 2/1 -1\nl\nf 1 2 3\nf 1 2 3\n"
+                                   "g dots\np 1 2 # 3\nl 5 1\nv 9 9 9\nv 8 8 8\n");
+    ASSERT_EQ(f.elements.size(), 4u);
+    const Kind kinds[] = {Kind::points, Kind::line, Kind::points, Kind::line};
+    const Indices before = {0, 0, 2, 2}, parts = {0, 1, 2, 2}, ends = {1, 4, 6, 8};
+    for (std::size_t i = 0; i < 4; ++i) {
+        EXPECT_EQ(f.elements[i].kind, kinds[i]) << i;
+        EXPECT_EQ(f.elements[i].before_polygon, before[i]) << i;
+        EXPECT_EQ(f.elements[i].part, parts[i]) << i;
+        EXPECT_EQ(f.elements[i].corners_end, ends[i]) << i;
+    }
+    EXPECT_EQ(f.parts, (std::vector<Part>{{}, {"", "wire", "", 0}, {"", "dots", "", 0}}));
+    EXPECT_EQ(f.polygon_part, (Indices{1, 1}));
+    Indices positions, uvs;
+    for (const auto& corner : f.element_corners) {
+        positions.push_back(corner.position);
+        uvs.push_back(corner.uv);
+    }
+    EXPECT_EQ(positions, (Indices{2, 0, 1, 2, 0, 1, 4, 0}));
+    EXPECT_EQ(uvs[2], 0u);
+    EXPECT_EQ(std::count(uvs.begin(), uvs.end(), kNoIndex), 7);
+}
+
+TEST(ReadObj, ChecksTheIndicesOfLinesAndPointsAsThoseOfFaces) {
+    EXPECT_EQ(refusal(kTriangle + "l 0 1"), "t.obj:4: '0' has an index 0; they count from 1");
+    EXPECT_EQ(refusal(kTriangle + "p x"),
+              "t.obj:4: 'x' is no corner; corners look like 1, 1/2, 1//3 or 1/2/3");
+    EXPECT_EQ(refusal(kTriangle + "p 1\nl 1 -4\nf 1 2 3"),
+              "t.obj:5: vertex -4 does not exist; up to here are 3");
+    EXPECT_EQ(refusal(kTriangle + "l 1 2/2\nf 1 2 3"),
+              "t.obj:4: texture coordinate 2 does not exist; the file has 0");
+    EXPECT_EQ(refusal(kTriangle + "f 1 2 3\np 4\n"),
+              "t.obj:5: vertex 4 does not exist; the file has 3");
 }
 
 TEST(ReadObj, KeepsObjectGroupMaterialAndSmoothingGroupApart) {
@@ -185,6 +243,12 @@ TEST(ReadObj, NamesTheLineOfABadIndex) {
               "t.obj:4: normal 1 does not exist; the file has 0");
     EXPECT_EQ(refusal(kTriangle + "f 5 2 3\nf 4 2 3\nf 1 2 9\nv 0 0 0\nv 0 0 0"),
               "t.obj:6: vertex 9 does not exist; the file has 5");
+    EXPECT_EQ(refusal(kTriangle + "f 1 2 2147483647"),
+              "t.obj:4: vertex 2147483647 does not exist; the file has 3");
+    EXPECT_EQ(refusal(kTriangle + "f 1 2 -2147483648"),
+              "t.obj:4: vertex -2147483648 does not exist; up to here are 3");
+    EXPECT_EQ(refusal(kTriangle + "f 1 2 2147483648"),
+              "t.obj:4: '2147483648' has an index that is too large");
     const char* wrong[] = {
         "f 1 2 x",    "f 1 2 3.5", "f 1 2 3/1/1/1",        "f 1/2 /1 3", "f 1 2 3,",
         "f 1 2 3/0",  "f 1 2 -",   "f 1 2 4294967297",     "f 1 2 3//x", "f 1 2 +3",
@@ -195,7 +259,7 @@ TEST(ReadObj, NamesTheLineOfABadIndex) {
 }
 
 TEST(ReadObj, RefusesTextWithoutFaces) {
-    for (const std::string& text : {std::string(), kTriangle, kTriangle + "f 1 2\n",
+    for (const std::string& text : {std::string(), kTriangle, kTriangle + "f\np 1\nl 1 2\n",
                                     std::string("\0\0\xFF\xFE", 4), std::string("\\")}) {
         EXPECT_TRUE(refusal(text).starts_with("t.obj: holds no faces; ")) << text;
     }
@@ -221,6 +285,85 @@ TEST(ReadObj, IgnoresOrRefusesBinaryJunkButNeverFails) {
 
 TEST(ReadObj, RefusesNamesThatWouldFillTheMemory) {
     EXPECT_TRUE(refusal("o " + std::string(5000, 'x')).starts_with("t.obj:1: the name is longer"));
+    // A copy of a long name for each of the short lines: 4 KB for 12 bytes.
+    std::string text = kTriangle + "o " + std::string(4000, 'x') + "\n";
+    for (int i = 1; i <= 1000; ++i) text += "s " + std::to_string(i) + "\nf 1 2 3\n";
+    const std::string message = refusal(text);
+    EXPECT_NE(message.find("too many combinations of long object, group"), message.npos) << message;
+}
+
+TEST(ReadObj, KeepsManyPartsWithNamesOfOrdinaryLength) {
+    std::string text = kTriangle;
+    for (int i = 0; i < 20000; ++i) text += "g group" + std::to_string(i) + "\nf 1 2 3\n";
+    const IndexedFaceSet f = parse(text);
+    ASSERT_EQ(f.parts.size(), 20000u);
+    EXPECT_EQ(f.parts[19999].group, "group19999");
+    EXPECT_EQ(f.polygon_part[19999], 19999u);
+}
+
+TEST(ReadObj, RefusesMoreThanTheIdsOfAMeshCanTellApart) {
+    const auto message = [](const std::string& text, const ObjLimits& limits) -> std::string {
+        try {
+            parse_obj(text, "t.obj", {}, limits);
+        } catch (const FileError& error) {
+            return error.what();
+        }
+        return "accepted";
+    };
+    const std::string text = kTriangle + "f 1 2\nf 1 2 3\nf 1 2 3 1 2\n";
+    EXPECT_EQ(message(text, {.triangles = 4}), "accepted");
+    EXPECT_EQ(message(text, {.triangles = 3}),
+              "t.obj:6: more than 3 triangles up to here; split the model into several files");
+    EXPECT_EQ(message(text, {.bytes = text.size()}), "accepted");
+    EXPECT_EQ(message(std::string(1 << 20, '\n') + text, {.bytes = 1 << 20}),
+              "t.obj: is larger than 1 MB");
+    EXPECT_LT(3u * std::uint64_t{ObjLimits{}.triangles}, std::uint64_t{1} << 31);
+}
+
+// Enough for many reports.
+std::string long_text() {
+    std::string text;
+    for (int i = 0; i < 100000; ++i) text += "v 1.5 2.5 " + std::to_string(i) + "\n";
+    return text + "f 1 2 3\n";
+}
+
+TEST(ReadObj, TellsHowFarItHasCome) {
+    const std::string text = long_text();
+    std::vector<double> reports;
+    parse_obj(text, "t.obj", Progress({}, [&](double fraction) { reports.push_back(fraction); }));
+    EXPECT_GE(reports.size(), text.size() / 70000);
+    EXPECT_LE(reports.size(), text.size() / 65536);
+    EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+    EXPECT_GT(reports.front(), 0.0);
+    EXPECT_GT(reports.back(), 0.9);
+    EXPECT_LE(reports.back(), 1.0);
+}
+
+TEST(ReadObj, EndsWhereItIsCancelled) {
+    std::stop_source stop;
+    int reports = 0;
+    const Progress progress(stop.get_token(), [&](double) {
+        if (++reports == 3) stop.request_stop();
+    });
+    EXPECT_THROW(parse_obj(long_text(), "t.obj", progress), Cancelled);
+    EXPECT_EQ(reports, 3);
+}
+
+TEST(ReadObj, ReadsAFileWithProgressFromBeginToEnd) {
+    const std::filesystem::path path =
+        std::filesystem::temp_directory_path() / ("pectin-" + std::to_string(::getpid()) + ".obj");
+    write_file_atomically(path.string(), long_text());
+    std::vector<double> reports;
+    const IndexedFaceSet f = read_obj(
+        path.string(), Progress({}, [&](double fraction) { reports.push_back(fraction); }));
+    EXPECT_EQ(f.positions.size(), 100000u);
+    EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
+    EXPECT_LE(reports.back(), 1.0);
+
+    std::stop_source stop;
+    stop.request_stop();
+    EXPECT_THROW(read_obj(path.string(), Progress(stop.get_token(), {})), Cancelled);
+    std::filesystem::remove(path);
 }
 
 }  // namespace

@@ -258,9 +258,15 @@ TEST(ActiveSet, PutsInsertedVerticesAtTheMidpointOfTheRestState) {
         EXPECT_EQ(active.rest_position(s.m), middle);
         EXPECT_EQ(mesh.position(s.m), middle);
         EXPECT_EQ(active.vertex(inserted.vertex_entry), s.m);
-        EXPECT_EQ(active.wedge(inserted.left_wedge_entry), s.left.m);
-        EXPECT_EQ(active.wedge(inserted.right_wedge_entry), s.right->m);
-        EXPECT_EQ(active.wedge_owner(inserted.right_wedge_entry), inserted.vertex_entry);
+        std::set<WedgeId> wedges;
+        for (std::uint32_t entry : inserted.wedge_entries) {
+            EXPECT_EQ(active.wedge_owner(entry), inserted.vertex_entry);
+            wedges.insert(active.wedge(entry));
+        }
+        EXPECT_EQ(wedges, (std::set{s.left.m, s.right->m}));
+        EXPECT_EQ(inserted.wedge_entries.size(), wedges.size());
+        EXPECT_EQ(std::set(inserted.edges.begin(), inserted.edges.end()),
+                  (std::set{s.bm, s.mc, s.am, s.dm}));
         for (const Split::Side& side : {s.left, *s.right}) {
             EXPECT_EQ(active.rest_normal(side.m),
                       midpoint_normal(rest.normal(side.b), rest.normal(side.c), Vec3{0.0}));

@@ -59,6 +59,11 @@ constexpr Literal kBowTie{"bow-tie",  // two sheets meet in one vertex
 constexpr Literal kBook{"book",  // three faces at one edge, cut into boundaries
                         "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\n"
                         "f 1 2 3\nf 1 2 4\nf 1 2 5\n"};
+constexpr Literal kTurnedPage{"turned page",  // the same with one of the three the other way round
+                              "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\n"
+                              "f 1 2 3\nf 2 1 4\nf 1 2 5\n"};
+constexpr Literal kTwice{"twice",  // one face upon another: all its edges are cut
+                         "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n"};
 constexpr Literal kHalfTextured{"half textured",  // one face has no texture coordinates
                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
                                 "f 1/1 2/2 3/3\nf 3 2 4\n"};
@@ -97,7 +102,7 @@ class SplitOf : public testing::TestWithParam<Literal> {
             SCOPED_TRACE("edge " + std::to_string(index(e)));
             TriMesh cut = whole;
             const Split s = cut.split(e);
-            visit(whole, cut, s, e);
+            visit(whole, cut, s, whole.leader(e));
         }
     }
 };
@@ -121,7 +126,7 @@ TEST_P(SplitOf, EveryTwoEdgesAreUndoneToTheByte) {
             TriMesh twice = once;
             const Split t = twice.split(second);
             EXPECT_EQ(twice.validate(), kValid);
-            undo_split(twice, t.m, second);
+            undo_split(twice, t.m, once.leader(second));
             EXPECT_EQ(twice.validate(), kValid);
             undo_split(twice, s.m, e);
             twice.truncate(whole.slot_counts());
@@ -131,16 +136,15 @@ TEST_P(SplitOf, EveryTwoEdgesAreUndoneToTheByte) {
 }
 
 TEST_P(SplitOf, AnEdgeReplacesItsFacesByTheirHalves) {
-    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId) {
+    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId e) {
         std::multiset<Corners> expected = faces_of(whole);
-        expected.erase(expected.find(canonical(s.a, s.b, s.c)));
-        expected.insert(canonical(s.a, s.b, s.m));
-        expected.insert(canonical(s.a, s.m, s.c));
-        if (s.right) {
-            expected.erase(expected.find(canonical(s.d, s.c, s.b)));
-            expected.insert(canonical(s.d, s.c, s.m));
-            expected.insert(canonical(s.d, s.m, s.b));
-        }
+        whole.for_each_side(e, [&](HalfEdgeId h) {
+            const VertexId b = whole.origin(h), c = whole.target(h);
+            const VertexId a = whole.origin(TriMesh::prev(h));
+            expected.erase(expected.find(canonical(a, b, c)));
+            expected.insert(canonical(a, b, s.m));
+            expected.insert(canonical(a, s.m, c));
+        });
         EXPECT_EQ(faces_of(cut), expected);
         EXPECT_EQ(euler_characteristic(cut), euler_characteristic(whole));
         EXPECT_NEAR(test::area(cut), test::area(whole), 1e-14);
@@ -179,14 +183,16 @@ TEST_P(SplitOf, AnEdgeSetsLevelsOneAboveThoseAround) {
             TriMesh twice = once;
             const int level = twice.level(second);
             const Split t = twice.split(second);
-            int highest = std::max({once.level(t.a), once.level(t.b), once.level(t.c)});
-            if (t.right) highest = std::max(highest, int{once.level(t.d)});
+            int highest = std::max(once.level(t.b), once.level(t.c));
+            once.for_each_side(second, [&](HalfEdgeId h) {
+                highest = std::max(highest, int{once.level(once.origin(TriMesh::prev(h)))});
+            });
             EXPECT_EQ(twice.level(t.m), highest + 1);
             EXPECT_EQ(twice.level(t.am), highest + 1);
             if (t.right) {
                 EXPECT_EQ(twice.level(t.dm), highest + 1);
             }
-            EXPECT_EQ(t.bm, second);
+            EXPECT_EQ(t.bm, once.leader(second));
             EXPECT_EQ(twice.level(t.bm), level);
             EXPECT_EQ(twice.level(t.mc), level);
         }
@@ -214,7 +220,9 @@ TEST_P(SplitOf, AnEdgeMakesOneWedgeWhereTheSidesAgreeAndTwoWhereNot) {
         const HalfEdgeId bc = whole.half_edge(e), cb = whole.twin(bc);
         const bool smooth = !exists(cb) || (whole.wedge(bc) == whole.wedge(TriMesh::next(cb)) &&
                                             whole.wedge(cb) == whole.wedge(TriMesh::next(bc)));
-        EXPECT_EQ(cut.wedge_slots() - whole.wedge_slots(), smooth ? 1u : 2u);
+        std::uint32_t sides = 0;
+        whole.for_each_side(e, [&](HalfEdgeId) { ++sides; });
+        EXPECT_EQ(cut.wedge_slots() - whole.wedge_slots(), s.right && smooth ? 1u : sides);
         if (s.right) {
             EXPECT_EQ(s.right->m == s.left.m, smooth);
         }
@@ -235,6 +243,42 @@ TEST_P(SplitOf, AnEdgeMakesOneWedgeWhereTheSidesAgreeAndTwoWhereNot) {
     });
 }
 
+TEST_P(SplitOf, AnEdgeCutsItsSiblingsAtTheSameVertexAndNowhereElse) {
+    for_each_split([](const TriMesh&, TriMesh& once, const Split&, EdgeId) {
+        for (EdgeId second : live_edges(once)) {
+            TriMesh twice = once;
+            const Split t = twice.split(second);
+            // As many edges lie along each half as lay along the whole, between the same ends.
+            std::size_t sides = 0;
+            once.for_each_side(second, [&](HalfEdgeId) { ++sides; });
+            std::multiset<VertexId> far_ends;
+            for (std::uint32_t i = 0; i < 3 * twice.face_slots(); ++i) {
+                const HalfEdgeId h{i};
+                if (twice.origin(h) == t.m) far_ends.insert(twice.target(h));
+                if (twice.target(h) == t.m) far_ends.insert(twice.origin(h));
+            }
+            EXPECT_EQ(far_ends.count(t.b), sides);
+            EXPECT_EQ(far_ends.count(t.c), sides);
+            EXPECT_EQ(far_ends.size(), 4 * sides);
+            const auto star = twice.removable(t.m);
+            ASSERT_TRUE(star.has_value());
+            std::set<FaceId> faces;
+            std::size_t sheets = 0;
+            twice.for_each_sheet(*star, [&](const Star& sheet) {
+                ++sheets;
+                EXPECT_EQ(sheet.m, t.m);
+                EXPECT_EQ(std::minmax({sheet.b, sheet.c}), std::minmax({t.b, t.c}));
+                faces.insert({TriMesh::face(sheet.mc), TriMesh::face(sheet.bm)});
+                if (!sheet.on_boundary()) {
+                    faces.insert({TriMesh::face(sheet.cm), TriMesh::face(sheet.mb)});
+                }
+            });
+            EXPECT_EQ(faces.size(), 2 * sides);
+            EXPECT_EQ(sheets, t.right ? 1u : sides);
+        }
+    });
+}
+
 TEST_P(SplitOf, AnEdgeMarksTheMidpointDeformedIfAnEndIs) {
     for_each_split([](const TriMesh& whole, const TriMesh&, const Split& s, EdgeId e) {
         for (VertexId v : {s.a, s.b, s.c, s.d}) {
@@ -250,7 +294,7 @@ TEST_P(SplitOf, AnEdgeMarksTheMidpointDeformedIfAnEndIs) {
 INSTANTIATE_TEST_SUITE_P(EveryShape, SplitOf,
                          testing::Values(kSingleTriangle, kTwoTriangles, kTetrahedron, kPillow,
                                          kCube, kSeam, kHalfCrease, kOtherHalfCrease, kBowTie,
-                                         kBook, kHalfTextured));
+                                         kBook, kTurnedPage, kTwice, kHalfTextured));
 
 TEST(Split, MakesTwoWedgesAcrossACreaseASeamAndAHalfCreaseOnly) {
     const auto wedges_made = [](const Literal& literal, std::uint32_t v, std::uint32_t w) {

@@ -2,6 +2,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cstdlib>
+#include <filesystem>
 #include <memory>
 
 #include "replay/program.h"
@@ -202,6 +204,41 @@ TEST_F(WindowTest, DroppingAFileOpensItAndOneThatIsNoModelLeavesTheObject) {
     EXPECT_EQ(recorded("letter.obj"), 0u);
     EXPECT_TRUE(folder().read("window.obj") == replayed());
     EXPECT_NE(folder().read("window.obj").find("v 0 0 1"), std::string::npos);
+}
+
+// Escape gives up a file that is being read; the object is as before.
+TEST_F(WindowTest, ALargeFileIsOpenedInTheBackgroundAndCanBeCancelled) {
+    // With sanitizers a quarter of it takes as long.
+    const int resolution = std::getenv("PECTIN_TEST_SANITIZED") ? 7 : 8;
+    const std::string script = folder().write_script(
+        "large.jsonl",
+        {R"({"cmd": "shape", "kind": "sphere", "resolution": )" + std::to_string(resolution) + "}",
+         R"({"cmd": "save", "path": "large.obj"})"});
+    ASSERT_EQ(run_program({"replay", script}).exit_status, 0);
+    // What is open is there where saving it once more gives the very same bytes.
+    const auto expect_open = [&](const std::string& name, std::size_t saves) {
+        const std::string before = folder().read(name);
+        std::filesystem::remove(path(name));
+        desktop().key("ctrl+s");
+        ASSERT_TRUE(records("\"save\"", saves)) << record();
+        EXPECT_TRUE(folder().read(name) == before);
+    };
+    open_window();
+    save_as("ball.obj");
+    ASSERT_TRUE(desktop().drop(path("large.obj")));
+    desktop().key("Escape");
+    // The dialog takes all keys until it is gone.
+    ASSERT_TRUE(eventually([&] {
+        desktop().key("bracketleft");
+        return recorded("\"brush\"") > 0;
+    }));
+    expect_open("ball.obj", 2);
+    EXPECT_EQ(recorded("\"open\""), 0u);
+
+    ASSERT_TRUE(desktop().drop(path("large.obj")));
+    ASSERT_TRUE(eventually([&] { return recorded("\"open\"") == 1; }, 60s));
+    expect_open("large.obj", 3);
+    quit();
 }
 
 TEST_F(WindowTest, ModelOfTheCommandLineIsOpenAndOneThatIsNoneLeavesASphere) {

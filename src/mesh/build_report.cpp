@@ -1,0 +1,78 @@
+#include "mesh/build_report.h"
+
+#include <algorithm>
+#include <array>
+#include <vector>
+
+#include "mesh/tri_mesh.h"
+
+namespace pectin {
+namespace {
+
+// Triangles on the same three vertices have all their edges cut, so only those are compared.
+std::uint32_t count_duplicates(const TriMesh& mesh) {
+    std::vector<std::array<VertexId, 3>> faces;
+    for (std::uint32_t f = 0; f < mesh.base_face_count(); ++f) {
+        std::array<VertexId, 3> corners;
+        bool is_cut_off = true;
+        for (int c = 0; c < 3; ++c) {
+            const HalfEdgeId h = TriMesh::half_edge(FaceId{f}, c);
+            corners[static_cast<std::size_t>(c)] = mesh.origin(h);
+            is_cut_off = is_cut_off && mesh.sibling(mesh.edge(h)) != mesh.edge(h);
+        }
+        if (!is_cut_off) continue;
+        std::sort(corners.begin(), corners.end());
+        faces.push_back(corners);
+    }
+    std::sort(faces.begin(), faces.end());
+    const auto distinct = std::unique(faces.begin(), faces.end());
+    return static_cast<std::uint32_t>(faces.end() - distinct);
+}
+
+// Of the vertex of an outgoing half-edge, how many corners hang together with it.
+std::uint32_t corners_in_sheet(const TriMesh& mesh, HalfEdgeId first) {
+    std::uint32_t count = 1;
+    HalfEdgeId twin = mesh.twin(first);
+    for (; exists(twin); twin = mesh.twin(TriMesh::next(twin))) {
+        if (TriMesh::next(twin) == first) return count;
+        ++count;
+    }
+    // An open sheet: the other way round, too.
+    for (twin = mesh.twin(TriMesh::prev(first)); exists(twin);
+         twin = mesh.twin(TriMesh::prev(twin))) {
+        ++count;
+    }
+    return count;
+}
+
+std::uint32_t count_nonmanifold_vertices(const TriMesh& mesh) {
+    std::vector<std::uint32_t> corners(mesh.vertex_slots(), 0);
+    for (std::uint32_t h = 0; h < 3 * mesh.face_slots(); ++h) {
+        ++corners[index(mesh.origin(HalfEdgeId{h}))];
+    }
+    std::uint32_t count = 0;
+    for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
+        if (corners[v] == 0) continue;
+        if (corners_in_sheet(mesh, mesh.half_edge(VertexId{v})) < corners[v]) ++count;
+    }
+    return count;
+}
+
+}  // namespace
+
+void survey(const TriMesh& mesh, BuildReport& report) {
+    for (std::uint32_t f = 0; f < mesh.base_face_count(); ++f) {
+        report.zero_area_faces += mesh.area_normal(FaceId{f}) == Vec3{0.0} ? 1 : 0;
+    }
+    for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
+        const bool is_boundary = !exists(mesh.twin(mesh.half_edge(EdgeId{e})));
+        report.boundary_edges += is_boundary && mesh.sibling(EdgeId{e}) == EdgeId{e} ? 1 : 0;
+    }
+    for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
+        report.isolated_vertices += exists(mesh.half_edge(VertexId{v})) ? 0 : 1;
+    }
+    report.duplicate_faces = count_duplicates(mesh);
+    report.nonmanifold_vertices = count_nonmanifold_vertices(mesh);
+}
+
+}  // namespace pectin

@@ -1,0 +1,20 @@
+#include "mesh/input_form.h"
+
+#include "mesh/array_bytes.h"
+
+namespace pectin {
+
+bool InputForm::operator==(const InputForm& o) const {
+    return parts == o.parts && material_libraries == o.material_libraries &&
+           outlines == o.outlines && outline_corners == o.outline_corners &&
+           elements == o.elements && same_bytes(element_corners, o.element_corners) &&
+           same_bytes(loose_corners, o.loose_corners);
+}
+
+std::size_t InputForm::memory_bytes() const {
+    return capacity_bytes(parts) + capacity_bytes(outlines) + capacity_bytes(outline_corners) +
+           capacity_bytes(elements) + capacity_bytes(element_corners) +
+           capacity_bytes(loose_corners);
+}
+
+}  // namespace pectin

@@ -1,0 +1,77 @@
+// How the input put its surface, where triangles alone do not say: a save puts it the same way.
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "geometry/vec.h"
+#include "mesh/ids.h"
+#include "mesh/indexed_face_set.h"
+
+namespace pectin {
+
+// A corner that no triangle has: of a polygon without surface, of a line or of points.
+struct LooseCorner {
+    VertexId vertex = kNone<VertexId>;
+    Vec2f uv{0.0f};      // NaN where it has none
+    Vec3f normal{0.0f};  // unit, or 0 where undefined
+};
+
+// A corner of a polygon: that of a base face, as long as the face is not split, or a loose one.
+class OutlineCorner {
+  public:
+    static OutlineCorner of(HalfEdgeId h) { return OutlineCorner{index(h)}; }
+    static OutlineCorner loose(std::uint32_t i) { return OutlineCorner{i | kLoose}; }
+
+    bool is_loose() const { return (bits_ & kLoose) != 0; }
+    HalfEdgeId half_edge() const { return HalfEdgeId{bits_}; }
+    std::uint32_t loose_index() const { return bits_ & ~kLoose; }  // into InputForm::loose_corners
+    bool operator==(const OutlineCorner&) const = default;
+
+  private:
+    static constexpr std::uint32_t kLoose = 0x80000000u;  // half-edges of base faces lie below
+    explicit OutlineCorner(std::uint32_t bits) : bits_(bits) {}
+    std::uint32_t bits_;
+};
+
+// Sculpting leaves all of this as it is.
+struct InputForm {
+    std::vector<Part> parts;
+    std::vector<std::string> material_libraries;
+
+    // A polygon that is not just one triangle, in input order; most meshes of triangles have none.
+    struct Outline {
+        std::uint32_t polygon = 0;        // of the input, ascending
+        std::uint32_t part = 0;           // into parts
+        std::uint32_t corners_begin = 0;  // into outline_corners; ends where the next begins
+        bool operator==(const Outline&) const = default;
+    };
+    std::vector<Outline> outlines;
+    std::vector<OutlineCorner> outline_corners;
+
+    // Lines and points, in input order.
+    using Element = IndexedFaceSet::Element;
+    std::vector<Element> elements;
+    std::vector<LooseCorner> element_corners;
+
+    std::vector<LooseCorner> loose_corners;
+
+    std::span<const OutlineCorner> corners(std::size_t outline) const {
+        const std::size_t begin = outlines[outline].corners_begin;
+        const std::size_t end = outline + 1 < outlines.size() ? outlines[outline + 1].corners_begin
+                                                              : outline_corners.size();
+        return std::span(outline_corners).subspan(begin, end - begin);
+    }
+    std::span<const LooseCorner> corners(const Element& element) const {
+        const std::size_t begin = &element == elements.data() ? 0 : (&element)[-1].corners_end;
+        return std::span(element_corners).subspan(begin, element.corners_end - begin);
+    }
+
+    bool operator==(const InputForm&) const;
+    std::size_t memory_bytes() const;
+};
+
+}  // namespace pectin

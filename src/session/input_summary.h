@@ -1,0 +1,19 @@
+// What was found in a model's input and done about it, for people and for `stats`.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "command/statistics.h"
+#include "mesh/build_mesh.h"
+
+namespace pectin {
+
+// All counts of the report, by their names in `stats`.
+std::vector<Statistics::Count> input_counts(const BuildReport& report);
+
+// "beetle.obj: 47 edges cut ...; 2 vertices without faces": what is worth telling, in one sentence
+// that begins with the file's name. Empty where all is as it should be.
+std::string input_summary(const std::string& path, const BuildReport& report);
+
+}  // namespace pectin

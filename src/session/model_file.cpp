@@ -1,0 +1,72 @@
+#include "session/model_file.h"
+
+#include <algorithm>
+#include <cctype>
+#include <filesystem>
+#include <string_view>
+#include <utility>
+
+#include "io/file_error.h"
+#include "io/material_files.h"
+#include "io/obj_reader.h"
+#include "io/obj_writer.h"
+
+namespace pectin {
+namespace {
+
+// Where reading ends and building ends, of the time that loading takes.
+constexpr double kRead = 0.5, kBuilt = 0.8;
+// Where copying material files ends, of the time that saving takes.
+constexpr double kCopied = 0.1;
+
+bool has_extension(const std::string& path, std::string_view extension) {
+    if (path.size() < extension.size()) return false;
+    return std::equal(
+        extension.begin(), extension.end(),
+        path.end() - static_cast<std::ptrdiff_t>(extension.size()),
+        [](char y, char x) { return std::tolower(static_cast<unsigned char>(x)) == y; });
+}
+
+std::string folder_of(const std::string& path) {
+    const std::string folder = std::filesystem::path(path).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+}  // namespace
+
+LoadedModel make_model(BuiltMesh built) {
+    LoadedModel model;
+    model.mesh = std::make_unique<TriMesh>(std::move(built.mesh));
+    model.active = std::make_unique<ActiveSet>(*model.mesh);
+    model.report = built.report;
+    model.box = model.mesh->bounding_box();
+    return model;
+}
+
+LoadedModel load_model(const command::Open& open, const Progress& progress) {
+    LoadedModel model = make_model(build_mesh(read_obj(open.path, progress.part(0.0, kRead)),
+                                              {.crease_angle = open.crease_angle}));
+    if (model.mesh->face_slots() == 0) {
+        throw FileError(open.path,
+                        "has no face with three different vertices; a model needs at least one");
+    }
+    model.folder = folder_of(open.path);
+    progress.advance(kBuilt);
+    model.tree = std::make_unique<FaceTree>(*model.mesh);
+    progress.advance(1.0);
+    return model;
+}
+
+void save_model(const TriMesh& mesh, const command::Save& save, const std::string& folder,
+                const Progress& progress) {
+    if (!has_extension(save.path, ".obj")) {
+        throw FileError(save.path, "does not end in .obj; save writes OBJ files");
+    }
+    if (!folder.empty()) {
+        copy_material_files(mesh.input_form().material_libraries, folder, folder_of(save.path),
+                            progress.part(0.0, kCopied));
+    }
+    write_obj(mesh, save.path, progress.part(kCopied, 1.0));
+}
+
+}  // namespace pectin

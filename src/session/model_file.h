@@ -1,0 +1,44 @@
+// Models from files and to files: long work that touches no session, on whatever thread.
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "command/command.h"
+#include "geometry/box.h"
+#include "io/progress.h"
+#include "mesh/active_set.h"
+#include "mesh/build_mesh.h"
+#include "mesh/face_tree.h"
+#include "mesh/tri_mesh.h"
+
+namespace pectin {
+
+// An object with all that follows from it alone, for Session::adopt. Behind pointers: the active
+// set refers to the mesh wherever the object goes.
+struct LoadedModel {
+    std::unique_ptr<TriMesh> mesh;
+    std::unique_ptr<ActiveSet> active;
+    std::unique_ptr<FaceTree> tree;  // none: it is made when first asked for
+    BuildReport report;              // what building it took
+    Box box;                         // of all its vertices
+    std::string folder{};            // of its file, where its material files lie; empty: no file
+};
+
+// Without a tree. Cost: O(n).
+LoadedModel make_model(BuiltMesh built);
+
+// Reads the file and makes a model of it, tree and all, so that neither the first pick nor the
+// first drag has to wait. Throws Cancelled, FileError: read_obj's, or that there is no surface.
+// Cost: O(n log n).
+LoadedModel load_model(const command::Open& open, const Progress& progress = {});
+
+// Writes the mesh to the file, whole or not at all; before that copies the material files it names
+// from `folder`, where they are, to that of the file, where they are not yet (copy_material_files).
+// folder: as LoadedModel has it. Nobody may change the mesh meanwhile. Throws Cancelled (the file
+// is as it was), FileError: write_obj's, copy_material_files', or that it is no OBJ file. Cost:
+// O(n).
+void save_model(const TriMesh& mesh, const command::Save& save, const std::string& folder,
+                const Progress& progress = {});
+
+}  // namespace pectin

@@ -1,0 +1,300 @@
+// Files that are read and written in the background, while the window goes on.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <functional>
+#include <thread>
+
+#include "app/editor.h"
+#include "io/obj_writer.h"
+
+namespace pectin {
+namespace {
+
+using namespace std::chrono_literals;
+namespace fs = std::filesystem;
+constexpr Vec2 kMiddle{640, 400};
+constexpr Modifiers kControl{.control = true};
+constexpr const char* kTetrahedron =
+    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
+
+class FileTask : public testing::Test {
+  protected:
+    FileTask() {
+        std::string name = (fs::temp_directory_path() / "pectin files XXXXXX").string();
+        folder_ = mkdtemp(name.data());
+        write("tetrahedron.obj", kTetrahedron);
+    }
+    ~FileTask() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name), std::ios::binary) << text;
+    }
+    std::string read(const std::string& name) const {
+        std::ifstream file(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    // Waits for no file at all. On a sphere; one of resolution 6 takes far longer to save than to
+    // cancel.
+    Editor editor(int resolution = 3, std::optional<Recorder> recorder = {}) const {
+        Editor made(std::move(recorder), 0ms);
+        made.handle(event::Resize{{1280, 800}});
+        made.new_shape(command::Shape::Kind::sphere, resolution);
+        return made;
+    }
+    static void drag(Editor& editor) {
+        editor.handle(event::Move{kMiddle, {}});
+        editor.handle(event::Press{MouseButton::left, kMiddle, {}});
+        editor.handle(event::Move{kMiddle + Vec2(60, -80), {}});
+        editor.handle(event::Release{MouseButton::left, kMiddle + Vec2(60, -80), {}});
+        editor.advance();
+    }
+    static void key(Editor& editor, Key key, Modifiers modifiers = {}) {
+        editor.handle(event::KeyDown{key, modifiers});
+        editor.handle(event::KeyUp{key});
+    }
+    static bool is_under_way(const Editor& editor) {
+        return editor.workspace().file_task() != nullptr;
+    }
+    // Frames until no file is under way.
+    static void wait(Editor& editor) {
+        while (is_under_way(editor)) {
+            editor.advance();
+            std::this_thread::sleep_for(1ms);
+        }
+    }
+    // All that hands can do but to cancel and to quit.
+    static void fumble(Editor& editor, const std::string& file) {
+        drag(editor);
+        key(editor, Key{'Z'}, kControl);
+        key(editor, Key{'S'}, kControl);
+        key(editor, Key{'O'}, kControl);
+        key(editor, Key{'F'});
+        key(editor, Key::enter);
+        editor.handle(event::Character{']'});
+        editor.handle(event::Scroll{3.0, kMiddle});
+        editor.handle(event::Drop{{file}});
+        editor.perform(Action::undo);
+        editor.perform(Action::save_as);
+        editor.new_shape(command::Shape::Kind::cube, 2);
+        editor.open(file);
+        editor.set_radius(0.123);
+        EXPECT_FALSE(editor.execute(command::Readapt{}));
+        EXPECT_EQ(editor.workspace().execute(command::Undo{}), Workspace::Outcome::failed);
+        EXPECT_EQ(editor.workspace().execute(command::Open{file}), Workspace::Outcome::failed);
+    }
+
+  private:
+    fs::path folder_;
+};
+
+TEST_F(FileTask, AQuickFileIsDoneAtOnce) {
+    Editor editor({}, 1h);
+    editor.open(path("tetrahedron.obj"));
+    EXPECT_FALSE(is_under_way(editor));
+    EXPECT_EQ(editor.session().mesh().face_count(), 4u);
+    EXPECT_TRUE(editor.execute(command::Save{path("copy.obj")}));
+    EXPECT_TRUE(fs::exists(path("copy.obj")));
+}
+
+TEST_F(FileTask, OpeningLeavesTheObjectUntilItIsThere) {
+    Editor editor = this->editor();
+    const TriMesh sphere = editor.session().mesh();
+    const Camera camera = editor.camera();
+    editor.open(path("tetrahedron.obj"));
+    ASSERT_TRUE(is_under_way(editor));
+    EXPECT_TRUE(editor.has_dialog());
+    while (!editor.workspace().file_task()->work.has_ended(1h)) {
+    }
+    EXPECT_EQ(editor.workspace().file_task()->work.fraction(), 1.0);
+    EXPECT_EQ(editor.session().mesh(), sphere) << "read, but not yet taken over";
+    EXPECT_EQ(editor.workspace().object_name(), "sphere");
+    editor.advance();
+    EXPECT_FALSE(is_under_way(editor));
+    EXPECT_EQ(editor.session().mesh().face_count(), 4u);
+    EXPECT_EQ(editor.workspace().object_name(), "tetrahedron.obj");
+    EXPECT_NE(editor.camera(), camera) << "not framed";
+}
+
+TEST_F(FileTask, NothingTouchesTheObjectWhileItIsSaved) {
+    Editor editor = this->editor(5);
+    drag(editor);
+    ASSERT_EQ(editor.session().undo_count(), 1u);
+    const TriMesh before = editor.session().mesh();
+    const double radius = editor.radius();
+    const Camera camera = editor.camera();
+    editor.execute(command::Save{path("ball.obj")});
+    ASSERT_TRUE(is_under_way(editor));
+    fumble(editor, path("tetrahedron.obj"));
+    EXPECT_FALSE(editor.browser || editor.question);
+    wait(editor);
+    EXPECT_EQ(editor.session().mesh(), before);
+    EXPECT_EQ(editor.session().undo_count(), 1u);
+    EXPECT_EQ(editor.radius(), radius);
+    EXPECT_EQ(editor.camera(), camera);
+    EXPECT_EQ(editor.workspace().path(), path("ball.obj"));
+    EXPECT_FALSE(editor.workspace().is_modified());
+    EXPECT_EQ(read("ball.obj"), format_obj(before));
+}
+
+TEST_F(FileTask, ASecondFileIsRefusedWhileOneIsUnderWay) {
+    write("other.obj", std::string(kTetrahedron) + "v 5 5 5\n");
+    Editor editor = this->editor();
+    editor.open(path("tetrahedron.obj"));
+    fumble(editor, path("other.obj"));
+    wait(editor);
+    EXPECT_EQ(editor.workspace().object_name(), "tetrahedron.obj");
+    EXPECT_EQ(editor.session().mesh().face_count(), 4u);
+}
+
+TEST_F(FileTask, EscapeCancelsAndLeavesTheObjectWithoutAWord) {
+    Editor editor = this->editor();
+    const TriMesh sphere = editor.session().mesh();
+    editor.open(path("tetrahedron.obj"));
+    key(editor, Key::escape);
+    ASSERT_TRUE(is_under_way(editor)) << "until the work has stopped";
+    EXPECT_TRUE(editor.workspace().file_task()->work.is_cancelled());
+    wait(editor);
+    EXPECT_EQ(editor.session().mesh(), sphere);
+    EXPECT_EQ(editor.workspace().message(), "");
+    EXPECT_EQ(editor.workspace().object_name(), "sphere");
+    editor.advance();
+    editor.open(path("tetrahedron.obj"));
+    wait(editor);
+    EXPECT_EQ(editor.session().mesh().face_count(), 4u) << "and it can be opened again";
+}
+
+TEST_F(FileTask, CancellingASaveLeavesTheOldFileAndTheChanges) {
+    write("ball.obj", "precious");
+    Editor editor = this->editor(6);
+    drag(editor);
+    editor.execute(command::Save{path("ball.obj")});
+    key(editor, Key::escape);
+    wait(editor);
+    EXPECT_EQ(read("ball.obj"), "precious");
+    EXPECT_TRUE(editor.workspace().is_modified());
+    EXPECT_EQ(editor.workspace().path(), "");
+    EXPECT_EQ(std::distance(fs::directory_iterator(path("")), fs::directory_iterator()), 2)
+        << "something half-written is left";
+}
+
+TEST_F(FileTask, WhatIsWrongWithAFileIsTold) {
+    write("letter.obj", "v 0 0 0\nv Dear reader\n");
+    Editor editor = this->editor();
+    const TriMesh sphere = editor.session().mesh();
+    editor.open(path("letter.obj"));
+    wait(editor);
+    EXPECT_NE(editor.workspace().message().find("letter.obj:2: "), std::string::npos)
+        << editor.workspace().message();
+    EXPECT_EQ(editor.session().mesh(), sphere);
+    editor.execute(command::Save{path("no such folder/ball.obj")});
+    wait(editor);
+    EXPECT_NE(editor.workspace().message().find("no such folder"), std::string::npos);
+    EXPECT_EQ(editor.workspace().path(), "");
+}
+
+TEST_F(FileTask, WhatWasFoundInTheInputIsTold) {
+    write("loose.obj", std::string(kTetrahedron) + "v 5 5 5\nv 6 6 6\n");
+    Editor editor = this->editor();
+    editor.open(path("loose.obj"));
+    wait(editor);
+    EXPECT_EQ(editor.workspace().message(), "loose.obj: 2 isolated vertices");
+}
+
+TEST_F(FileTask, TheRecordGetsTheCommandOnceItIsDoneAndNoneThatIsCancelled) {
+    Editor editor = this->editor(6, Recorder(path("record.jsonl")));
+    const std::string before = read("record.jsonl");
+    editor.execute(command::Save{path("never.obj")});
+    key(editor, Key::escape);
+    wait(editor);
+    editor.open(path("tetrahedron.obj"));
+    EXPECT_EQ(read("record.jsonl"), before);
+    wait(editor);
+    const std::string added = read("record.jsonl").substr(before.size());
+    EXPECT_TRUE(added.starts_with("{\"cmd\": \"open\"")) << added;
+    EXPECT_EQ(std::count(added.begin(), added.end(), '\n'), 1) << added;
+}
+
+TEST_F(FileTask, QuittingCancelsAndEndsOnceTheWorkHasStopped) {
+    for (const bool by_key : {false, true}) {
+        Editor editor = this->editor();
+        editor.open(path("tetrahedron.obj"));
+        if (by_key) {
+            key(editor, Key{'Q'}, kControl);
+        } else {
+            editor.handle(event::Close{});
+        }
+        EXPECT_FALSE(editor.wants_to_end());
+        wait(editor);
+        EXPECT_TRUE(editor.wants_to_end());
+        EXPECT_EQ(editor.workspace().object_name(), "sphere");
+    }
+}
+
+TEST_F(FileTask, QuittingDuringASaveAsksForTheChangesThatAreNotSavedThen) {
+    Editor editor = this->editor(6);
+    drag(editor);
+    editor.execute(command::Save{path("ball.obj")});
+    editor.handle(event::Close{});
+    wait(editor);
+    EXPECT_FALSE(fs::exists(path("ball.obj")));
+    EXPECT_TRUE(editor.question);
+    EXPECT_FALSE(editor.wants_to_end());
+}
+
+TEST_F(FileTask, WhatWasAskedForFollowsTheSaveAndOnlyIfItIsDone) {
+    Editor editor = this->editor(6);
+    editor.execute(command::Save{path("ball.obj")});
+    wait(editor);
+    for (const bool cancels : {true, false}) {
+        drag(editor);
+        editor.open(path("tetrahedron.obj"));
+        ASSERT_TRUE(editor.question);
+        editor.answer(Editor::Answer::save);
+        ASSERT_TRUE(is_under_way(editor));
+        EXPECT_TRUE(std::holds_alternative<command::Save>(editor.workspace().file_task()->command));
+        if (cancels) key(editor, Key::escape);
+        wait(editor);  // for the save, and for the model where that follows
+        EXPECT_EQ(editor.session().mesh().face_count() == 4u, !cancels);
+    }
+}
+
+TEST_F(FileTask, AModelToBeginWithThatIsCancelledOrIsNoneLeavesASphere) {
+    write("letter.obj", "Dear sphere\n");
+    for (const char* name : {"tetrahedron.obj", "letter.obj"}) {
+        Editor editor({}, 0ms);
+        editor.handle(event::Resize{{1280, 800}});
+        editor.begin(path(name));
+        ASSERT_TRUE(is_under_way(editor));
+        EXPECT_EQ(editor.session().mesh().face_slots(), 0u);
+        if (name == std::string("tetrahedron.obj")) key(editor, Key::escape);
+        wait(editor);
+        EXPECT_EQ(editor.session().mesh().face_count(), 5120u) << name;
+        EXPECT_EQ(editor.workspace().object_name(), "sphere") << name;
+        EXPECT_EQ(editor.workspace().message().empty(), name == std::string("tetrahedron.obj"));
+    }
+}
+
+TEST_F(FileTask, ADroppedFileClosesTheBrowserForOneDialogAtATime) {
+    Editor editor = this->editor();
+    editor.perform(Action::open);
+    ASSERT_TRUE(editor.browser);
+    editor.handle(event::Drop{{path("tetrahedron.obj")}});
+    EXPECT_TRUE(is_under_way(editor));
+    EXPECT_FALSE(editor.browser);
+}
+
+TEST_F(FileTask, TheEditorsEndWaitsForTheFile) {
+    write("ball.obj", "precious");
+    {
+        Editor editor = this->editor(6);
+        editor.execute(command::Save{path("ball.obj")});
+        ASSERT_TRUE(is_under_way(editor));
+    }
+    EXPECT_EQ(read("ball.obj"), "precious");
+}
+
+}  // namespace
+}  // namespace pectin

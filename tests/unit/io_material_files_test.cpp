@@ -1,0 +1,188 @@
+#include "io/material_files.h"
+
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <filesystem>
+#include <set>
+#include <stop_token>
+#include <string>
+#include <vector>
+
+#include "io/atomic_file.h"
+#include "io/file_error.h"
+#include "io/read_file.h"
+
+namespace pectin {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::vector<std::string>;
+
+// Two folders of their own for each test, gone with it, in a third.
+class MaterialFilesTest : public testing::Test {
+  protected:
+    MaterialFilesTest() {
+        std::string name = (fs::temp_directory_path() / "pectin-test-XXXXXX").string();
+        root_ = ::mkdtemp(name.data());
+        fs::create_directory(from_ = root_ / "from");
+        fs::create_directory(to_ = root_ / "to");
+    }
+    ~MaterialFilesTest() override { fs::remove_all(root_); }
+
+    static void write(const fs::path& path, const std::string& text) {
+        fs::create_directories(path.parent_path());
+        write_file_atomically(path.string(), text);
+    }
+    MaterialCopy copy(const Names& statements) const {
+        return copy_material_files(statements, from_.string(), to_.string());
+    }
+    Names files(const fs::path& folder) const {
+        std::set<std::string> names;
+        for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+            if (!entry.is_directory()) {
+                names.insert(entry.path().lexically_relative(folder).generic_string());
+            }
+        }
+        return {names.begin(), names.end()};
+    }
+
+    fs::path root_, from_, to_;
+};
+
+TEST_F(MaterialFilesTest, CopiesLibrariesAndEveryTextureThatTheyName) {
+    write(
+        from_ / "a.mtl",
+        "newmtl wood\nKd 1 0 0\nmap_Kd wood.png\n\tMap_Ks  -clamp on -o 1 2 -s 1 1 1 my gloss.png "
+        "\nbump -bm 0.5 bump.png\nmap_Bump -mm 0 1 -imfchan l b2.png\nrefl -type cube_top r1.png\n"
+        "refl -type cube_left r2.png\ndecal d.png\ndisp p.png\nnorm n.png\nmap_Ke maps\\e.png\n"
+        "map_opacity -texres 512 -t 0.5 7\n# map_Kd no.png\nd 0.5\n");
+    const Names textures = {"7",     "b2.png", "bump.png", "d.png",  "maps/e.png", "my gloss.png",
+                            "n.png", "p.png",  "r1.png",   "r2.png", "wood.png"};
+    for (const std::string& name : textures) write(from_ / name, "pixels of " + name);
+    write(from_ / "no.png", "");
+    const MaterialCopy result = copy({"a.mtl"});
+    Names all = textures;
+    all.insert(all.begin() + 1, "a.mtl");
+    EXPECT_EQ(result.copied, all);
+    EXPECT_EQ(result.missing, Names{});
+    EXPECT_EQ(result.outside, Names{});
+    EXPECT_EQ(files(to_), all);
+    EXPECT_EQ(read_whole_file((to_ / "maps/e.png").string()), "pixels of maps/e.png");
+    EXPECT_EQ(read_whole_file((to_ / "a.mtl").string()),
+              read_whole_file((from_ / "a.mtl").string()));
+}
+
+TEST_F(MaterialFilesTest, TellsSeveralNamesFromOneWithBlanks) {
+    for (const char* name : {"a.mtl", "b.mtl", "my first.MTL", "c", "d e", "x.mtl y.mtl"}) {
+        write(from_ / name, "");
+    }
+    EXPECT_EQ(copy({"a.mtl \t b.mtl my first.MTL", "c"}).copied,
+              (Names{"a.mtl", "b.mtl", "c", "my first.MTL"}));
+    EXPECT_EQ(copy({"d e", "x.mtl y.mtl"}).copied, (Names{"d e", "x.mtl y.mtl"}));
+    EXPECT_EQ(copy({"q.mtl r s.mtl t", ".mtl"}).missing, (Names{".mtl", "q.mtl", "r s.mtl", "t"}));
+}
+
+TEST_F(MaterialFilesTest, FindsTexturesBesideTheirLibraryOrBesideTheModel) {
+    write(from_ / "mtl/a.mtl", "map_Kd near.png\nmap_Ks far.png\nmap_Ka ../tex/up.png\n");
+    write(from_ / "mtl/near.png", "1");
+    write(from_ / "near.png", "2");
+    write(from_ / "far.png", "3");
+    write(from_ / "tex/up.png", "4");
+    EXPECT_EQ(copy({"mtl\\a.mtl"}).copied,
+              (Names{"far.png", "mtl/a.mtl", "mtl/near.png", "tex/up.png"}));
+}
+
+TEST_F(MaterialFilesTest, NeverOverwritesWhatIsThere) {
+    write(from_ / "a.mtl", "map_Kd t.png\nmap_Ks link.png\nmap_Ka gone.png\nmap_Ke new.png\n");
+    for (const char* name : {"t.png", "link.png", "new.png"}) write(from_ / name, "theirs");
+    write(to_ / "a.mtl", "mine");
+    write(to_ / "t.png", "mine");
+    write(to_ / "gone.png", "mine");
+    fs::create_symlink(root_ / "elsewhere", to_ / "link.png");  // to a file yet to be made
+    const MaterialCopy result = copy({"a.mtl"});
+    EXPECT_EQ(result.copied, Names{"new.png"});
+    EXPECT_EQ(result.missing, Names{});
+    EXPECT_EQ(read_whole_file((to_ / "a.mtl").string()), "mine");
+    EXPECT_EQ(read_whole_file((to_ / "t.png").string()), "mine");
+    EXPECT_FALSE(fs::exists(root_ / "elsewhere"));
+}
+
+TEST_F(MaterialFilesTest, LooksAtNothingOutsideTheFolder) {
+    write(root_ / "secret.png", "secret");
+    write(root_ / "secret.mtl", "");
+    const std::string absolute = (root_ / "secret.png").string();
+    write(from_ / "a.mtl", "map_Kd ../secret.png\nmap_Ks " + absolute +
+                               "\nmap_Ka x/../../secret.png\nbump ..\\secret.png\nmap_Ke .\n" +
+                               "disp ..\nrefl sub/\nnorm ../from/a.mtl\n" +
+                               std::string("map_d ..\0x/secret.png\n", 22));
+    fs::create_directory(from_ / "sub");
+    const MaterialCopy result =
+        copy({"a.mtl", "../secret.mtl", (root_ / "secret.mtl").string(), "..\\secret.mtl", ".."});
+    EXPECT_EQ(result.copied, Names{"a.mtl"});
+    EXPECT_EQ(result.missing, Names{});
+    EXPECT_EQ(result.outside.size(), 10u);
+    EXPECT_EQ(files(to_), Names{"a.mtl"});
+    EXPECT_EQ(files(root_).size(), 4u);
+}
+
+TEST_F(MaterialFilesTest, DoesNotMindWhatIsMissingOrNoFile) {
+    EXPECT_EQ(copy({}).copied, Names{});
+    EXPECT_EQ(copy({"none.mtl", "none.mtl"}).missing, Names{"none.mtl"});
+    write(from_ / "a.mtl",
+          "map_Kd gone.png\nmap_Kd\nmap_Ks -s 1 1\nmap_Ka -o\nbump -bm 1 C:\\w.png\n" +
+              ("disp " + std::string(5000, 'x')) + "\nmap_d folder\nmap_Ke pipe\n");
+    fs::create_directory(from_ / "folder");
+    ASSERT_EQ(::mkfifo((from_ / "pipe").c_str(), 0600), 0);
+    const MaterialCopy result = copy({"a.mtl"});
+    EXPECT_EQ(result.copied, Names{"a.mtl"});
+    EXPECT_EQ(result.missing,
+              (Names{"1", "C:/w.png", "folder", "gone.png", "pipe", std::string(5000, 'x')}));
+}
+
+TEST_F(MaterialFilesTest, DoesNothingInOneFolderOrIntoNone) {
+    write(from_ / "a.mtl", "");
+    const Names statements = {"a.mtl"};
+    fs::create_directory_symlink(from_, root_ / "same");
+    for (const char* to : {"from", "from/.", "same", "nowhere"}) {
+        const MaterialCopy result =
+            copy_material_files(statements, from_.string(), (root_ / to).string());
+        EXPECT_EQ(result.copied, Names{}) << to;
+        EXPECT_EQ(result.missing, Names{}) << to;
+    }
+    EXPECT_FALSE(fs::exists(root_ / "nowhere"));
+}
+
+TEST_F(MaterialFilesTest, SaysWhyItCannotCopy) {
+    write(from_ / "a.mtl", "map_Kd t/x.png\n");
+    write(from_ / "t/x.png", "");
+    write(to_ / "t", "a file where the folder has to be");
+    try {
+        copy({"a.mtl"});
+        ADD_FAILURE() << "copied into a file";
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.path(), (to_ / "t").string());
+    }
+    fs::resize_file(from_ / "a.mtl", std::uintmax_t{1} << 40);
+    EXPECT_THROW(copy({"a.mtl"}), FileError);
+}
+
+TEST_F(MaterialFilesTest, CanBeCancelledBetweenTwoFiles) {
+    write(from_ / "a.mtl", "map_Kd b.png\n");
+    write(from_ / "b.png", std::string(3 << 20, 'x'));
+    std::stop_source stop;
+    double last = 0.0;
+    const Progress progress(stop.get_token(), [&](double fraction) {
+        EXPECT_GE(fraction, last);
+        last = fraction;
+        if (fraction >= 0.5) stop.request_stop();
+    });
+    const Names statements = {"a.mtl"};
+    EXPECT_THROW(copy_material_files(statements, from_.string(), to_.string(), progress),
+                 Cancelled);
+    EXPECT_EQ(files(to_), Names{"a.mtl"});
+}
+
+}  // namespace
+}  // namespace pectin

@@ -1,0 +1,64 @@
+// What was found in the input, as a sentence and as counts.
+#include "session/input_summary.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <set>
+#include <string>
+
+#include "command/json.h"
+#include "session/session.h"
+
+namespace pectin {
+namespace {
+
+TEST(InputSummary, IsEmptyWhereAllIsAsItShouldBe) {
+    EXPECT_EQ(input_summary("a.obj", {}), "");
+    // Quads and open borders are no news.
+    EXPECT_EQ(input_summary("a.obj", {.triangulated_polygons = 7, .boundary_edges = 4}), "");
+}
+
+TEST(InputSummary, IsOneSentenceThatBeginsWithTheFilesName) {
+    EXPECT_EQ(
+        input_summary("/models/my beetle.obj",
+                      {.zero_area_faces = 3, .nonmanifold_edges = 47, .isolated_vertices = 1}),
+        "my beetle.obj: 47 edges cut where more than two faces meet; 3 faces without area "
+        "kept; 1 isolated vertex");
+}
+
+TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
+    const BuildReport report{.triangulated_polygons = 1,
+                             .degenerate_polygons = 2,
+                             .repeated_corners = 3,
+                             .zero_area_faces = 4,
+                             .duplicate_faces = 5,
+                             .nonmanifold_edges = 6,
+                             .misoriented_edges = 7,
+                             .nonmanifold_vertices = 8,
+                             .boundary_edges = 9,
+                             .isolated_vertices = 10,
+                             .lines = 11,
+                             .points = 12};
+    std::set<std::string> names;
+    std::set<std::uint64_t> counts;
+    for (const Statistics::Count& count : input_counts(report)) {
+        names.insert(count.name);
+        counts.insert(count.count);
+    }
+    EXPECT_EQ(names.size(), 12u);
+    EXPECT_EQ(counts, (std::set<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+}
+
+TEST(InputSummary, StatisticsHoldTheCountsOfTheObject) {
+    Session session;
+    ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::plane, 2}));
+    const auto& input = session.statistics().input;
+    EXPECT_EQ(input, input_counts(session.input_report()));
+    EXPECT_EQ(session.input_report().triangulated_polygons, 4u);
+    EXPECT_NE(format_statistics(session.statistics()).find("\"triangulated_polygons\": 4"),
+              std::string::npos);
+}
+
+}  // namespace
+}  // namespace pectin

@@ -1,0 +1,174 @@
+// Models from and to files without a session.
+#include "session/model_file.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <stop_token>
+#include <vector>
+
+#include "io/file_error.h"
+#include "io/obj_writer.h"
+#include "session/session.h"
+
+namespace pectin {
+namespace {
+
+namespace fs = std::filesystem;
+
+class ModelFile : public testing::Test {
+  protected:
+    ModelFile() {
+        std::string name = (fs::temp_directory_path() / "pectin model XXXXXX").string();
+        folder_ = mkdtemp(name.data());
+    }
+    ~ModelFile() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name), std::ios::binary) << text;
+    }
+    std::string read(const std::string& name) const {
+        std::ifstream file(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    std::size_t file_count() const {
+        return static_cast<std::size_t>(
+            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
+    }
+    // A sphere of 20480 faces in a file of its own.
+    std::string sphere() const {
+        Session session;
+        EXPECT_FALSE(session.execute(command::Shape{command::Shape::Kind::sphere, 5}));
+        EXPECT_FALSE(session.execute(command::Save{path("sphere.obj")}));
+        return path("sphere.obj");
+    }
+
+  private:
+    fs::path folder_;
+};
+
+// The fractions that the work reports.
+template <typename Work>
+std::vector<double> reported(Work work) {
+    std::vector<double> fractions;
+    work(Progress({}, [&](double fraction) { fractions.push_back(fraction); }));
+    return fractions;
+}
+
+void expect_rise_to_one(const std::vector<double>& fractions) {
+    ASSERT_GE(fractions.size(), 10u) << "too few to move a bar";
+    EXPECT_GE(fractions.front(), 0.0);
+    EXPECT_EQ(fractions.back(), 1.0);
+    for (std::size_t i = 1; i < fractions.size(); ++i) {
+        EXPECT_GE(fractions[i], fractions[i - 1]) << i;
+    }
+}
+
+// Runs the work until it has come to `fraction`, where it is stopped. Whether it ended with that.
+template <typename Work>
+bool is_stopped_at(double fraction, Work work) {
+    std::stop_source stop;
+    const Progress progress(stop.get_token(), [&](double reached) {
+        if (reached >= fraction) stop.request_stop();
+    });
+    try {
+        work(progress);
+    } catch (const Cancelled&) {
+        return true;
+    }
+    return false;
+}
+
+TEST_F(ModelFile, AdoptedIsWhatOpenMakesWithANewHistory) {
+    const command::Open open{sphere()};
+    Session opened, adopting;
+    ASSERT_FALSE(opened.execute(open));
+    ASSERT_FALSE(adopting.execute(command::Shape{}));
+    ASSERT_FALSE(adopting.execute(command::Drag{.moves = {{{0, 0, 1}, {0, 0, 1.3}}}}));
+    ASSERT_EQ(adopting.undo_count(), 1u);
+    adopting.adopt(load_model(open));
+    EXPECT_EQ(adopting.mesh(), opened.mesh());
+    EXPECT_EQ(adopting.undo_count(), 0u);
+    EXPECT_TRUE(adopting.take_dirty().everything);
+    for (Session* session : {&opened, &adopting}) {
+        ASSERT_FALSE(session->execute(command::Drag{.moves = {{{0, 0, 1}, {0, 0, 1.3}}}}));
+    }
+    EXPECT_EQ(format_obj(adopting.mesh()), format_obj(opened.mesh()));
+}
+
+TEST_F(ModelFile, LoadingMakesTheTreeSoThatTheFirstPickDoesNotWait) {
+    const LoadedModel model = load_model({sphere()});
+    ASSERT_TRUE(model.tree);
+    const auto hit = model.tree->first_hit(Ray{{0, 0, 5}, {0, 0, -1}}, *model.mesh);
+    ASSERT_TRUE(hit);
+    EXPECT_NEAR(hit->hit.t, 4.0, 1e-3);
+}
+
+TEST_F(ModelFile, ProgressRisesToOne) {
+    const std::string file = sphere();
+    LoadedModel model;
+    expect_rise_to_one(reported([&](const Progress& p) { model = load_model({file}, p); }));
+    expect_rise_to_one(reported(
+        [&](const Progress& p) { save_model(*model.mesh, {path("b.obj")}, model.folder, p); }));
+    EXPECT_EQ(read("b.obj"), read("sphere.obj"));
+}
+
+TEST_F(ModelFile, LoadingEndsWhereverItIsStopped) {
+    const std::string file = sphere();
+    for (double fraction : {0.0, 0.25, 0.5, 0.8}) {
+        EXPECT_TRUE(is_stopped_at(fraction, [&](const Progress& p) { load_model({file}, p); }))
+            << fraction;
+    }
+}
+
+TEST_F(ModelFile, SavingThatIsStoppedLeavesTheFileAsItWasAndNoOther) {
+    const LoadedModel model = load_model({sphere()});
+    write("kept.obj", "precious");
+    const std::size_t files = file_count();
+    for (double fraction : {0.0, 0.2, 0.4, 0.6, 0.9}) {
+        EXPECT_TRUE(is_stopped_at(fraction, [&](const Progress& p) {
+            save_model(*model.mesh, {path("kept.obj")}, model.folder, p);
+        })) << fraction;
+        EXPECT_EQ(read("kept.obj"), "precious") << fraction;
+        EXPECT_EQ(file_count(), files) << fraction;
+    }
+}
+
+TEST_F(ModelFile, WhatIsNoModelIsAnErrorThatNamesIt) {
+    write("flat.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\n");
+    try {
+        load_model({path("flat.obj")});
+        FAIL() << "was loaded";
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.path(), path("flat.obj"));
+        EXPECT_NE(error.message().find("three different vertices"), std::string::npos);
+    }
+    EXPECT_THROW(load_model({path("absent.obj")}), FileError);
+    const LoadedModel model = load_model({sphere()});
+    EXPECT_THROW(save_model(*model.mesh, {path("model.stl")}, model.folder), FileError);
+    EXPECT_FALSE(fs::exists(path("model.stl")));
+}
+
+TEST_F(ModelFile, SavedElsewhereTakesItsMaterialFilesAlong) {
+    write("model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
+    write("m.mtl", "newmtl red\nmap_Kd red.png\nmap_bump absent.png\n");
+    write("red.png", "a picture");
+    fs::create_directory(path("elsewhere"));
+    Session session;
+    ASSERT_FALSE(session.execute(command::Open{path("model.obj")}));
+    ASSERT_FALSE(session.execute(command::Save{path("elsewhere/saved.obj")}));
+    EXPECT_EQ(read("elsewhere/m.mtl"), read("m.mtl"));
+    EXPECT_EQ(read("elsewhere/red.png"), "a picture");
+    // What is there already stays as it is.
+    write("elsewhere/m.mtl", "another");
+    ASSERT_FALSE(session.execute(command::Save{path("elsewhere/saved.obj")}));
+    EXPECT_EQ(read("elsewhere/m.mtl"), "another");
+    // A shape has no files to take along.
+    ASSERT_FALSE(session.execute(command::Shape{}));
+    EXPECT_EQ(session.folder(), "");
+}
+
+}  // namespace
+}  // namespace pectin
