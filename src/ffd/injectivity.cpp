@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <optional>
 #include <vector>
 
 namespace pectin {
@@ -99,16 +100,15 @@ std::vector<Interval> intervals(std::span<const LatticeField> sum, int axis, int
     return result;
 }
 
-// The displacement on one box as 64 Bernstein coefficients, i fastest.
+// The displacement on one box as 64 Bernstein coefficients, i fastest: a vector, or how far it goes
+// along the one direction it has.
+template <typename T>
 struct Coefficients {
-    std::array<Vec3, 64> of{};
+    std::array<T, 64> of{};
     Vec3 width{1.0};
 
-    const Vec3& at(int i, int j, int k) const {
-        return of[static_cast<std::size_t>(i + 4 * j + 16 * k)];
-    }
     // ∂D/∂(an axis), its degree raised to 3 again: steps is 1, 4 or 16, position i, j or k.
-    Vec3 slope(int flat, int position, int steps, double extent) const {
+    T slope(int flat, int position, int steps, double extent) const {
         const auto value = [&](int p) {
             return of[static_cast<std::size_t>(flat + (p - position) * steps)];
         };
@@ -123,18 +123,19 @@ struct Coefficients {
                 return 3.0 / extent * (value(3) - value(2));
         }
     }
-    Mat3 gradient(int flat) const {
+    std::array<T, 3> gradient(int flat) const {
         return {slope(flat, flat % 4, 1, width.x), slope(flat, flat / 4 % 4, 4, width.y),
                 slope(flat, flat / 16, 16, width.z)};
     }
 };
 
 // Applies a conversion along the axis whose indices are `steps` apart.
-void convert(std::array<Vec3, 64>& values, const Conversion& by, std::size_t steps) {
+template <typename T>
+void convert(std::array<T, 64>& values, const Conversion& by, std::size_t steps) {
     for (std::size_t line = 0; line < 16; ++line) {
         const std::size_t base = line % steps + line / steps * steps * 4;
-        const std::array<Vec3, 4> before{values[base], values[base + steps],
-                                         values[base + 2 * steps], values[base + 3 * steps]};
+        const std::array<T, 4> before{values[base], values[base + steps], values[base + 2 * steps],
+                                      values[base + 3 * steps]};
         for (std::size_t k = 0; k < 4; ++k) {
             values[base + k * steps] = by[k][0] * before[0] + by[k][1] * before[1] +
                                        by[k][2] * before[2] + by[k][3] * before[3];
@@ -154,14 +155,16 @@ class BernsteinGrid {
                 static_cast<int>(axes_[2].size())};
     }
     // Whether anything moves in the box; its coefficients then.
-    bool coefficients(const IVec3& box, Coefficients& out) const {
+    // part(d): what of a control point's displacement is looked at.
+    template <typename T, typename Part>
+    bool coefficients(const IVec3& box, const Part& part, Coefficients<T>& out) const {
         const std::array<const Interval*, 3> sides{&interval(0, box), &interval(1, box),
                                                    &interval(2, box)};
         out.width = {sides[0]->width, sides[1]->width, sides[2]->width};
         bool moves = false;
         for (std::size_t f = 0; f < sum_.size(); ++f) {
-            std::array<Vec3, 64> values;
-            if (!gather(sum_[f], f, sides, values)) continue;
+            std::array<T, 64> values;
+            if (!gather(sum_[f], f, sides, part, values)) continue;
             convert(values, sides[0]->shares[f].conversion, 1);
             convert(values, sides[1]->shares[f].conversion, 4);
             convert(values, sides[2]->shares[f].conversion, 16);
@@ -178,8 +181,10 @@ class BernsteinGrid {
         return axes_[axis][static_cast<std::size_t>(box[static_cast<int>(axis)])];
     }
     // The 4 × 4 × 4 control displacements that reach the box; whether any is not zero.
+    template <typename T, typename Part>
     static bool gather(const LatticeField& field, std::size_t f,
-                       const std::array<const Interval*, 3>& sides, std::array<Vec3, 64>& out) {
+                       const std::array<const Interval*, 3>& sides, const Part& part,
+                       std::array<T, 64>& out) {
         const Lattice& lattice = field.lattice();
         const IVec3 first{sides[0]->shares[f].first, sides[1]->shares[f].first,
                           sides[2]->shares[f].first};
@@ -191,9 +196,10 @@ class BernsteinGrid {
             const IVec3 control = first + IVec3{flat % 4, flat / 4 % 4, flat / 16};
             const bool is_deformable = glm::all(glm::greaterThanEqual(control, IVec3{0})) &&
                                        glm::all(glm::lessThan(control, lattice.deformable));
-            Vec3& d = out[static_cast<std::size_t>(flat)];
-            d = is_deformable ? field.displacements()[lattice.control_index(control)] : Vec3{0.0};
-            any = any || d != Vec3{0.0};
+            T& d = out[static_cast<std::size_t>(flat)];
+            d = is_deformable ? part(field.displacements()[lattice.control_index(control)])
+                              : T{0.0};
+            any = any || d != T{0.0};
         }
         return any;
     }
@@ -211,7 +217,8 @@ void for_each_box(const IVec3& from, const IVec3& to, const Visit& visit) {
     }
 }
 
-bool is_along_one_direction(std::span<const LatticeField> sum) {
+// The unit vector along which all displacements lie, if there is one.
+std::optional<Vec3> common_direction(std::span<const LatticeField> sum) {
     Vec3 longest{0.0};
     for (const LatticeField& field : sum) {
         for (const Vec3& d : field.displacements()) {
@@ -221,22 +228,23 @@ bool is_along_one_direction(std::span<const LatticeField> sum) {
     const double most = kParallel * glm::dot(longest, longest);
     for (const LatticeField& field : sum) {
         for (const Vec3& d : field.displacements()) {
-            if (glm::length(glm::cross(d, longest)) > most) return false;
+            if (glm::length(glm::cross(d, longest)) > most) return std::nullopt;
         }
     }
-    return true;
+    return unit_or_zero(longest);
 }
 
 bool is_positive_definite(const Mat3& m) {
     return m[0][0] > 0.0 && m[0][0] * m[1][1] > m[1][0] * m[1][0] && glm::determinant(m) > 0.0;
 }
 
-// The largest t ≤ most that one coefficient of the gradient allows.
-double limit_of_trace(const Mat3& g, double most) {
-    const double trace = g[0][0] + g[1][1] + g[2][2];
-    return 1.0 - kLeastStretch + most * trace >= 0.0 ? most : (1.0 - kLeastStretch) / -trace;
+// The largest t ≤ most for which one coefficient of the divergence keeps det J positive enough.
+double limit_of_divergence(double divergence, double most) {
+    return 1.0 - kLeastStretch + most * divergence >= 0.0 ? most
+                                                          : (1.0 - kLeastStretch) / -divergence;
 }
 
+// The same for one of the gradient and the symmetric part of J.
 double limit_of_symmetric_part(const Mat3& g, double most) {
     const Mat3 symmetric = 0.5 * (g + glm::transpose(g));
     const auto allows = [&](double t) {
@@ -251,37 +259,56 @@ double limit_of_symmetric_part(const Mat3& g, double most) {
     return low;
 }
 
-}  // namespace
-
-double injective_limit(std::span<const LatticeField> sum, double most) {
-    assert(!sum.empty());
-    const auto limit = is_along_one_direction(sum) ? limit_of_trace : limit_of_symmetric_part;
+// limit(gradient, most): what one coefficient allows. Boxes that allow less than all so far are
+// halved.
+template <typename T, typename Part, typename Limit>
+double limit_over_boxes(std::span<const LatticeField> sum, double most, const Part& part,
+                        const Limit& limit) {
     const BernsteinGrid whole(sum, 1), halved(sum, 2);
-    Coefficients coefficients;
+    Coefficients<T> coefficients;
     double fraction = most;
     const auto lower = [&](double& t) {
         for (int flat = 0; flat < 64; ++flat) t = limit(coefficients.gradient(flat), t);
     };
     for_each_box(IVec3{0}, whole.counts(), [&](const IVec3& box) {
-        if (!whole.coefficients(box, coefficients)) return;
+        if (!whole.coefficients(box, part, coefficients)) return;
         double of_whole = fraction;
         lower(of_whole);
         if (of_whole == fraction) return;
-        for_each_box(2 * box, 2 * box + 2, [&](const IVec3& part) {
-            if (halved.coefficients(part, coefficients)) lower(fraction);
+        for_each_box(2 * box, 2 * box + 2, [&](const IVec3& eighth) {
+            if (halved.coefficients(eighth, part, coefficients)) lower(fraction);
         });
     });
     return fraction;
 }
 
+}  // namespace
+
+double injective_limit(std::span<const LatticeField> sum, double most) {
+    assert(!sum.empty());
+    if (const auto direction = common_direction(sum)) {
+        const auto along = [&](const Vec3& d) { return glm::dot(d, *direction); };
+        return limit_over_boxes<double>(
+            sum, most, along, [&](const std::array<double, 3>& g, double t) {
+                return limit_of_divergence(glm::dot(Vec3{g[0], g[1], g[2]}, *direction), t);
+            });
+    }
+    return limit_over_boxes<Vec3>(
+        sum, most, [](const Vec3& d) { return d; },
+        [](const std::array<Vec3, 3>& g, double t) {
+            return limit_of_symmetric_part(Mat3{g[0], g[1], g[2]}, t);
+        });
+}
+
 double gradient_bound(std::span<const LatticeField> sum) {
     const BernsteinGrid grid(sum, 1);
-    Coefficients coefficients;
+    Coefficients<Vec3> coefficients;
+    const auto all = [](const Vec3& d) { return d; };
     double largest = 0.0;
     for_each_box(IVec3{0}, grid.counts(), [&](const IVec3& box) {
-        if (!grid.coefficients(box, coefficients)) return;
+        if (!grid.coefficients(box, all, coefficients)) return;
         for (int flat = 0; flat < 64; ++flat) {
-            const Mat3 g = coefficients.gradient(flat);
+            const auto g = coefficients.gradient(flat);
             largest = std::max(largest,
                                glm::dot(g[0], g[0]) + glm::dot(g[1], g[1]) + glm::dot(g[2], g[2]));
         }

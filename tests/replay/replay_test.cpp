@@ -61,6 +61,41 @@ TEST(Replay, GivesTheSameBytesEveryTime) {
     EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
 }
 
+TEST(Replay, DragsWithoutFoldsSymmetricallyInPartsAndByControlPoints) {
+    const ScratchFolder folder;
+    const std::string undo_all = R"({"cmd": "undo", "count": 4})";
+    for (const char* name : {"a", "b"}) {
+        const std::string n = name;
+        expect_done(run_program(
+            {"replay",
+             folder.write_script(
+                 n + ".jsonl",
+                 {kSphere, save(n + "0.obj"), R"({"cmd": "brush", "radius": 0.4})",
+                  R"({"cmd": "symmetry", "plane": "x", "through": [0, 0, 0]})",
+                  R"({"cmd": "drag", "moves": [{"from": [0.6, 0.8, 0], "to": [1.4, 1.5, 0.2]}], )"
+                  R"("connected": true, "fold_free": true, "via": [[1, 0.9, 0]]})",
+                  R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0, 0, 1.1], )"
+                  R"("twist": {"axis": [1, 0, 0], "degrees": 30}, "scale": 1.3}]})",
+                  R"({"cmd": "symmetry", "plane": null})",
+                  R"({"cmd": "drag", "moves": [{"from": [0, 0, -1], "to": [0, 1.2, -1]}], )"
+                  R"("fold_free": true})",
+                  R"({"cmd": "stats", "path": ")" + n + R"(.json"})",
+                  R"({"cmd": "cage", "fit": [4, 4, 4]})",
+                  R"({"cmd": "control", "points": [{"index": [0, 3, 1], "to": [-2, 2, 0]}, )"
+                  R"({"index": [3, 3, 1], "to": [2, 2, 0]}]})",
+                  save(n + "4.obj"), undo_all, save(n + " undone.obj"),
+                  R"({"cmd": "redo", "count": 4})", save(n + " redone.obj")})}));
+    }
+    EXPECT_EQ(folder.read("a4.obj"), folder.read("b4.obj"));
+    EXPECT_EQ(folder.read("a0.obj"), folder.read("a undone.obj"));
+    EXPECT_EQ(folder.read("a4.obj"), folder.read("a redone.obj"));
+    EXPECT_NE(folder.read("a0.obj"), folder.read("a4.obj"));
+    const std::string figures = folder.read("a.json");
+    EXPECT_NE(figures.find("\"folded_vertices\": 0"), figures.npos) << figures;
+    EXPECT_EQ(figures.find("\"steps\": 1,"), figures.npos) << figures;
+    EXPECT_NE(figures.find("\"steps\": "), figures.npos) << figures;
+}
+
 TEST(Replay, OpensWhatItSaved) {
     const ScratchFolder folder;
     expect_done(run_program(
