@@ -15,7 +15,7 @@ namespace pectin {
 namespace {
 
 // Where reading ends and building ends, of the time that loading takes.
-constexpr double kRead = 0.5, kBuilt = 0.8;
+constexpr double kRead = 0.4, kBuilt = 0.75;
 // Where copying material files ends, of the time that saving takes.
 constexpr double kCopied = 0.1;
 
