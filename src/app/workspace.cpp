@@ -59,7 +59,7 @@ Workspace::Outcome Workspace::execute(const Command& command) {
         tell(*complaint);
         return Outcome::failed;
     }
-    if (file_task_) return poll(patience_);
+    if (file_task_) return patience_.count() > 0 ? poll(patience_) : Outcome::under_way;
     if (session_.undo_count() != undo_count) is_modified_ = true;
     finish(command);
     return Outcome::done;
