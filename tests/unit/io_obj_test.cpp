@@ -201,6 +201,18 @@ TEST(Obj, GivesShapesBack) {
     }
 }
 
+// What the fuzzer found.
+TEST(Obj, SavesTheSameBytesOfWhatItSaved) {
+    const std::string texts[] = {
+        // A polygon's corner whose two triangles a cut parts is still one corner.
+        "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 5\nf 1 2 3 1 4 5\n",
+    };
+    for (const std::string& text : texts) {
+        const std::string saved = format_obj(mesh_of(text));
+        EXPECT_EQ(format_obj(mesh_of(saved)), saved) << text;
+    }
+}
+
 TEST(Obj, GivesRealModelsBack) {
 #ifdef PECTIN_MODELS
     if (!std::filesystem::exists(PECTIN_MODELS)) GTEST_SKIP() << "no models in " PECTIN_MODELS;
