@@ -28,15 +28,14 @@ const char* shape_name(command::Shape::Kind kind) {
 using FileWork = std::function<Workspace::FileTask::Result(const Progress&)>;
 
 // What a command does with a file while the session stays as it is; none for other commands.
-FileWork file_work(const Command& command, const Session& session) {
+FileWork file_work(const Command& command, const TriMesh& mesh) {
     if (const auto* open = std::get_if<command::Open>(&command)) {
         return [open = *open](const Progress& progress) { return load_model(open, progress); };
     }
     const auto* save = std::get_if<command::Save>(&command);
-    const TriMesh& mesh = session.mesh();
     if (!save || mesh.face_slots() == 0) return {};  // the session says what is missing
-    return [save = *save, &mesh, folder = session.folder()](const Progress& progress) {
-        save_model(mesh, save, folder, progress);
+    return [save = *save, &mesh](const Progress& progress) {
+        save_model(mesh, save, progress);
         return std::nullopt;
     };
 }
@@ -50,7 +49,7 @@ Workspace::Outcome Workspace::execute(const Command& command) {
     }
     const std::size_t undo_count = session_.undo_count();
     const auto complaint = complaint_about([&]() -> std::optional<std::string> {
-        auto work = file_work(command, session_);
+        auto work = file_work(command, session_.mesh());
         if (!work) return session_.execute(command);
         file_task_ = std::make_unique<FileTask>(command, std::move(work));
         return std::nullopt;

@@ -2,12 +2,10 @@
 
 #include <algorithm>
 #include <cctype>
-#include <filesystem>
 #include <string_view>
 #include <utility>
 
 #include "io/file_error.h"
-#include "io/material_files.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
 
@@ -16,8 +14,6 @@ namespace {
 
 // Where reading ends and building ends, of the time that loading takes.
 constexpr double kRead = 0.4, kBuilt = 0.75;
-// Where copying material files ends, of the time that saving takes.
-constexpr double kCopied = 0.1;
 
 bool has_extension(const std::string& path, std::string_view extension) {
     if (path.size() < extension.size()) return false;
@@ -25,11 +21,6 @@ bool has_extension(const std::string& path, std::string_view extension) {
         extension.begin(), extension.end(),
         path.end() - static_cast<std::ptrdiff_t>(extension.size()),
         [](char y, char x) { return std::tolower(static_cast<unsigned char>(x)) == y; });
-}
-
-std::string folder_of(const std::string& path) {
-    const std::string folder = std::filesystem::path(path).parent_path().string();
-    return folder.empty() ? "." : folder;
 }
 
 }  // namespace
@@ -50,23 +41,17 @@ LoadedModel load_model(const command::Open& open, const Progress& progress) {
         throw FileError(open.path,
                         "has no face with three different vertices; a model needs at least one");
     }
-    model.folder = folder_of(open.path);
     progress.advance(kBuilt);
     model.tree = std::make_unique<FaceTree>(*model.mesh);
     progress.advance(1.0);
     return model;
 }
 
-void save_model(const TriMesh& mesh, const command::Save& save, const std::string& folder,
-                const Progress& progress) {
+void save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress) {
     if (!has_extension(save.path, ".obj")) {
         throw FileError(save.path, "does not end in .obj; save writes OBJ files");
     }
-    if (!folder.empty()) {
-        copy_material_files(mesh.input_form().material_libraries, folder, folder_of(save.path),
-                            progress.part(0.0, kCopied));
-    }
-    write_obj(mesh, save.path, progress.part(kCopied, 1.0));
+    write_obj(mesh, save.path, progress);
 }
 
 }  // namespace pectin

@@ -2,7 +2,6 @@
 #pragma once
 
 #include <memory>
-#include <string>
 
 #include "command/command.h"
 #include "geometry/box.h"
@@ -22,7 +21,6 @@ struct LoadedModel {
     std::unique_ptr<FaceTree> tree;  // none: it is made when first asked for
     BuildReport report;              // what building it took
     Box box;                         // of all its vertices
-    std::string folder{};            // of its file, where its material files lie; empty: no file
 };
 
 // Without a tree. Cost: O(n).
@@ -33,12 +31,8 @@ LoadedModel make_model(BuiltMesh built);
 // Cost: O(n log n).
 LoadedModel load_model(const command::Open& open, const Progress& progress = {});
 
-// Writes the mesh to the file, whole or not at all; before that copies the material files it names
-// from `folder`, where they are, to that of the file, where they are not yet (copy_material_files).
-// folder: as LoadedModel has it. Nobody may change the mesh meanwhile. Throws Cancelled (the file
-// is as it was), FileError: write_obj's, copy_material_files', or that it is no OBJ file. Cost:
-// O(n).
-void save_model(const TriMesh& mesh, const command::Save& save, const std::string& folder,
-                const Progress& progress = {});
+// Writes the mesh to the file, whole or not at all. Nobody may change the mesh meanwhile. Throws
+// Cancelled (the file is as it was), FileError: write_obj's, or that it is no OBJ file. Cost: O(n).
+void save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress = {});
 
 }  // namespace pectin

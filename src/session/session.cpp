@@ -39,7 +39,6 @@ void Session::State::adopt(LoadedModel model) {
     tree = std::move(model.tree);
     history.clear();
     input_report = model.report;
-    folder = std::move(model.folder);
     diagonal = model.box.diagonal();
     const Vec3 farthest = glm::max(glm::abs(model.box.min), glm::abs(model.box.max));
     largest_coordinate = glm::max(farthest.x, glm::max(farthest.y, farthest.z));
@@ -261,7 +260,7 @@ Refusal Session::State::run(const command::Bake& bake) {
 
 Refusal Session::State::run(const command::Save& save) {
     if (!has_object()) return kNoObject;
-    save_model(*mesh, save, folder);
+    save_model(*mesh, save);
     return std::nullopt;
 }
 
@@ -314,8 +313,6 @@ void Session::cancel_drag() { state_->cancel_drag(); }
 bool Session::is_dragging() const { return state_->in_hand != nullptr; }
 
 const TriMesh& Session::mesh() const { return *state_->mesh; }
-
-const std::string& Session::folder() const { return state_->folder; }
 
 std::optional<Lattice> Session::lattice_in_use() const {
     return is_dragging() ? state_->in_hand->lattice : state_->lattice_in_use;

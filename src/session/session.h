@@ -67,8 +67,6 @@ class Session {
     void set_viewport(Viewport* viewport);
 
     const TriMesh& mesh() const;
-    // Of the file that was opened, as save_model wants it.
-    const std::string& folder() const;
     // The surface point that a ray meets first. Not during a drag. Cost: O(log n), the first time
     // O(n log n).
     std::optional<Pick> pick(const Ray& ray);

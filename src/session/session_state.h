@@ -64,7 +64,6 @@ struct Session::State {
     Statistics::Last last;
     std::uint64_t folded = 0;
     AdaptOutcome outcome;             // of the mesh as it is
-    std::string folder;               // of the file that was opened; empty where there was none
     BuildReport input_report;         // what opening the object took
     double largest_coordinate = 0.0;  // of the object as it was opened
 

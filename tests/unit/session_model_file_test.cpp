@@ -110,8 +110,8 @@ TEST_F(ModelFile, ProgressRisesToOne) {
     const std::string file = sphere();
     LoadedModel model;
     expect_rise_to_one(reported([&](const Progress& p) { model = load_model({file}, p); }));
-    expect_rise_to_one(reported(
-        [&](const Progress& p) { save_model(*model.mesh, {path("b.obj")}, model.folder, p); }));
+    expect_rise_to_one(
+        reported([&](const Progress& p) { save_model(*model.mesh, {path("b.obj")}, p); }));
     EXPECT_EQ(read("b.obj"), read("sphere.obj"));
 }
 
@@ -129,7 +129,7 @@ TEST_F(ModelFile, SavingThatIsStoppedLeavesTheFileAsItWasAndNoOther) {
     const std::size_t files = file_count();
     for (double fraction : {0.0, 0.2, 0.4, 0.6, 0.9}) {
         EXPECT_TRUE(is_stopped_at(fraction, [&](const Progress& p) {
-            save_model(*model.mesh, {path("kept.obj")}, model.folder, p);
+            save_model(*model.mesh, {path("kept.obj")}, p);
         })) << fraction;
         EXPECT_EQ(read("kept.obj"), "precious") << fraction;
         EXPECT_EQ(file_count(), files) << fraction;
@@ -147,27 +147,8 @@ TEST_F(ModelFile, WhatIsNoModelIsAnErrorThatNamesIt) {
     }
     EXPECT_THROW(load_model({path("absent.obj")}), FileError);
     const LoadedModel model = load_model({sphere()});
-    EXPECT_THROW(save_model(*model.mesh, {path("model.stl")}, model.folder), FileError);
+    EXPECT_THROW(save_model(*model.mesh, {path("model.stl")}), FileError);
     EXPECT_FALSE(fs::exists(path("model.stl")));
-}
-
-TEST_F(ModelFile, SavedElsewhereTakesItsMaterialFilesAlong) {
-    write("model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
-    write("m.mtl", "newmtl red\nmap_Kd red.png\nmap_bump absent.png\n");
-    write("red.png", "a picture");
-    fs::create_directory(path("elsewhere"));
-    Session session;
-    ASSERT_FALSE(session.execute(command::Open{path("model.obj")}));
-    ASSERT_FALSE(session.execute(command::Save{path("elsewhere/saved.obj")}));
-    EXPECT_EQ(read("elsewhere/m.mtl"), read("m.mtl"));
-    EXPECT_EQ(read("elsewhere/red.png"), "a picture");
-    // What is there already stays as it is.
-    write("elsewhere/m.mtl", "another");
-    ASSERT_FALSE(session.execute(command::Save{path("elsewhere/saved.obj")}));
-    EXPECT_EQ(read("elsewhere/m.mtl"), "another");
-    // A shape has no files to take along.
-    ASSERT_FALSE(session.execute(command::Shape{}));
-    EXPECT_EQ(session.folder(), "");
 }
 
 }  // namespace
