@@ -28,14 +28,15 @@ const char* shape_name(command::Shape::Kind kind) {
 using FileWork = std::function<Workspace::FileTask::Result(const Progress&)>;
 
 // What a command does with a file while the session stays as it is; none for other commands.
-FileWork file_work(const Command& command, const TriMesh& mesh) {
+FileWork file_work(const Command& command, const Session& session) {
     if (const auto* open = std::get_if<command::Open>(&command)) {
         return [open = *open](const Progress& progress) { return load_model(open, progress); };
     }
     const auto* save = std::get_if<command::Save>(&command);
+    const TriMesh& mesh = session.mesh();
     if (!save || mesh.face_slots() == 0) return {};  // the session says what is missing
-    return [save = *save, &mesh](const Progress& progress) {
-        save_model(mesh, save, progress);
+    return [save = *save, &mesh, folders = session.material_folders()](const Progress& progress) {
+        save_model(mesh, save, progress, folders);
         return std::nullopt;
     };
 }
@@ -49,7 +50,7 @@ Workspace::Outcome Workspace::execute(const Command& command) {
     }
     const std::size_t undo_count = session_.undo_count();
     const auto complaint = complaint_about([&]() -> std::optional<std::string> {
-        auto work = file_work(command, session_.mesh());
+        auto work = file_work(command, session_);
         if (!work) return session_.execute(command);
         file_task_ = std::make_unique<FileTask>(command, std::move(work));
         return std::nullopt;
@@ -118,6 +119,7 @@ void Workspace::note(const Command& command) {
         begin({});
         shape_name_ = shape_name(shape->kind);
     } else if (const auto* save = std::get_if<command::Save>(&command)) {
+        session_.note_saved(save->path);
         path_ = save->path;
         is_modified_ = false;
     }

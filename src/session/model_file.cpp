@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cctype>
+#include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "io/file_error.h"
+#include "io/material_files.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
 
@@ -25,6 +28,13 @@ bool has_extension(const std::string& path, std::string_view extension) {
 
 }  // namespace
 
+std::string material_folder(const std::string& model_path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path whole = fs::absolute(model_path, error);
+    return (error ? fs::path(model_path) : whole).parent_path().string();
+}
+
 LoadedModel make_model(BuiltMesh built) {
     LoadedModel model;
     model.mesh = std::make_unique<TriMesh>(std::move(built.mesh));
@@ -41,15 +51,22 @@ LoadedModel load_model(const command::Open& open, const Progress& progress) {
         throw FileError(open.path,
                         "has no face with three different vertices; a model needs at least one");
     }
+    model.material_folders = {material_folder(open.path)};
     progress.advance(kBuilt);
     model.tree = std::make_unique<FaceTree>(*model.mesh);
     progress.advance(1.0);
     return model;
 }
 
-void save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress) {
+void save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress,
+                std::span<const std::string> material_folders) {
     if (!has_extension(save.path, ".obj")) {
         throw FileError(save.path, "does not end in .obj; save writes OBJ files");
+    }
+    const std::string folder = material_folder(save.path);
+    for (const std::string& from : material_folders) {
+        copy_material_files(mesh.input_form().material_libraries, from, folder,
+                            progress.part(0.0, 0.0));
     }
     write_obj(mesh, save.path, progress);
 }

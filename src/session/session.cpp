@@ -39,6 +39,7 @@ void Session::State::adopt(LoadedModel model) {
     tree = std::move(model.tree);
     history.clear();
     input_report = model.report;
+    material_folders = std::move(model.material_folders);
     diagonal = model.box.diagonal();
     const Vec3 farthest = glm::max(glm::abs(model.box.min), glm::abs(model.box.max));
     largest_coordinate = glm::max(farthest.x, glm::max(farthest.y, farthest.z));
@@ -48,6 +49,13 @@ void Session::State::adopt(LoadedModel model) {
     outcome = {};
     dirty = {};
     dirty.everything = true;
+}
+
+// The folder in which all was put together last is the likeliest to have it.
+void Session::State::note_saved(const std::string& path) {
+    const std::string folder = material_folder(path);
+    std::erase(material_folders, folder);
+    material_folders.insert(material_folders.begin(), folder);
 }
 
 const FaceTree& Session::State::face_tree() {
@@ -260,7 +268,8 @@ Refusal Session::State::run(const command::Bake& bake) {
 
 Refusal Session::State::run(const command::Save& save) {
     if (!has_object()) return kNoObject;
-    save_model(*mesh, save);
+    save_model(*mesh, save, {}, material_folders);
+    note_saved(save.path);
     return std::nullopt;
 }
 
@@ -292,6 +301,12 @@ void Session::adopt(LoadedModel model) {
     assert(!is_dragging());
     state_->adopt(std::move(model));
 }
+
+const std::vector<std::string>& Session::material_folders() const {
+    return state_->material_folders;
+}
+
+void Session::note_saved(const std::string& path) { state_->note_saved(path); }
 
 void Session::set_viewport(Viewport* viewport) { state_->viewport = viewport; }
 

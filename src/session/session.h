@@ -48,6 +48,9 @@ class Session {
     // Makes it the object, as opening its file does. Precondition: no drag is in hand. Cost: O(1),
     // and that of freeing what was there.
     void adopt(LoadedModel model);
+    // For save_model, and what follows it; the save command does both by itself.
+    const std::vector<std::string>& material_folders() const;
+    void note_saved(const std::string& path);
 
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
     // executed meanwhile. Ending it does what the Drag command with the last targets does, to the

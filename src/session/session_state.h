@@ -63,9 +63,10 @@ struct Session::State {
     std::optional<Lattice> lattice_in_use;  // the last drag's
     Statistics::Last last;
     std::uint64_t folded = 0;
-    AdaptOutcome outcome;             // of the mesh as it is
-    BuildReport input_report;         // what opening the object took
-    double largest_coordinate = 0.0;  // of the object as it was opened
+    AdaptOutcome outcome;                       // of the mesh as it is
+    BuildReport input_report;                   // what opening the object took
+    double largest_coordinate = 0.0;            // of the object as it was opened
+    std::vector<std::string> material_folders;  // as LoadedModel has them
 
     bool has_object() const { return mesh->face_slots() > 0; }
     AdaptLimits limits(const std::optional<Lattice>& lattice) const {
@@ -77,6 +78,7 @@ struct Session::State {
         return lattice_in_use->influenced_zone();
     }
     void adopt(LoadedModel model);
+    void note_saved(const std::string& path);
     const FaceTree& face_tree();
     void note(const Frame& frame);
     void add_step(Command command, MeshChange change);

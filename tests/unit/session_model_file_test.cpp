@@ -151,5 +151,40 @@ TEST_F(ModelFile, WhatIsNoModelIsAnErrorThatNamesIt) {
     EXPECT_FALSE(fs::exists(path("model.stl")));
 }
 
+TEST_F(ModelFile, SavedElsewhereHasItsMaterialFilesThere) {
+    for (const char* folder : {"a", "b", "c", "d"}) fs::create_directory(path(folder));
+    write("a/model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("a/m.mtl", "map_Kd t.png\n");
+    write("a/t.png", "pixels");
+    Session session;
+    ASSERT_FALSE(session.execute(command::Open{path("a/model.obj")}));
+    ASSERT_FALSE(session.execute(command::Save{path("b/model.obj")}));
+    EXPECT_EQ(read("b/t.png"), "pixels");
+    // From then on they are there as well, and the likelier for being saved later.
+    write("b/m.mtl", "map_Kd t.png\nmap_Ks u.png\n");
+    fs::remove(path("b/t.png"));
+    write("b/u.png", "more");
+    ASSERT_FALSE(session.execute(command::Save{path("c/model.obj")}));
+    EXPECT_EQ(read("c/m.mtl"), read("b/m.mtl"));
+    EXPECT_EQ(read("c/t.png"), "pixels");
+    EXPECT_EQ(read("c/u.png"), "more");
+    // Those of another object are not.
+    ASSERT_FALSE(session.execute(command::Shape{}));
+    EXPECT_TRUE(session.material_folders().empty());
+}
+
+TEST_F(ModelFile, IsNotSavedWhereItsMaterialFilesCannotBe) {
+    for (const char* folder : {"a", "b"}) fs::create_directory(path(folder));
+    write("a/model.obj", "mtllib m/m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    fs::create_directory(path("a/m"));
+    write("a/m/m.mtl", "");
+    write("b/m", "a file where the folder has to be");
+    write("b/model.obj", "precious");
+    Session session;
+    ASSERT_FALSE(session.execute(command::Open{path("a/model.obj")}));
+    EXPECT_THROW(session.execute(command::Save{path("b/model.obj")}), FileError);
+    EXPECT_EQ(read("b/model.obj"), "precious");
+}
+
 }  // namespace
 }  // namespace pectin
