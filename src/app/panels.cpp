@@ -108,6 +108,12 @@ void Panels::draw_menus(Editor& editor) {
     if (ImGui::BeginMenu("Edit")) {
         item(editor, "Undo", Action::undo, editor.session().undo_count() > 0);
         item(editor, "Redo", Action::redo, editor.session().redo_count() > 0);
+        ImGui::Separator();
+        const TriMesh& mesh = editor.session().mesh();
+        const bool is_refined = mesh.vertex_count() > mesh.base_vertex_count();
+        if (ImGui::MenuItem("Bake refinement", nullptr, false, is_refined)) {
+            editor.execute(command::Bake{});
+        }
         ImGui::EndMenu();
     }
     if (ImGui::BeginMenu("View")) {

@@ -28,7 +28,7 @@ constexpr int kSettlingFrames = 3;
 // reads from the same connection while drawing, has taken an event from there already.
 constexpr double kLongestWait = 0.1;
 // And between frames that show how far a file is: what draws faster takes from what works on it.
-constexpr double kProgressWait = 1.0 / 30.0;
+constexpr double kProgressWait = 1.0 / 15.0;
 
 // Dear ImGui's context, fed by the host's window.
 class Interface {

@@ -35,8 +35,8 @@ FileWork file_work(const Command& command, const Session& session) {
     const auto* save = std::get_if<command::Save>(&command);
     const TriMesh& mesh = session.mesh();
     if (!save || mesh.face_slots() == 0) return {};  // the session says what is missing
-    return [save = *save, &mesh, folder = session.folder()](const Progress& progress) {
-        save_model(mesh, save, folder, progress);
+    return [save = *save, &mesh, folders = session.material_folders()](const Progress& progress) {
+        save_model(mesh, save, progress, folders);
         return std::nullopt;
     };
 }
@@ -59,7 +59,7 @@ Workspace::Outcome Workspace::execute(const Command& command) {
         tell(*complaint);
         return Outcome::failed;
     }
-    if (file_task_) return poll(patience_);
+    if (file_task_) return patience_.count() > 0 ? poll(patience_) : Outcome::under_way;
     if (session_.undo_count() != undo_count) is_modified_ = true;
     finish(command);
     return Outcome::done;
@@ -119,6 +119,7 @@ void Workspace::note(const Command& command) {
         begin({});
         shape_name_ = shape_name(shape->kind);
     } else if (const auto* save = std::get_if<command::Save>(&command)) {
+        session_.note_saved(save->path);
         path_ = save->path;
         is_modified_ = false;
     }

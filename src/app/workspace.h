@@ -21,6 +21,7 @@ inline constexpr std::chrono::milliseconds kPatience{200};
 
 class Workspace {
   public:
+    // patience: with 0 every file is under way first.
     explicit Workspace(std::optional<Recorder> recorder = {},
                        std::chrono::milliseconds patience = kPatience)
         : recorder_(std::move(recorder)), patience_(patience) {}

@@ -13,7 +13,6 @@
 
 namespace pectin {
 
-using Vec2 = glm::dvec2;
 using IVec2 = glm::ivec2;
 using Mat4 = glm::dmat4;  // column-major
 

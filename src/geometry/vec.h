@@ -7,6 +7,7 @@
 
 namespace pectin {
 
+using Vec2 = glm::dvec2;
 using Vec3 = glm::dvec3;
 using Vec3f = glm::vec3;
 using Vec2f = glm::vec2;

@@ -21,7 +21,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// Real ones have kilobytes.
+// Real ones have kilobytes; what is larger is no library, whatever it is called.
 constexpr std::size_t kMostLibraryBytes = std::size_t{64} << 20;
 
 std::string lower_case(std::string_view text) {
@@ -75,9 +75,9 @@ std::optional<fs::path> path_inside(const fs::path& subfolder, std::string_view 
     return path;
 }
 
-bool is_file(const fs::path& path) {
+bool is_readable_file(const fs::path& path) {
     std::error_code error;
-    return fs::is_regular_file(path, error);
+    return fs::is_regular_file(path, error) && ::access(path.c_str(), R_OK) == 0;
 }
 
 // Also a symbolic link that leads nowhere: writing would follow it.
@@ -110,7 +110,7 @@ class MaterialCopier {
 std::vector<std::string> MaterialCopier::library_names(std::string_view statement) const {
     constexpr std::string_view kExtension = ".mtl";
     const auto whole = path_inside({}, statement);
-    if (whole && is_file(from_ / *whole)) return {std::string(statement)};
+    if (whole && is_readable_file(from_ / *whole)) return {std::string(statement)};
     std::vector<std::string> names;
     const std::string lower = lower_case(statement);
     std::size_t begin = 0;
@@ -133,9 +133,9 @@ void MaterialCopier::find_libraries(std::string_view statement) {
             outside_.insert(name);
             continue;
         }
-        if (!is_file(from_ / name)) std::replace(name.begin(), name.end(), '\\', '/');
+        if (!is_readable_file(from_ / name)) std::replace(name.begin(), name.end(), '\\', '/');
         const auto path = path_inside({}, name);
-        if (path && is_file(from_ / *path)) {
+        if (path && is_readable_file(from_ / *path)) {
             libraries_.insert(*path);
         } else {
             (path ? lost_ : outside_).insert(name);
@@ -149,7 +149,9 @@ void MaterialCopier::find_textures() {
 }
 
 void MaterialCopier::find_textures_of(const fs::path& library) {
-    const std::string text = read_whole_file((from_ / library).string(), {}, kMostLibraryBytes);
+    std::error_code error;
+    if (fs::file_size(from_ / library, error) > kMostLibraryBytes) return;
+    const std::string text = read_whole_file((from_ / library).string());
     ObjStatements statements(text);
     while (statements.next()) {
         if (!names_texture(statements.keyword())) continue;
@@ -167,7 +169,7 @@ void MaterialCopier::find_texture(const fs::path& library, std::string_view name
     for (const std::string& spelling : {std::string(name), with_slashes}) {
         for (const fs::path& subfolder : {library.parent_path(), fs::path()}) {
             const auto path = path_inside(subfolder, spelling);
-            if (path && is_file(from_ / *path)) {
+            if (path && is_readable_file(from_ / *path)) {
                 found_.insert(*path);
                 return;
             }
@@ -195,7 +197,7 @@ MaterialCopy MaterialCopier::copy(const Progress& progress) {
         done = std::min(done + step, 1.0);
     }
     std::copy_if(lost_.begin(), lost_.end(), std::back_inserter(result.missing),
-                 [this](const std::string& name) { return !is_file(to_ / name); });
+                 [this](const std::string& name) { return !is_readable_file(to_ / name); });
     result.outside.assign(outside_.begin(), outside_.end());
     return result;
 }

@@ -12,7 +12,7 @@ namespace pectin {
 // Paths below the folders, with slashes, sorted, each once.
 struct MaterialCopy {
     std::vector<std::string> copied;
-    std::vector<std::string> missing;  // named, but in neither folder
+    std::vector<std::string> missing;  // named, but in neither folder or not to be read
     std::vector<std::string> outside;  // absolute or climbing out of the folder: not looked at
 };
 
@@ -26,8 +26,8 @@ struct MaterialCopy {
 // they are named by map_*, bump, disp, decal, refl and norm, behind options, with slashes or
 // backslashes.
 //
-// Throws FileError where a file is there but cannot be read or copied; each is copied whole or not
-// at all (AtomicFile). Throws Cancelled.
+// Throws FileError where a file cannot be copied; each is copied whole or not at all (AtomicFile).
+// Throws Cancelled.
 MaterialCopy copy_material_files(std::span<const std::string> material_libraries,
                                  const std::string& from, const std::string& to,
                                  const Progress& progress = {});

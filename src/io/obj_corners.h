@@ -19,6 +19,36 @@ struct ObjCorner {
 // them are seen in files. For anything else returns none and says why.
 std::optional<ObjCorner> parse_corner(std::string_view token, std::string& why_not);
 
+// The same for the first corner in [at, end), where it is v, v/vt, v//vn or v/vt/vn of positive
+// indices of at most nine digits and a blank follows it; moves `at` behind it. False for all
+// others, which it does not judge. Most corners are such, and most of a model is corners.
+inline bool take_plain_corner(const char*& at, const char* end, ObjCorner& corner) {
+    const char* p = at;
+    const auto take_index = [&p, end](std::int32_t& index) {
+        constexpr std::ptrdiff_t kMostDigits = 9;
+        const char* const begin = p;
+        std::uint32_t number = 0;
+        for (; p != end && *p >= '0' && *p <= '9'; ++p) {
+            number = 10 * number + static_cast<std::uint32_t>(*p - '0');
+        }
+        index = static_cast<std::int32_t>(number);
+        return p - begin <= kMostDigits && number != 0;
+    };
+    corner = {};
+    if (!take_index(corner.position)) return false;
+    if (p != end && *p == '/') {
+        ++p;
+        if (p != end && *p != '/' && !take_index(corner.uv)) return false;
+        if (p != end && *p == '/') {
+            ++p;
+            if (!take_index(corner.normal)) return false;
+        }
+    }
+    if (p != end && *p != ' ') return false;
+    at = p;
+    return true;
+}
+
 // From the file's way of counting one kind of element to ours. What comes later in the file may be
 // referred to, so the end of the file has the last word.
 class ObjReferences {

@@ -111,6 +111,7 @@ class ObjParser {
     std::string read_group_names() const;
     Index read_smoothing_group() const;
     std::size_t append_corners(std::vector<Corner>& corners);
+    bool take_corner(std::string_view& rest, ObjCorner& corner);
     Corner resolve(const ObjCorner& raw);
     Index present_part();
     void check_references() const;
@@ -291,13 +292,29 @@ Index ObjParser::read_smoothing_group() const {
 std::size_t ObjParser::append_corners(std::vector<Corner>& corners) {
     std::size_t count = 0;
     std::string_view rest = statements_.arguments();
-    while (const auto token = take_token(rest)) {
-        const std::optional<ObjCorner> raw = parse_corner(*token, why_not_);
-        if (!raw) fail(why_not_);
-        corners.push_back(resolve(*raw));
+    ObjCorner raw;
+    while (take_corner(rest, raw)) {
+        corners.push_back(resolve(raw));
         ++count;
     }
     return count;
+}
+
+// The next corner, cut off the front of `rest`; false where there is none.
+bool ObjParser::take_corner(std::string_view& rest, ObjCorner& corner) {
+    const char* const end = rest.data() + rest.size();
+    const char* at = rest.data();
+    while (at != end && *at == ' ') ++at;
+    if (take_plain_corner(at, end, corner)) {
+        rest = {at, end};
+        return true;
+    }
+    const auto token = take_token(rest);
+    if (!token) return false;
+    const std::optional<ObjCorner> parsed = parse_corner(*token, why_not_);
+    if (!parsed) fail(why_not_);
+    corner = *parsed;
+    return true;
 }
 
 ObjParser::Corner ObjParser::resolve(const ObjCorner& raw) {

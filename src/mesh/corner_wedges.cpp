@@ -45,8 +45,10 @@ class OutgoingHalfEdges {
 // Normals of the corners round one vertex after the other.
 class SmoothNormals {
   public:
-    SmoothNormals(const TriMesh& mesh, const BuildOptions& options)
+    SmoothNormals(const TriMesh& mesh, std::span<const std::uint32_t> corner_of,
+                  const BuildOptions& options)
         : mesh_(mesh),
+          corner_of_(corner_of),
           by_groups_(std::any_of(mesh.input_form().parts.begin(), mesh.input_form().parts.end(),
                                  [](const Part& p) { return p.smoothing_group != 0; })),
           smooth_cosine_(std::cos(options.crease_angle * std::numbers::pi / 180.0)),
@@ -61,6 +63,7 @@ class SmoothNormals {
         parent_.resize(corners.size());
         std::iota(parent_.begin(), parent_.end(), 0u);
         for (std::uint32_t i = 0; i < corners.size(); ++i) join_across_edge(corners, i);
+        join_pieces_of_corners(corners);
         sums_.assign(corners.size(), Vec3{0.0});
         for (std::uint32_t i = 0; i < corners.size(); ++i) {
             sums_[root(i)] +=
@@ -83,8 +86,29 @@ class SmoothNormals {
         const HalfEdgeId twin = mesh_.twin(corners[i]);
         if (!exists(twin) || !is_smooth(TriMesh::face(corners[i]), TriMesh::face(twin))) return;
         const auto other = std::lower_bound(corners.begin(), corners.end(), TriMesh::next(twin));
-        const std::uint32_t x = root(i),
-                            y = root(static_cast<std::uint32_t>(other - corners.begin()));
+        join(i, static_cast<std::uint32_t>(other - corners.begin()));
+    }
+
+    // A corner of a polygon is one, also where a cut runs between its triangles.
+    void join_pieces_of_corners(std::span<const HalfEdgeId> corners) {
+        const auto polygon = [&](HalfEdgeId h) { return mesh_.polygon(TriMesh::face(h)); };
+        const auto neighbours = std::adjacent_find(
+            corners.begin(), corners.end(),
+            [&](HalfEdgeId x, HalfEdgeId y) { return polygon(x) == polygon(y); });
+        if (neighbours == corners.end()) return;  // of triangles
+        by_input_corner_.resize(corners.size());
+        std::iota(by_input_corner_.begin(), by_input_corner_.end(), 0u);
+        const auto input_corner = [&](std::uint32_t i) { return corner_of_[index(corners[i])]; };
+        std::sort(by_input_corner_.begin(), by_input_corner_.end(),
+                  [&](auto x, auto y) { return input_corner(x) < input_corner(y); });
+        for (std::size_t i = 1; i < by_input_corner_.size(); ++i) {
+            const std::uint32_t x = by_input_corner_[i - 1], y = by_input_corner_[i];
+            if (input_corner(x) == input_corner(y)) join(x, y);
+        }
+    }
+
+    void join(std::uint32_t i, std::uint32_t j) {
+        const std::uint32_t x = root(i), y = root(j);
         parent_[std::max(x, y)] = std::min(x, y);
     }
 
@@ -101,10 +125,11 @@ class SmoothNormals {
     }
 
     const TriMesh& mesh_;
+    std::span<const std::uint32_t> corner_of_;
     bool by_groups_;
     double smooth_cosine_;
     std::vector<Vec3> face_normals_;
-    std::vector<std::uint32_t> parent_;
+    std::vector<std::uint32_t> parent_, by_input_corner_;
     std::vector<Vec3> sums_;
 };
 
@@ -173,7 +198,7 @@ CornerWedges corner_wedges(const TriMesh& mesh, const IndexedFaceSet& input,
     const bool with_uvs = !input.uvs.empty();
     std::unique_ptr<SmoothNormals> smooth;
     if (!all_have_normals(input, corner_of))
-        smooth = std::make_unique<SmoothNormals>(mesh, options);
+        smooth = std::make_unique<SmoothNormals>(mesh, corner_of, options);
 
     const OutgoingHalfEdges outgoing(mesh);
     CornerWedges wedges;

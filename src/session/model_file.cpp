@@ -4,6 +4,7 @@
 #include <cctype>
 #include <filesystem>
 #include <string_view>
+#include <system_error>
 #include <utility>
 
 #include "io/file_error.h"
@@ -15,9 +16,7 @@ namespace pectin {
 namespace {
 
 // Where reading ends and building ends, of the time that loading takes.
-constexpr double kRead = 0.5, kBuilt = 0.8;
-// Where copying material files ends, of the time that saving takes.
-constexpr double kCopied = 0.1;
+constexpr double kRead = 0.4, kBuilt = 0.75;
 
 bool has_extension(const std::string& path, std::string_view extension) {
     if (path.size() < extension.size()) return false;
@@ -27,12 +26,14 @@ bool has_extension(const std::string& path, std::string_view extension) {
         [](char y, char x) { return std::tolower(static_cast<unsigned char>(x)) == y; });
 }
 
-std::string folder_of(const std::string& path) {
-    const std::string folder = std::filesystem::path(path).parent_path().string();
-    return folder.empty() ? "." : folder;
-}
-
 }  // namespace
+
+std::string material_folder(const std::string& model_path) {
+    namespace fs = std::filesystem;
+    std::error_code error;
+    const fs::path whole = fs::absolute(model_path, error);
+    return (error ? fs::path(model_path) : whole).parent_path().string();
+}
 
 LoadedModel make_model(BuiltMesh built) {
     LoadedModel model;
@@ -50,23 +51,24 @@ LoadedModel load_model(const command::Open& open, const Progress& progress) {
         throw FileError(open.path,
                         "has no face with three different vertices; a model needs at least one");
     }
-    model.folder = folder_of(open.path);
+    model.material_folders = {material_folder(open.path)};
     progress.advance(kBuilt);
     model.tree = std::make_unique<FaceTree>(*model.mesh);
     progress.advance(1.0);
     return model;
 }
 
-void save_model(const TriMesh& mesh, const command::Save& save, const std::string& folder,
-                const Progress& progress) {
+void save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress,
+                std::span<const std::string> material_folders) {
     if (!has_extension(save.path, ".obj")) {
         throw FileError(save.path, "does not end in .obj; save writes OBJ files");
     }
-    if (!folder.empty()) {
-        copy_material_files(mesh.input_form().material_libraries, folder, folder_of(save.path),
-                            progress.part(0.0, kCopied));
+    const std::string folder = material_folder(save.path);
+    for (const std::string& from : material_folders) {
+        copy_material_files(mesh.input_form().material_libraries, from, folder,
+                            progress.part(0.0, 0.0));
     }
-    write_obj(mesh, save.path, progress.part(kCopied, 1.0));
+    write_obj(mesh, save.path, progress);
 }
 
 }  // namespace pectin

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "command/command.h"
 #include "geometry/box.h"
@@ -22,8 +24,12 @@ struct LoadedModel {
     std::unique_ptr<FaceTree> tree;  // none: it is made when first asked for
     BuildReport report;              // what building it took
     Box box;                         // of all its vertices
-    std::string folder{};            // of its file, where its material files lie; empty: no file
+    // Where the files that its material libraries name may lie, the likeliest first; absolute.
+    std::vector<std::string> material_folders{};
 };
+
+// Where the material files of the model in this file lie.
+std::string material_folder(const std::string& model_path);
 
 // Without a tree. Cost: O(n).
 LoadedModel make_model(BuiltMesh built);
@@ -33,12 +39,11 @@ LoadedModel make_model(BuiltMesh built);
 // Cost: O(n log n).
 LoadedModel load_model(const command::Open& open, const Progress& progress = {});
 
-// Writes the mesh to the file, whole or not at all; before that copies the material files it names
-// from `folder`, where they are, to that of the file, where they are not yet (copy_material_files).
-// folder: as LoadedModel has it. Nobody may change the mesh meanwhile. Throws Cancelled (the file
-// is as it was), FileError: write_obj's, copy_material_files', or that it is no OBJ file. Cost:
-// O(n).
-void save_model(const TriMesh& mesh, const command::Save& save, const std::string& folder,
-                const Progress& progress = {});
+// Copies the material files that are not there yet into the file's folder, then writes the mesh to
+// the file, whole or not at all. Nobody may change the mesh meanwhile. Throws Cancelled (the file
+// is as it was), FileError: copy_material_files', write_obj's, or that it is no OBJ file.
+// Cost: O(n), and that of copying.
+void save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress = {},
+                std::span<const std::string> material_folders = {});
 
 }  // namespace pectin

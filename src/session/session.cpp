@@ -40,7 +40,7 @@ void Session::State::adopt(LoadedModel model) {
     tree = std::move(model.tree);
     history.clear();
     input_report = model.report;
-    folder = std::move(model.folder);
+    material_folders = std::move(model.material_folders);
     diagonal = model.box.diagonal();
     const Vec3 farthest = glm::max(glm::abs(model.box.min), glm::abs(model.box.max));
     largest_coordinate = glm::max(farthest.x, glm::max(farthest.y, farthest.z));
@@ -51,6 +51,13 @@ void Session::State::adopt(LoadedModel model) {
     outcome = {};
     dirty = {};
     dirty.everything = true;
+}
+
+// The folder in which all was put together last is the likeliest to have it.
+void Session::State::note_saved(const std::string& path) {
+    const std::string folder = material_folder(path);
+    std::erase(material_folders, folder);
+    material_folders.insert(material_folders.begin(), folder);
 }
 
 const FaceTree& Session::State::face_tree() {
@@ -274,7 +281,8 @@ Refusal Session::State::run(const command::Bake& bake) {
 
 Refusal Session::State::run(const command::Save& save) {
     if (!has_object()) return kNoObject;
-    save_model(*mesh, save, folder);
+    save_model(*mesh, save, {}, material_folders);
+    note_saved(save.path);
     return std::nullopt;
 }
 
@@ -306,6 +314,12 @@ void Session::adopt(LoadedModel model) {
     assert(!is_dragging());
     state_->adopt(std::move(model));
 }
+
+const std::vector<std::string>& Session::material_folders() const {
+    return state_->material_folders;
+}
+
+void Session::note_saved(const std::string& path) { state_->note_saved(path); }
 
 void Session::set_viewport(Viewport* viewport) { state_->viewport = viewport; }
 
@@ -356,8 +370,6 @@ void Session::cancel_drag() { state_->cancel_drag(); }
 bool Session::is_dragging() const { return state_->in_hand != nullptr; }
 
 const TriMesh& Session::mesh() const { return *state_->mesh; }
-
-const std::string& Session::folder() const { return state_->folder; }
 
 std::optional<Lattice> Session::lattice_in_use() const {
     return is_dragging() ? state_->in_hand->lattice : state_->lattice_in_use;

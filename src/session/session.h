@@ -61,6 +61,9 @@ class Session {
     // Makes it the object, as opening its file does. Precondition: no drag is in hand. Cost: O(1),
     // and that of freeing what was there.
     void adopt(LoadedModel model);
+    // For save_model, and what follows it; the save command does both by itself.
+    const std::vector<std::string>& material_folders() const;
+    void note_saved(const std::string& path);
 
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
     // executed meanwhile. Ending it does what the Drag command that it came to does, to the byte,
@@ -94,8 +97,6 @@ class Session {
     void set_viewport(Viewport* viewport);
 
     const TriMesh& mesh() const;
-    // Of the file that was opened, as save_model wants it.
-    const std::string& folder() const;
     // The surface point that a ray meets first. Not during a drag. Cost: O(log n), the first time
     // O(n log n).
     std::optional<Pick> pick(const Ray& ray);

@@ -71,10 +71,10 @@ struct Session::State {
     std::vector<Box> zones_in_use;          // all steps'; none after a connected drag
     Statistics::Last last;
     std::uint64_t folded = 0;
-    AdaptOutcome outcome;             // of the mesh as it is
-    std::string folder;               // of the file that was opened; empty where there was none
-    BuildReport input_report;         // what opening the object took
-    double largest_coordinate = 0.0;  // of the object as it was opened
+    AdaptOutcome outcome;                       // of the mesh as it is
+    BuildReport input_report;                   // what opening the object took
+    double largest_coordinate = 0.0;            // of the object as it was opened
+    std::vector<std::string> material_folders;  // as LoadedModel has them
 
     bool has_object() const { return mesh->face_slots() > 0; }
     AdaptLimits limits(const std::optional<Lattice>& lattice) const {
@@ -84,6 +84,7 @@ struct Session::State {
         return limits;
     }
     void adopt(LoadedModel model);
+    void note_saved(const std::string& path);
     const FaceTree& face_tree();
     void note(const Frame& frame);
     void add_step(Command command, MeshChange change);

@@ -99,7 +99,8 @@ Command random_command(const TriMesh& mesh, Random& random) {
     }
     if (which < 0.58) return command::Undo{.count = random.integer(1, 3)};
     if (which < 0.68) return command::Redo{.count = random.integer(1, 3)};
-    if (which < 0.76) return command::Readapt{};
+    if (which < 0.75) return command::Readapt{};
+    if (which < 0.77) return command::Bake{};
     if (which < 0.88) return random_adapt(random);
     if (which < 0.96) {
         return command::Brush{.radius = random.scale(0.1, 2.0), .span = random.integer(1, 6)};

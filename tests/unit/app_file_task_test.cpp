@@ -166,6 +166,17 @@ TEST_F(FileTask, EscapeCancelsAndLeavesTheObjectWithoutAWord) {
     EXPECT_EQ(editor.session().mesh().face_count(), 4u) << "and it can be opened again";
 }
 
+TEST_F(FileTask, AModelThatWasReadBeforeItWasCancelledIsNotTakenEither) {
+    Editor editor = this->editor();
+    const TriMesh sphere = editor.session().mesh();
+    editor.open(path("tetrahedron.obj"));
+    ASSERT_TRUE(editor.workspace().file_task()->work.has_ended(1h));
+    key(editor, Key::escape);
+    wait(editor);
+    EXPECT_EQ(editor.session().mesh(), sphere);
+    EXPECT_EQ(editor.workspace().message(), "");
+}
+
 TEST_F(FileTask, CancellingASaveLeavesTheOldFileAndTheChanges) {
     write("ball.obj", "precious");
     Editor editor = this->editor(6);

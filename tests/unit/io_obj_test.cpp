@@ -147,7 +147,7 @@ TEST(WriteObj, GivesEveryPolygonBackAsItWas) {
         "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nv 9 9 9\nvn 0 0 1\nvn 0 0 -1\n"
         "f 1//1 2//1 3//1 4//1 5//1\nf 2//1 3//1 4//1 5//1 1//1\nf 3//1 4//1 5//1 1//1 2//1\n"
         "f 4//1 5//1 1//1 2//1 3//1\nf 5//2 4//2 3//2 2//2 1//2\nf 2//1 3//1 4//1 1//1\n"
-        "f 1//1 2//1 2//1 3//1 1//1\nf 6//1 6//1 1//1\nf 1//1 2//1 1//1 3//1\n";
+        "f 1//1 2//1 2//1 3//1 1//1\nf 6//1 6//1 1//1\nf 1//1 2//1\nf 6//1\nf 1//1 2//1 1//1 3//1\n";
     EXPECT_EQ(format_obj(mesh_of(text)), text);
 }
 
@@ -198,6 +198,18 @@ TEST(Obj, GivesShapesBack) {
         EXPECT_EQ(position_indices(back), position_indices(shape));
         expect_same_surface(mesh, build_mesh(back).mesh);
         EXPECT_EQ(format_obj(build_mesh(back).mesh), text);
+    }
+}
+
+// What the fuzzer found.
+TEST(Obj, SavesTheSameBytesOfWhatItSaved) {
+    const std::string texts[] = {
+        // A polygon's corner whose two triangles a cut parts is still one corner.
+        "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 5\nf 1 2 3 1 4 5\n",
+    };
+    for (const std::string& text : texts) {
+        const std::string saved = format_obj(mesh_of(text));
+        EXPECT_EQ(format_obj(mesh_of(saved)), saved) << text;
     }
 }
 

@@ -182,6 +182,23 @@ TEST(Triangulate, CutsWhatHasNoInsideIntoTheSameNumber) {
     expect_cover(point, cut(point));
 }
 
+// Minutes each, if every ear were held against every corner.
+TEST(Triangulate, TakesLargePolygonsInItsStride) {
+    Random random(77);
+    std::vector<double> radii(20'000);
+    for (double& r : radii) r = random.uniform(0.5, 1.0);
+    const auto star = star_shaped({0, 0, 1}, radii);
+    const Triangles of_star = cut(star);
+    expect_cover(star, of_star);
+    expect_none_flips(star, of_star);
+    std::vector<Vec3> tangle(20'000);
+    for (Vec3& p : tangle) p = random.direction();
+    EXPECT_EQ(cut(tangle).size(), tangle.size() - 2);
+    std::vector<Vec3> huge = star;
+    for (Vec3& p : huge) p *= 1e307;
+    EXPECT_EQ(cut(huge).size(), huge.size() - 2);
+}
+
 TEST(Triangulate, AppendsToWhatIsThere) {
     Triangles triangles{{7, 8, 9}};
     triangulate(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, triangles);

@@ -110,14 +110,14 @@ TEST_F(ModelFile, ProgressRisesToOne) {
     const std::string file = sphere();
     LoadedModel model;
     expect_rise_to_one(reported([&](const Progress& p) { model = load_model({file}, p); }));
-    expect_rise_to_one(reported(
-        [&](const Progress& p) { save_model(*model.mesh, {path("b.obj")}, model.folder, p); }));
+    expect_rise_to_one(
+        reported([&](const Progress& p) { save_model(*model.mesh, {path("b.obj")}, p); }));
     EXPECT_EQ(read("b.obj"), read("sphere.obj"));
 }
 
 TEST_F(ModelFile, LoadingEndsWhereverItIsStopped) {
     const std::string file = sphere();
-    for (double fraction : {0.0, 0.25, 0.5, 0.8}) {
+    for (double fraction : {0.0, 0.15, 0.3, 0.7}) {
         EXPECT_TRUE(is_stopped_at(fraction, [&](const Progress& p) { load_model({file}, p); }))
             << fraction;
     }
@@ -129,7 +129,7 @@ TEST_F(ModelFile, SavingThatIsStoppedLeavesTheFileAsItWasAndNoOther) {
     const std::size_t files = file_count();
     for (double fraction : {0.0, 0.2, 0.4, 0.6, 0.9}) {
         EXPECT_TRUE(is_stopped_at(fraction, [&](const Progress& p) {
-            save_model(*model.mesh, {path("kept.obj")}, model.folder, p);
+            save_model(*model.mesh, {path("kept.obj")}, p);
         })) << fraction;
         EXPECT_EQ(read("kept.obj"), "precious") << fraction;
         EXPECT_EQ(file_count(), files) << fraction;
@@ -147,27 +147,43 @@ TEST_F(ModelFile, WhatIsNoModelIsAnErrorThatNamesIt) {
     }
     EXPECT_THROW(load_model({path("absent.obj")}), FileError);
     const LoadedModel model = load_model({sphere()});
-    EXPECT_THROW(save_model(*model.mesh, {path("model.stl")}, model.folder), FileError);
+    EXPECT_THROW(save_model(*model.mesh, {path("model.stl")}), FileError);
     EXPECT_FALSE(fs::exists(path("model.stl")));
 }
 
-TEST_F(ModelFile, SavedElsewhereTakesItsMaterialFilesAlong) {
-    write("model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nusemtl red\nf 1 2 3\n");
-    write("m.mtl", "newmtl red\nmap_Kd red.png\nmap_bump absent.png\n");
-    write("red.png", "a picture");
-    fs::create_directory(path("elsewhere"));
+TEST_F(ModelFile, SavedElsewhereHasItsMaterialFilesThere) {
+    for (const char* folder : {"a", "b", "c", "d"}) fs::create_directory(path(folder));
+    write("a/model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("a/m.mtl", "map_Kd t.png\n");
+    write("a/t.png", "pixels");
     Session session;
-    ASSERT_FALSE(session.execute(command::Open{path("model.obj")}));
-    ASSERT_FALSE(session.execute(command::Save{path("elsewhere/saved.obj")}));
-    EXPECT_EQ(read("elsewhere/m.mtl"), read("m.mtl"));
-    EXPECT_EQ(read("elsewhere/red.png"), "a picture");
-    // What is there already stays as it is.
-    write("elsewhere/m.mtl", "another");
-    ASSERT_FALSE(session.execute(command::Save{path("elsewhere/saved.obj")}));
-    EXPECT_EQ(read("elsewhere/m.mtl"), "another");
-    // A shape has no files to take along.
+    ASSERT_FALSE(session.execute(command::Open{path("a/model.obj")}));
+    ASSERT_FALSE(session.execute(command::Save{path("b/model.obj")}));
+    EXPECT_EQ(read("b/t.png"), "pixels");
+    // From then on they are there as well, and the likelier for being saved later.
+    write("b/m.mtl", "map_Kd t.png\nmap_Ks u.png\n");
+    fs::remove(path("b/t.png"));
+    write("b/u.png", "more");
+    ASSERT_FALSE(session.execute(command::Save{path("c/model.obj")}));
+    EXPECT_EQ(read("c/m.mtl"), read("b/m.mtl"));
+    EXPECT_EQ(read("c/t.png"), "pixels");
+    EXPECT_EQ(read("c/u.png"), "more");
+    // Those of another object are not.
     ASSERT_FALSE(session.execute(command::Shape{}));
-    EXPECT_EQ(session.folder(), "");
+    EXPECT_TRUE(session.material_folders().empty());
+}
+
+TEST_F(ModelFile, IsNotSavedWhereItsMaterialFilesCannotBe) {
+    for (const char* folder : {"a", "b"}) fs::create_directory(path(folder));
+    write("a/model.obj", "mtllib m/m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    fs::create_directory(path("a/m"));
+    write("a/m/m.mtl", "");
+    write("b/m", "a file where the folder has to be");
+    write("b/model.obj", "precious");
+    Session session;
+    ASSERT_FALSE(session.execute(command::Open{path("a/model.obj")}));
+    EXPECT_THROW(session.execute(command::Save{path("b/model.obj")}), FileError);
+    EXPECT_EQ(read("b/model.obj"), "precious");
 }
 
 }  // namespace

@@ -512,6 +512,43 @@ TEST(Session, ReadaptsOnceAndThenFindsNothingMore) {
     }
 }
 
+TEST(Session, BakesAsAStepThatUndoAndRedoExchange) {
+    Session session = sphere();
+    expect_done(session, drag({0, 0, 1}, {0, 0.2, 0.4}));
+    const TriMesh refined = session.mesh();
+    ASSERT_GT(refined.vertex_count(), refined.base_vertex_count());
+    expect_done(session, command::Bake{});
+    const TriMesh baked = session.mesh();
+    EXPECT_EQ(baked.base_vertex_count(), refined.vertex_count());
+    EXPECT_EQ(format_obj(baked), format_obj(refined));
+    EXPECT_EQ(session.statistics().needing_refinement, 0u);
+    EXPECT_TRUE(session.take_dirty().everything);
+    // Nothing is left to thin, and sculpting goes on from here.
+    expect_done(session, Adapt{.theta_max = Setting::off(), .l_max = Setting::off()});
+    expect_done(session, Readapt{});
+    EXPECT_TRUE(session.mesh() == baked);
+    expect_done(session, drag({0, 1, 0}, {0, 0.4, 0}));
+    const TriMesh dragged = session.mesh();
+    expect_done(session, Undo{.count = 2});
+    EXPECT_TRUE(session.mesh() == refined);
+    expect_done(session, Undo{});
+    EXPECT_EQ(session.mesh().vertex_count(), session.mesh().base_vertex_count());
+    expect_done(session, command::Redo{.count = 3});
+    EXPECT_TRUE(session.mesh() == dragged);
+}
+
+TEST(Session, TakesNoStepForABakeOfWhatIsBase) {
+    Session session = sphere();
+    expect_done(session, command::Bake{});
+    EXPECT_EQ(session.undo_count(), 0u);
+    EXPECT_TRUE(contains(
+        [] {
+            Session none;
+            return refusal_of(none, command::Bake{});
+        }(),
+        "no object"));
+}
+
 TEST(Session, TakesNoStepForAReadaptThatDoesNothing) {
     Session session = sphere();
     expect_done(session, Readapt{});

@@ -1,0 +1,103 @@
+// Any bytes as a script: its commands are refused or done on a small mesh, which stays valid; undo
+// gives back what there was. Commands that touch files are read, but not done.
+#include <cstdint>
+#include <optional>
+#include <sstream>
+#include <string>
+
+#include "command/json.h"
+#include "command/script.h"
+#include "fuzz/expect.h"
+#include "io/obj_writer.h"
+#include "session/session.h"
+
+namespace {
+
+using namespace pectin;
+using fuzz::expect;
+
+// So that one input takes milliseconds.
+constexpr int kMostCommands = 12;
+constexpr int kMostResolution = 3;
+constexpr std::uint64_t kBudget = 1500;  // triangles
+constexpr std::int64_t kMostControlPoints = 1000;
+constexpr std::size_t kMostPoints = 16;
+
+bool is_small(const command::Shape& shape) { return shape.resolution <= kMostResolution; }
+bool is_small(const command::Brush& brush) { return brush.span.value_or(0) <= 8; }
+bool is_small(const command::Cage& cage) {
+    const IVec3 n =
+        std::visit([](const auto& lattice) { return lattice.deformable; }, cage.lattice);
+    return std::int64_t{n.x} * n.y * n.z <= kMostControlPoints;
+}
+bool is_small(const command::Drag& drag) {
+    return drag.moves.size() + drag.pins.size() <= kMostPoints;
+}
+template <typename Any>
+bool is_small(const Any&) {
+    return !requires(Any c) { c.path; };  // whatever names a file is not done at all
+}
+
+void expect_same_when_read_back(const Command& command) {
+    const auto again = parse_command(format_command(command));
+    expect(std::holds_alternative<Command>(again) && std::get<Command>(again) == command,
+           "a command is the same when written and read back: " + format_command(command));
+}
+
+void expect_valid(const Session& session) {
+    const std::vector<std::string> violations = session.mesh().validate();
+    expect(violations.empty(), "the mesh is valid: " + (violations.empty() ? "" : violations[0]));
+}
+
+// A sculpting session and its object as it was before the first step.
+class SmallSession {
+  public:
+    SmallSession() { execute(command::Shape{command::Shape::Kind::sphere, 1}); }
+
+    void execute(Command command) {
+        if (auto* adapt = std::get_if<command::Adapt>(&command)) {
+            adapt->budget = std::min(adapt->budget.value_or(kBudget), kBudget);
+        }
+        const std::string before = format_obj(session_.mesh());
+        const auto refusal = session_.execute(command);
+        expect_valid(session_);
+        if (refusal) {
+            expect(!refusal->empty() && refusal->find('\n') == refusal->npos,
+                   "a refusal is one line");
+            expect(format_obj(session_.mesh()) == before, "a refusal leaves the object as it was");
+        } else if (std::holds_alternative<command::Shape>(command)) {
+            first_ = format_obj(session_.mesh());
+            session_.execute(command::Adapt{.budget = kBudget});
+        }
+    }
+
+    void undo_all() {
+        const auto count = static_cast<int>(session_.undo_count());
+        if (count > 0) execute(command::Undo{count});
+        expect(format_obj(session_.mesh()) == first_, "undo gives back what there was");
+    }
+
+  private:
+    Session session_;
+    std::string first_;
+};
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+    std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
+    ScriptReader reader(text);
+    std::optional<SmallSession> session;
+    for (int i = 0; i < kMostCommands; ++i) {
+        const auto line = reader.next();
+        if (!line) break;
+        const auto* command = std::get_if<Command>(&line->command);
+        if (!command) break;
+        expect_same_when_read_back(*command);
+        if (!std::visit([](const auto& c) { return is_small(c); }, *command)) continue;
+        if (!session) session.emplace();
+        session->execute(*command);
+    }
+    if (session) session->undo_all();
+    return 0;
+}
