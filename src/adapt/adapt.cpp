@@ -5,6 +5,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "mesh/first_of_siblings.h"
+
 namespace pectin {
 
 Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
@@ -27,10 +29,11 @@ Assessment assess(const ActiveSet& active, const Criteria& criteria,
                   std::span<const EdgeId> blocked) {
     Assessment result;
     const TriMesh& mesh = active.mesh();
+    FirstOfSiblings is_first(mesh);
     double greatest = 0.0;
     for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
         const EdgeId e{i};
-        if (!mesh.is_live(e)) continue;
+        if (!mesh.is_live(e) || !is_first(e)) continue;
         const HalfEdgeId h = mesh.half_edge(e);
         if (mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h))) {
             greatest = std::max(greatest, Criteria::full_divergence(mesh, e));

@@ -20,7 +20,8 @@ struct Adaptation {
 
 Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria);
 
-// An edge scan without edits: what the whole mesh looks like to the criteria.
+// An edge scan without edits: what the whole mesh looks like to the criteria. Edges along a cut
+// count as one.
 struct Assessment {
     std::uint64_t needing_refinement = 0;  // edges that need it and may be split
     std::uint64_t held_back = 0;           // edges that need it but may not

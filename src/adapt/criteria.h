@@ -62,8 +62,8 @@ class Criteria {
 
     // The greatest same-side divergence of the end normals, as 1 - cos; sides with an undefined
     // normal do not count, nor do those whose normals oppose each other (by more than 120 degrees)
-    // at rest as well as now. Below `enough` it may be that
-    // of a side which does not count: what is asked is only whether it reaches that far.
+    // at rest as well as now. Below `enough` it may be that of a side which does not count: what is
+    // asked is only whether it reaches that far.
     static double divergence(const ActiveSet& active, EdgeId e, double enough = 0.0);
 
     // The same with opposed sides, too.

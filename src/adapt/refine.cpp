@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "adapt/refinement_queue.h"
+#include "mesh/first_of_siblings.h"
 
 namespace pectin {
 namespace {
@@ -27,8 +28,9 @@ class Refiner {
         : active_(active), embedding_(embedding), criteria_(criteria) {}
 
     Refinement run() {
+        FirstOfSiblings is_first(active_.mesh());
         for (EdgeId e : active_.edges()) {
-            if (active_.mesh().is_live(e)) push_if_needed(e);
+            if (active_.mesh().is_live(e) && is_first(e)) push_if_needed(e);
         }
         while (!result_.budget_hit) {
             const auto next = queue_.pop();

@@ -9,7 +9,6 @@
 #include "app/execute.h"
 #include "app/offscreen_viewport.h"
 #include "command/script.h"
-#include "session/input_summary.h"
 #include "session/session.h"
 
 namespace pectin {
@@ -35,10 +34,7 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
         auto& command = std::get<Command>(line->command);
         resolve_paths(command, folder);
         if (const auto what = execute(session, command)) return refuse(name(command), *what);
-        if (const auto* open = std::get_if<command::Open>(&command)) {
-            const std::string note = input_summary(open->path, session.input_report());
-            if (!note.empty()) tell(name(command), note);
-        }
+        if (!session.remark().empty()) tell(name(command), session.remark());
     }
     return true;
 }

@@ -36,8 +36,7 @@ FileWork file_work(const Command& command, const Session& session) {
     const TriMesh& mesh = session.mesh();
     if (!save || mesh.face_slots() == 0) return {};  // the session says what is missing
     return [save = *save, &mesh, folders = session.material_folders()](const Progress& progress) {
-        save_model(mesh, save, progress, folders);
-        return std::nullopt;
+        return save_model(mesh, save, progress, folders);
     };
 }
 
@@ -69,10 +68,16 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     if (!file_task_->work.has_ended(longest_wait)) return Outcome::under_way;
     const std::unique_ptr<FileTask> task = std::move(file_task_);
     const bool is_cancelled = task->work.is_cancelled();
+    std::string written;
     const auto complaint = complaint_about([&]() -> std::optional<std::string> {
-        std::optional<LoadedModel> model = task->work.take();
+        FileTask::Result result = task->work.take();
+        auto* const model = std::get_if<LoadedModel>(&result);
         if (model && is_cancelled) throw Cancelled();
-        if (model) session_.adopt(std::move(*model));
+        if (model) {
+            session_.adopt(std::move(*model));
+        } else {
+            written = std::move(std::get<std::string>(result));
+        }
         return std::nullopt;
     });
     if (complaint) {
@@ -80,6 +85,7 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
         return Outcome::failed;
     }
     finish(task->command);
+    if (!written.empty()) tell(written);
     return Outcome::done;
 }
 

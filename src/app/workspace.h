@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "app/background_task.h"
 #include "app/recorder.h"
@@ -36,7 +37,8 @@ class Workspace {
 
     // --- A file that is under way.
     struct FileTask {
-        using Result = std::optional<LoadedModel>;  // what was read; none where it was written
+        // What was read, or what there is to tell of what was written.
+        using Result = std::variant<std::string, LoadedModel>;
         FileTask(Command begun, std::function<Result(const Progress&)> how)
             : command(std::move(begun)), work(std::move(how)) {}
 

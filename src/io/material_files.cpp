@@ -75,6 +75,17 @@ std::optional<fs::path> path_inside(const fs::path& subfolder, std::string_view 
     return path;
 }
 
+// Whether the path, links followed, lies in the folder.
+bool leads_inside(const fs::path& folder, const fs::path& path) {
+    std::error_code error;
+    const fs::path root = fs::canonical(folder, error);
+    if (error) return false;
+    const fs::path target = fs::weakly_canonical(folder / path, error);
+    if (error) return false;
+    return std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first ==
+           root.end();
+}
+
 bool is_readable_file(const fs::path& path) {
     std::error_code error;
     return fs::is_regular_file(path, error) && ::access(path.c_str(), R_OK) == 0;
@@ -150,6 +161,7 @@ void MaterialCopier::find_textures() {
 
 void MaterialCopier::find_textures_of(const fs::path& library) {
     std::error_code error;
+    if (!leads_inside(from_, library)) return;
     if (fs::file_size(from_ / library, error) > kMostLibraryBytes) return;
     const std::string text = read_whole_file((from_ / library).string());
     ObjStatements statements(text);
@@ -190,9 +202,15 @@ MaterialCopy MaterialCopier::copy(const Progress& progress) {
     for (const fs::path& path : found_) {
         const Progress part = progress.part(done, std::min(done + step, 1.0));
         part.advance(0.0);
-        if (!is_anything(to_ / path)) {
-            copy_file(path, part);
-            result.copied.push_back(path.generic_string());
+        if (!leads_inside(from_, path) || !leads_inside(to_, path)) {
+            outside_.insert(path.generic_string());
+        } else if (!is_anything(to_ / path)) {
+            try {
+                copy_file(path, part);
+                result.copied.push_back(path.generic_string());
+            } catch (const FileError& error) {
+                result.failed.push_back(error.what());
+            }
         }
         done = std::min(done + step, 1.0);
     }

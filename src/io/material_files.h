@@ -13,7 +13,8 @@ namespace pectin {
 struct MaterialCopy {
     std::vector<std::string> copied;
     std::vector<std::string> missing;  // named, but in neither folder or not to be read
-    std::vector<std::string> outside;  // absolute or climbing out of the folder: not looked at
+    std::vector<std::string> outside;  // absolute or leading out of the folder: not looked at
+    std::vector<std::string> failed;   // sentences: what could not be copied, and why
 };
 
 // Copies the MTL files that the mtllib statements name, and the textures that those name, from the
@@ -26,8 +27,9 @@ struct MaterialCopy {
 // they are named by map_*, bump, disp, decal, refl and norm, behind options, with slashes or
 // backslashes.
 //
-// Throws FileError where a file cannot be copied; each is copied whole or not at all (AtomicFile).
-// Throws Cancelled.
+// Symbolic links that lead out of the folder are not followed, neither in `from` nor in `to`. Each
+// file is copied whole or not at all (AtomicFile); one that cannot be does not keep others from
+// being copied. Throws Cancelled.
 MaterialCopy copy_material_files(std::span<const std::string> material_libraries,
                                  const std::string& from, const std::string& to,
                                  const Progress& progress = {});

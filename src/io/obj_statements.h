@@ -32,8 +32,7 @@ class ObjStatements {
 
     const char* at_;
     const char* end_;
-    const char*
-        newline_;  // the first \n not before at_, or end_; found anew once at_ has passed it
+    const char* newline_;  // the first \n from at_ on, or end_; found anew once at_ is past it
     std::size_t lines_taken_ = 0;
     std::size_t line_ = 0;
     std::string joined_;

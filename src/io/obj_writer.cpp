@@ -144,6 +144,9 @@ class ObjWriter {
     void write_name(std::string_view keyword, std::string_view name);
 
     const InputForm& form() const { return mesh_.input_form(); }
+    bool is_written_as_outline(const PolygonWalk& polygon) const {
+        return polygon.has_outline() && pieces_.are_whole(polygon.first_face(), polygon.end_face());
+    }
     template <typename Vector>
     void write_vector(const Vector& v) {
         for (int i = 0; i < v.length(); ++i) (text_ << ' ').number(v[i]);
@@ -209,8 +212,15 @@ void ObjWriter::write_wedges() {
             if (mesh_.has_uvs()) wedge.uv = number_of(mesh_.uv(w));
         }
     }
-    for (const LooseCorner& corner : form().loose_corners) {
-        loose_.push_back({number_of(corner.uv), normals.number(corner.normal)});
+    loose_.resize(form().loose_corners.size());
+    for (PolygonWalk polygon(mesh_); polygon.next();) {
+        if (!is_written_as_outline(polygon)) continue;
+        for (const OutlineCorner& corner : polygon.outline()) {
+            if (!corner.is_loose()) continue;
+            const LooseCorner& loose_corner = form().loose_corners[corner.loose_index()];
+            loose_[corner.loose_index()] = {number_of(loose_corner.uv),
+                                            normals.number(loose_corner.normal)};
+        }
     }
     for (const LooseCorner& corner : form().element_corners) {
         element_uvs_.push_back(number_of(corner.uv));
@@ -232,11 +242,10 @@ void ObjWriter::write_polygons() {
 }
 
 void ObjWriter::write_polygon(const PolygonWalk& polygon) {
-    const std::uint32_t first = polygon.first_face(), end = polygon.end_face();
-    if (polygon.has_outline() && pieces_.are_whole(first, end)) {
+    if (is_written_as_outline(polygon)) {
         write_outline(polygon.outline());
     } else {
-        for (FaceId f : pieces_.of(first, end)) write_triangle(f);
+        for (FaceId f : pieces_.of(polygon.first_face(), polygon.end_face())) write_triangle(f);
     }
 }
 

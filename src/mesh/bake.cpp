@@ -131,7 +131,6 @@ void MeshBaker::take_connectivity() {
 void MeshBaker::take_polygons() {
     to_.form_.parts = from_.form_.parts;
     to_.form_.material_libraries = from_.form_.material_libraries;
-    to_.form_.loose_corners = from_.form_.loose_corners;  // of base vertices, which keep their ids
     std::uint32_t polygons = 0;
     PolygonWalk polygon(from_);
     while (polygon.next()) {
@@ -155,7 +154,13 @@ void MeshBaker::take_polygons() {
 
 void MeshBaker::take_outline(const PolygonWalk& polygon) {
     for (OutlineCorner corner : polygon.outline()) {
-        if (!corner.is_loose()) corner = OutlineCorner::of(renumbered(corner.half_edge()));
+        if (corner.is_loose()) {  // of a base vertex, which keeps its id
+            std::vector<LooseCorner>& loose = to_.form_.loose_corners;
+            loose.push_back(from_.form_.loose_corners[corner.loose_index()]);
+            corner = OutlineCorner::loose(static_cast<std::uint32_t>(loose.size() - 1));
+        } else {
+            corner = OutlineCorner::of(renumbered(corner.half_edge()));
+        }
         to_.form_.outline_corners.push_back(corner);
     }
 }

@@ -12,9 +12,14 @@ bool InputForm::operator==(const InputForm& o) const {
 }
 
 std::size_t InputForm::memory_bytes() const {
-    return capacity_bytes(parts) + capacity_bytes(outlines) + capacity_bytes(outline_corners) +
-           capacity_bytes(elements) + capacity_bytes(element_corners) +
-           capacity_bytes(loose_corners);
+    std::size_t names = capacity_bytes(material_libraries);
+    for (const std::string& name : material_libraries) names += name.capacity();
+    for (const Part& part : parts) {
+        names += part.object.capacity() + part.group.capacity() + part.material.capacity();
+    }
+    return names + capacity_bytes(parts) + capacity_bytes(outlines) +
+           capacity_bytes(outline_corners) + capacity_bytes(elements) +
+           capacity_bytes(element_corners) + capacity_bytes(loose_corners);
 }
 
 }  // namespace pectin

@@ -15,7 +15,7 @@
 //  7. Base vertices and faces come first: ids below base_vertex_count() have level 0, ids from
 //     there on a level above 0. Base faces stay live: splits cut them, but keep their slots.
 //  8. Every position, colour and texture coordinate that was given is finite; normals are unit or
-//  zero.
+//     zero.
 //  9. The half-edge of an inserted vertex m that unsplit would accept is m->c, in the face that
 //     m's split made; where m lies on a cut, of the sheet whose bm has the lowest id.
 // 10. Siblings are boundary edges with the same two ends, and their rings are closed.
@@ -179,7 +179,7 @@ class TriMesh {
     // (b - a) x (c - a) of a face's corners, or of the given points: twice the area long.
     Vec3 area_normal(FaceId f) const;
 
-    // --- Edits. O(1), touching the one or two faces at the edge.
+    // --- Edits. O(1), touching the one or two faces at the edge; along a cut O(sheets).
     //
     //          a                    a
     //         / \                  /|\.

@@ -152,15 +152,17 @@ class EarClipper {
     }
 
   private:
-    // Looks at points and corners, a corner of the polygon, before what is left is cut as it comes.
-    // Simple polygons of any use stay far below; large ones that cross themselves do not.
-    static constexpr std::uint64_t kMostWork = 1000;
+    // Looks at points and corners before what is left is cut as it comes: simple polygons of any
+    // use stay far below, large ones that cross themselves do not.
+    static std::uint64_t most_work(std::uint64_t corners) {
+        return 50 * corners + 1000 * std::min(corners, std::uint64_t{20'000});
+    }
 
     bool is_convex(std::uint32_t i) const {
         return signed_area(corners_[prev_[i]], corners_[i], corners_[next_[i]], normal_) > 0.0;
     }
     bool is_ear(std::uint32_t i) {
-        if (++work_ > kMostWork * corners_.size()) return true;
+        if (++work_ > most_work(corners_.size())) return true;
         if (!is_convex(i)) return false;
         if (reflex_left_ == 0) return true;
         const std::uint32_t before = prev_[i], after = next_[i];

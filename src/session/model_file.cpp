@@ -17,6 +17,8 @@ namespace {
 
 // Where reading ends and building ends, of the time that loading takes.
 constexpr double kRead = 0.4, kBuilt = 0.75;
+// Where writing ends and copying material files begins, of the time that saving takes.
+constexpr double kWritten = 0.95;
 
 bool has_extension(const std::string& path, std::string_view extension) {
     if (path.size() < extension.size()) return false;
@@ -24,6 +26,21 @@ bool has_extension(const std::string& path, std::string_view extension) {
         extension.begin(), extension.end(),
         path.end() - static_cast<std::ptrdiff_t>(extension.size()),
         [](char y, char x) { return std::tolower(static_cast<unsigned char>(x)) == y; });
+}
+
+std::string copy_materials(const TriMesh& mesh, const std::string& folder,
+                           std::span<const std::string> material_folders,
+                           const Progress& progress) {
+    std::string failed;
+    for (const std::string& from : material_folders) {
+        const MaterialCopy copy =
+            copy_material_files(mesh.input_form().material_libraries, from, folder, progress);
+        for (const std::string& why : copy.failed) {
+            failed += (failed.empty() ? "saved, but not all of its material files: " : "; ") + why;
+        }
+    }
+    progress.advance(1.0);
+    return failed;
 }
 
 }  // namespace
@@ -58,17 +75,18 @@ LoadedModel load_model(const command::Open& open, const Progress& progress) {
     return model;
 }
 
-void save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress,
-                std::span<const std::string> material_folders) {
+std::string save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress,
+                       std::span<const std::string> material_folders) {
     if (!has_extension(save.path, ".obj")) {
         throw FileError(save.path, "does not end in .obj; save writes OBJ files");
     }
-    const std::string folder = material_folder(save.path);
-    for (const std::string& from : material_folders) {
-        copy_material_files(mesh.input_form().material_libraries, from, folder,
-                            progress.part(0.0, 0.0));
+    write_obj(mesh, save.path, progress.part(0.0, kWritten));
+    try {
+        return copy_materials(mesh, material_folder(save.path), material_folders,
+                              progress.part(kWritten, 1.0));
+    } catch (const Cancelled&) {
+        return "saved, but not all of its material files were copied: cancelled";
     }
-    write_obj(mesh, save.path, progress);
 }
 
 }  // namespace pectin

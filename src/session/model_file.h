@@ -39,11 +39,13 @@ LoadedModel make_model(BuiltMesh built);
 // Cost: O(n log n).
 LoadedModel load_model(const command::Open& open, const Progress& progress = {});
 
-// Copies the material files that are not there yet into the file's folder, then writes the mesh to
-// the file, whole or not at all. Nobody may change the mesh meanwhile. Throws Cancelled (the file
-// is as it was), FileError: copy_material_files', write_obj's, or that it is no OBJ file.
+// Writes the mesh to the file, whole or not at all, then copies the material files that are not
+// there yet into its folder. Returns what there is to tell though the model is saved: a sentence on
+// what could not be copied, mostly empty. Nobody may change the mesh meanwhile. Throws Cancelled
+// (the file is as it was), FileError: write_obj's, or that it is no OBJ file.
 // Cost: O(n), and that of copying.
-void save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress = {},
-                std::span<const std::string> material_folders = {});
+std::string save_model(const TriMesh& mesh, const command::Save& save,
+                       const Progress& progress = {},
+                       std::span<const std::string> material_folders = {});
 
 }  // namespace pectin

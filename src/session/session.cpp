@@ -10,6 +10,7 @@
 #include "geometry/decimal.h"
 #include "io/atomic_file.h"
 #include "mesh/shapes.h"
+#include "session/input_summary.h"
 #include "session/session_state.h"
 
 namespace pectin {
@@ -120,6 +121,7 @@ void Session::State::add_step(Command command, MeshChange change) {
 
 Refusal Session::State::run(const command::Open& open) {
     adopt(load_model(open));
+    remark = input_summary(open.path, input_report);
     return std::nullopt;
 }
 
@@ -281,7 +283,7 @@ Refusal Session::State::run(const command::Bake& bake) {
 
 Refusal Session::State::run(const command::Save& save) {
     if (!has_object()) return kNoObject;
-    save_model(*mesh, save, {}, material_folders);
+    remark = save_model(*mesh, save, {}, material_folders);
     note_saved(save.path);
     return std::nullopt;
 }
@@ -307,6 +309,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 
 std::optional<std::string> Session::execute(const Command& command) {
     if (is_dragging()) return "a drag is in hand; end or cancel it first";
+    state_->remark.clear();
     return std::visit([this](const auto& c) { return state_->run(c); }, command);
 }
 
@@ -314,6 +317,8 @@ void Session::adopt(LoadedModel model) {
     assert(!is_dragging());
     state_->adopt(std::move(model));
 }
+
+const std::string& Session::remark() const { return state_->remark; }
 
 const std::vector<std::string>& Session::material_folders() const {
     return state_->material_folders;

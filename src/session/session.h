@@ -63,6 +63,9 @@ class Session {
     void adopt(LoadedModel model);
     // For save_model, and what follows it; the save command does both by itself.
     const std::vector<std::string>& material_folders() const;
+    // What the last command has to tell though it is done: what was found in the input, or what was
+    // not copied along. Mostly empty.
+    const std::string& remark() const;
     void note_saved(const std::string& path);
 
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is

@@ -74,6 +74,7 @@ struct Session::State {
     AdaptOutcome outcome;                       // of the mesh as it is
     BuildReport input_report;                   // what opening the object took
     double largest_coordinate = 0.0;            // of the object as it was opened
+    std::string remark;                         // of the last command
     std::vector<std::string> material_folders;  // as LoadedModel has them
 
     bool has_object() const { return mesh->face_slots() > 0; }

@@ -4,6 +4,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <filesystem>
@@ -12,6 +13,7 @@
 #include "io/atomic_file.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
+#include "mesh/build_mesh.h"
 #include "session/session.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
@@ -162,6 +164,18 @@ TEST(NothingIsLost, OverAThousandRandomDragsWithUndoAndRedo) {
             if (HasFailure()) return;
         }
         inserted += session.mesh().vertex_count() - session.mesh().base_vertex_count();
+        // What is saved is read and saved again to the same bytes.
+        const std::string refined = format_obj(session.mesh());
+        ASSERT_EQ(format_obj(build_mesh(parse_obj(refined, "refined.obj")).mesh), refined);
+        if (random.chance(0.5)) {
+            ASSERT_FALSE(session.execute(command::Bake{}));
+            ASSERT_EQ(session.mesh().validate(), kValid);
+            ASSERT_EQ(format_obj(session.mesh()), refined);
+            const Vec3 from = random_vertex(session.mesh(), random);
+            session.execute(
+                command::Drag{.moves = {{from, from + 0.1 * size * random.direction()}}});
+            ASSERT_EQ(session.mesh().validate(), kValid);
+        }
         while (!session.execute(command::Undo{})) {
         }
         ASSERT_EQ(format_obj(session.mesh()), original.text());
@@ -170,6 +184,71 @@ TEST(NothingIsLost, OverAThousandRandomDragsWithUndoAndRedo) {
         "seeds 60000 to %d: %d of %d meshes cut, %d drags, %llu vertices inserted at the ends\n",
         60'000 + cases - 1, cut, cases, drags, static_cast<unsigned long long>(inserted));
     EXPECT_GT(cut, 0);
+    EXPECT_GE(drags, test::case_count(1000));
+}
+
+// Five pages about one spine, some turned over, and a cover upon one of them.
+TriMesh book(Random& random) {
+    constexpr std::uint32_t kPages = 5, kSteps = 6, kRow = kSteps + 1;
+    IndexedFaceSet set;
+    set.parts.emplace_back();
+    for (std::uint32_t j = 0; j < kRow; ++j) set.positions.emplace_back(0.0, 0.2 * j, 0.0);
+    const auto vertex = [&](std::uint32_t page, std::uint32_t i, std::uint32_t j) {
+        return i == 0 ? j : kRow + (page * kSteps + i - 1) * kRow + j;
+    };
+    for (std::uint32_t page = 0; page < kPages; ++page) {
+        const double angle = 1.1 * page;
+        for (std::uint32_t i = 1; i <= kSteps; ++i) {
+            for (std::uint32_t j = 0; j < kRow; ++j) {
+                set.positions.emplace_back(0.2 * i * std::cos(angle), 0.2 * j,
+                                           0.2 * i * std::sin(angle));
+            }
+        }
+    }
+    const auto add = [&](std::array<std::uint32_t, 4> corners, bool turned) {
+        if (turned) std::reverse(corners.begin(), corners.end());
+        for (std::uint32_t v : corners) set.corners.push_back({.position = v});
+        set.polygon_end.push_back(static_cast<std::uint32_t>(set.corners.size()));
+        set.polygon_part.push_back(0);
+    };
+    for (std::uint32_t page = 0; page < kPages; ++page) {
+        const bool turned = random.chance(0.5);
+        for (std::uint32_t i = 0; i < kSteps; ++i) {
+            for (std::uint32_t j = 0; j < kSteps; ++j) {
+                const std::array corners = {vertex(page, i, j), vertex(page, i + 1, j),
+                                            vertex(page, i + 1, j + 1), vertex(page, i, j + 1)};
+                add(corners, turned);
+                if (page == 2) add(corners, !turned);
+            }
+        }
+    }
+    return build_mesh(set).mesh;
+}
+
+TEST(ACut, StaysClosedOverAHundredRandomDrags) {
+    const ScratchFile file;
+    for (std::uint64_t seed = 61'000; seed < 61'003; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        write_file_atomically(file.path(), format_obj(book(random)));
+        Session session;
+        ASSERT_FALSE(session.execute(command::Open{.path = file.path()}).has_value());
+        ASSERT_FALSE(session.execute(command::Adapt{
+            .theta_max = Setting::of(15.0), .floor = Setting::of(0.02), .budget = 20'000}));
+        const Original original(session.mesh());
+        for (int drag = 0; drag < 100; ++drag) {
+            ASSERT_FALSE(session.execute(command::Brush{.radius = random.scale(0.1, 1.0)}));
+            const Vec3 from = random_vertex(session.mesh(), random);
+            ASSERT_FALSE(session.execute(command::Drag{
+                .moves = {{from, from + random.scale(0.01, 0.2) * random.direction()}}}));
+            original.expect_kept_in(session.mesh());
+            if (HasFailure()) return;
+        }
+        EXPECT_GT(session.mesh().vertex_count(), 2 * session.mesh().base_vertex_count());
+        while (!session.execute(command::Undo{})) {
+        }
+        ASSERT_EQ(format_obj(session.mesh()), original.text());
+    }
 }
 
 }  // namespace

@@ -158,13 +158,32 @@ TEST_F(MaterialFilesTest, SaysWhyItCannotCopy) {
     write(from_ / "a.mtl", "map_Kd t/x.png\n");
     write(from_ / "t/x.png", "");
     write(to_ / "t", "a file where the folder has to be");
-    try {
-        copy({"a.mtl"});
-        ADD_FAILURE() << "copied into a file";
-    } catch (const FileError& error) {
-        EXPECT_EQ(error.path(), (to_ / "t").string());
-    }
+    const MaterialCopy result = copy({"a.mtl"});
+    ASSERT_EQ(result.failed.size(), 1u);
+    EXPECT_TRUE(result.failed.front().starts_with((to_ / "t").string() + ": the folder cannot"))
+        << result.failed.front();
     EXPECT_EQ(files(to_), (Names{"a.mtl", "t"}));
+}
+
+TEST_F(MaterialFilesTest, FollowsNoLinkOutOfEitherFolder) {
+    const fs::path secret = from_.parent_path() / "secret";
+    fs::create_directories(secret);
+    write(secret / "s.png", "secret");
+    write(from_ / "a.mtl",
+          "map_Kd link.png\nmap_Ks linked/s.png\nmap_Ka sub/t.png\nbump near.png\n");
+    fs::create_symlink(secret / "s.png", from_ / "link.png");
+    fs::create_directory_symlink(secret, from_ / "linked");
+    write(from_ / "t.png", "pixels");
+    fs::create_symlink("t.png", from_ / "near.png");  // stays inside
+    fs::create_directories(from_ / "sub");
+    write(from_ / "sub/t.png", "pixels");
+    fs::create_directory_symlink(secret, to_ / "sub");
+    const Names statements = {"a.mtl"};
+    const MaterialCopy copy = copy_material_files(statements, from_.string(), to_.string());
+    EXPECT_EQ(copy.copied, (Names{"a.mtl", "near.png"}));
+    EXPECT_EQ(copy.outside, (Names{"link.png", "linked/s.png", "sub/t.png"}));
+    EXPECT_FALSE(fs::exists(secret / "t.png"));
+    fs::remove_all(secret);
 }
 
 TEST_F(MaterialFilesTest, CanBeCancelledBetweenTwoFiles) {

@@ -173,17 +173,26 @@ TEST_F(ModelFile, SavedElsewhereHasItsMaterialFilesThere) {
     EXPECT_TRUE(session.material_folders().empty());
 }
 
-TEST_F(ModelFile, IsNotSavedWhereItsMaterialFilesCannotBe) {
+TEST_F(ModelFile, IsSavedAlsoWhereItsMaterialFilesCannotBe) {
     for (const char* folder : {"a", "b"}) fs::create_directory(path(folder));
-    write("a/model.obj", "mtllib m/m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("a/model.obj", "mtllib m/m.mtl other.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     fs::create_directory(path("a/m"));
     write("a/m/m.mtl", "");
+    write("a/other.mtl", "newmtl red\n");
     write("b/m", "a file where the folder has to be");
-    write("b/model.obj", "precious");
     Session session;
     ASSERT_FALSE(session.execute(command::Open{path("a/model.obj")}));
-    EXPECT_THROW(session.execute(command::Save{path("b/model.obj")}), FileError);
-    EXPECT_EQ(read("b/model.obj"), "precious");
+    EXPECT_EQ(session.remark(), "");
+    ASSERT_FALSE(session.execute(command::Save{path("b/model.obj")}));
+    EXPECT_EQ(read("b/model.obj"), format_obj(session.mesh()));
+    EXPECT_EQ(read("b/other.mtl"), "newmtl red\n");
+    EXPECT_NE(session.remark().find("m: the folder cannot be made"), std::string::npos)
+        << session.remark();
+    // A save that fails copies nothing.
+    fs::create_directory(path("c"));
+    fs::create_directory(path("c/model.obj"));
+    EXPECT_THROW(session.execute(command::Save{path("c/model.obj")}), FileError);
+    EXPECT_FALSE(fs::exists(path("c/other.mtl")));
 }
 
 }  // namespace

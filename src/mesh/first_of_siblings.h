@@ -1,0 +1,29 @@
+// Edges along a cut, asked once for all of them.
+#pragma once
+
+#include <unordered_set>
+
+#include "mesh/tri_mesh.h"
+
+namespace pectin {
+
+// Lets of every ring of siblings the edge pass that comes first, and all other edges. While it is
+// in use nothing is split. Cost of a scan: O(edges), however many lie along one cut.
+class FirstOfSiblings {
+  public:
+    explicit FirstOfSiblings(const TriMesh& mesh) : mesh_(mesh) {}
+
+    bool operator()(EdgeId e) {
+        const EdgeId next = mesh_.sibling(e);
+        if (next == e) return true;
+        if (!seen_.insert(e).second) return false;
+        for (EdgeId s = next; s != e; s = mesh_.sibling(s)) seen_.insert(s);
+        return true;
+    }
+
+  private:
+    const TriMesh& mesh_;
+    std::unordered_set<EdgeId> seen_;
+};
+
+}  // namespace pectin
