@@ -1,9 +1,7 @@
 #include "app/editor.h"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
-#include <filesystem>
 #include <utility>
 
 #include "app/picture.h"
@@ -41,7 +39,7 @@ void Editor::handle(const InputEvent& input, const UiClaims& asked) {
     } else if (std::holds_alternative<event::Leave>(input)) {
         cursor_is_ours_ = false;
     } else if (const auto* scroll = std::get_if<event::Scroll>(&input)) {
-        if (!claims.mouse) on(*scroll);
+        if (!claims.mouse || sculptor_.is_dragging()) on(*scroll);
     } else if (const auto* down = std::get_if<event::KeyDown>(&input)) {
         on(*down, claims.keyboard);
     } else if (const auto* up = std::get_if<event::KeyUp>(&input)) {
@@ -64,12 +62,15 @@ void Editor::on(const event::Press& press, bool is_claimed) {
     cursor_is_ours_ = !is_claimed;
     if (radius_drag_) return end_radius_drag(press.button == MouseButton::left);
     if (is_claimed || is_busy() || navigation_.is_active()) return;
-    const Ray ray = ray_at(press.at);
-    const std::optional<Pick> pick = workspace_.session().pick(ray);
-    if (const auto mode = navigation_mode(press.button, press.modifiers, pick.has_value())) {
+    const std::optional<Pick> pick = workspace_.session().pick(view().ray_through(press.at));
+    const bool takes_control_points = press.button == MouseButton::left && cage_at_hand();
+    if (takes_control_points &&
+        cage_points_.press(session(), view(), press.at, press.modifiers, pick)) {
+        workspace_.dismiss();
+    } else if (const auto mode = navigation_mode(press.button, press.modifiers, pick.has_value())) {
         navigation_.begin(*mode, press.button, press.at);
     } else {
-        grab(*pick, ray);
+        press_left(press.at, *pick);
     }
 }
 
@@ -77,7 +78,8 @@ void Editor::on(const event::Release& release) {
     cursor_ = release.at;
     modifiers_ = release.modifiers;
     if (navigation_.button() == release.button) navigation_.end();
-    if (sculptor_.is_dragging() && release.button == MouseButton::left) release_drag();
+    const bool has_hold = sculptor_.is_dragging() || cage_points_.is_active();
+    if (has_hold && release.button == MouseButton::left) release_drag();
 }
 
 void Editor::on(const event::Move& move, bool is_claimed) {
@@ -85,7 +87,9 @@ void Editor::on(const event::Move& move, bool is_claimed) {
     modifiers_ = move.modifiers;
     cursor_is_ours_ = !is_claimed;
     navigation_.move_to(move.at, size_);
-    moved_ = sculptor_.is_dragging();
+    cage_points_.move_to(move.at);
+    moved_ = sculptor_.is_dragging() || cage_points_.is_active();
+    if (sculptor_.is_dragging()) path_.push_back(move.at);
     if (!radius_drag_) return;
     const double doublings = (move.at.x - radius_drag_->start_x) / kPixelsPerDoubling;
     radius_drag_->radius = std::clamp(radius_drag_->start_radius * std::exp2(doublings),
@@ -93,15 +97,14 @@ void Editor::on(const event::Move& move, bool is_claimed) {
 }
 
 void Editor::on(const event::Scroll& scroll) {
+    if (sculptor_.is_dragging()) return turn_or_grow(scroll.amount);
     if (!is_busy()) navigation_.scroll(scroll.amount, scroll.at, size_);
 }
 
 void Editor::on(const event::KeyDown& key, bool is_claimed) {
     modifiers_ = key.modifiers;
     if (key.key == Key::escape) {
-        if (sculptor_.is_dragging()) return cancel_drag();
-        if (radius_drag_) return end_radius_drag(false);
-        if (!escape_dialog() && !is_claimed) workspace_.dismiss();
+        if (!escape_gesture() && !escape_dialog() && !is_claimed) escape_state();
         return;
     }
     if (key.key == Key::enter && !key.is_repeat) enter_ = browser || question;
@@ -114,6 +117,29 @@ void Editor::on(const event::KeyDown& key, bool is_claimed) {
     }
     const bool repeats = action == Action::undo || action == Action::redo;
     if (action && (!key.is_repeat || repeats)) perform(*action);
+}
+
+// Whether there was one to give up.
+bool Editor::escape_gesture() {
+    if (sculptor_.is_dragging() || cage_points_.is_active()) {
+        cancel_drag();
+    } else if (radius_drag_) {
+        end_radius_drag(false);
+    } else {
+        return false;
+    }
+    return true;
+}
+
+// One thing at a time.
+void Editor::escape_state() {
+    if (!workspace_.message().empty()) {
+        workspace_.dismiss();
+    } else if (sets_pins) {
+        sets_pins = false;
+    } else {
+        cage_points_.select_none();
+    }
 }
 
 // Whether there was one to leave.
@@ -141,7 +167,7 @@ void Editor::on(const event::Drop& drop) {
 }
 
 void Editor::advance() {
-    if (sculptor_.is_dragging()) {
+    if (sculptor_.is_dragging() || cage_points_.is_active()) {
         if (std::exchange(moved_, false)) drag();
     } else if (const auto* task = workspace_.file_task()) {
         const Command command = task->command;
@@ -152,91 +178,16 @@ void Editor::advance() {
 
 void Editor::look() {
     // A circle that is being set stays where it was.
-    if (sculptor_.is_dragging() || radius_drag_) return;
+    if (sculptor_.is_dragging() || cage_points_.is_active() || radius_drag_) return;
     hover_.reset();
-    const bool looks = cursor_is_ours_ && !navigation_.is_active() && !has_dialog();
-    if (looks) hover_ = workspace_.session().pick(ray_at(cursor_));
-}
-
-// --- Drags.
-
-// Runs a part of a drag; where it throws (no memory) the object is as before the drag.
-template <typename Part>
-bool Editor::attempt(Part part) {
-    try {
-        part();
-        return true;
-    } catch (const std::exception& error) {
-        if (sculptor_.is_dragging()) cancel_drag();
-        workspace_.tell(std::string("the drag was given up: ") + error.what());
-        return false;
+    std::optional<IVec3> control_point;
+    cage_points_.forget_others(cage_at_hand());
+    if (cursor_is_ours_ && !navigation_.is_active() && !has_dialog()) {
+        hover_ = workspace_.session().pick(view().ray_through(cursor_));
+        if (cage_at_hand()) control_point = cage_points_.under(session(), view(), cursor_, hover_);
     }
-}
-
-void Editor::grab(const Pick& pick, const Ray& ray) {
-    attempt([&] { begin_drag(pick, ray); });
-}
-
-void Editor::begin_drag(const Pick& pick, const Ray& ray) {
-    if (const auto refusal = sculptor_.grab(workspace_.session(), pick, ray)) {
-        workspace_.tell(*refusal);
-        return;
-    }
-    workspace_.dismiss();
-    shows_hint_ = false;
-    hover_.reset();
-    moved_ = false;
-}
-
-void Editor::drag() {
-    attempt([&] { follow_cursor(); });
-}
-
-void Editor::follow_cursor() {
-    const auto start = std::chrono::steady_clock::now();
-    const DragPath path = modifiers_.alt ? DragPath::normal : DragPath::view_plane;
-    const Vec3 before = sculptor_.to();
-    if (const auto refusal =
-            sculptor_.drag(workspace_.session(), camera(), ray_at(cursor_), path)) {
-        workspace_.tell(*refusal);
-        return;
-    }
-    workspace_.dismiss();
-    if (sculptor_.to() == before) return;
-    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - start;
-    const Frame& frame = session().last_frame();
-    figures_ = {.splits = frame.splits,
-                .unsplits = frame.unsplits,
-                .seconds = taken.count(),
-                .deform_seconds = frame.deform_seconds,
-                .refine_seconds = frame.refine_seconds,
-                .decimate_seconds = frame.decimate_seconds,
-                .floor_hit = frame.floor_hit,
-                .budget_hit = frame.budget_hit};
-}
-
-void Editor::release_drag() {
-    if (std::exchange(moved_, false)) drag();
-    if (!sculptor_.is_dragging()) return;
-    attempt([&] {
-        const std::size_t steps = session().undo_count();
-        const auto done = sculptor_.release(workspace_.session());
-        if (done) workspace_.note_drag(*done, session().undo_count() > steps);
-    });
-}
-
-FrameFigures Editor::figures() const {
-    FrameFigures figures = figures_;
-    if (!sculptor_.is_dragging()) {
-        figures.floor_hit = session().outcome().floor_hit;
-        figures.budget_hit = session().outcome().budget_hit;
-    }
-    return figures;
-}
-
-void Editor::cancel_drag() {
-    sculptor_.cancel(workspace_.session());
-    moved_ = false;
+    cage_points_.look(control_point);
+    if (control_point) hover_.reset();
 }
 
 // --- Radius.
@@ -259,38 +210,65 @@ void Editor::set_radius(double radius) {
     execute(command::Brush{.radius = std::clamp(radius, least_radius(), most_radius())});
 }
 
+// --- Symmetry and cage.
+
+void Editor::set_symmetry(bool is_on) {
+    command::Symmetry symmetry;
+    if (is_on) {
+        symmetry.plane = mirror_.plane;
+        if (mirror_.through_middle) symmetry.through = workspace_.box().centre();
+    }
+    execute(symmetry);
+}
+
+void Editor::choose_mirror(const MirrorChoice& choice) {
+    mirror_ = choice;
+    if (session().symmetry()) set_symmetry(true);
+}
+
+void Editor::set_cage(const Box& box, const IVec3& counts) {
+    const Lattice cage = fit_lattice(box, counts);
+    execute(command::Cage{command::Cage::Grid{cage.origin, cage.cell, cage.deformable}});
+}
+
+std::optional<Lattice> Editor::cage_at_hand() const {
+    return display.lattice ? session().lattice_settings().cage : std::nullopt;
+}
+
 // --- Actions.
 
 void Editor::perform(Action action) {
     if (is_busy()) return;
     switch (action) {
-        case Action::open:
-            browser.emplace(FileBrowser::Purpose::open, workspace_.path());
-            break;
-        case Action::save:
-            begin_save();
-            break;
-        case Action::save_as:
-        case Action::export_obj: {
-            const std::string& path = workspace_.path();
-            browser.emplace(FileBrowser::Purpose::save,
-                            path.empty() ? workspace_.object_name() + ".obj" : path);
-            break;
-        }
-        case Action::save_picture:
-            browser.emplace(
-                FileBrowser::Purpose::save_picture,
-                std::filesystem::path(workspace_.object_name()).replace_extension(".png").string());
-            break;
-        case Action::quit:
-            quit();
-            break;
         case Action::undo:
             if (session().undo_count() > 0) execute(command::Undo{});
             break;
         case Action::redo:
             if (session().redo_count() > 0) execute(command::Redo{});
             break;
+        case Action::toggle_symmetry:
+            set_symmetry(!session().symmetry());
+            break;
+        case Action::toggle_pin:
+            toggle_pin();
+            break;
+        case Action::remove_pins:
+            pins_.clear();
+            break;
+        case Action::smaller_radius:
+            set_radius(workspace_.radius() / kRadiusStep);
+            break;
+        case Action::larger_radius:
+            set_radius(workspace_.radius() * kRadiusStep);
+            break;
+        default:
+            perform_on_file(action);
+            perform_on_view(action);
+    }
+}
+
+void Editor::perform_on_view(Action action) {
+    switch (action) {
         case Action::frame_all:
             frame_all();
             break;
@@ -312,11 +290,7 @@ void Editor::perform(Action action) {
         case Action::toggle_levels:
             display.levels = !display.levels;
             break;
-        case Action::smaller_radius:
-            set_radius(workspace_.radius() / kRadiusStep);
-            break;
-        case Action::larger_radius:
-            set_radius(workspace_.radius() * kRadiusStep);
+        default:
             break;
     }
 }

@@ -7,19 +7,30 @@
 #include <string>
 #include <utility>
 #include <variant>
+#include <vector>
 
+#include "app/cage_points.h"
 #include "app/file_browser.h"
 #include "app/input_event.h"
 #include "app/navigation.h"
+#include "app/pins.h"
 #include "app/sculptor.h"
 #include "app/shortcuts.h"
+#include "app/view.h"
 #include "app/workspace.h"
 
 namespace pectin {
 
 struct Display {
     bool wireframe = false, levels = false;
-    bool lattice = false;  // also while nothing is dragged
+    bool lattice = false;  // also while nothing is dragged; a cage can be taken hold of then
+    bool symmetry_plane = true;
+};
+
+// The plane that symmetry gets when it is switched on.
+struct MirrorChoice {
+    command::Symmetry::Plane plane = command::Symmetry::Plane::x;
+    bool through_middle = false;  // of the object as it was opened; else through the origin
 };
 
 // Of the last frame that changed the object by a drag.
@@ -28,6 +39,9 @@ struct FrameFigures {
     double seconds = 0.0;  // all of the frame but the picture
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
     bool floor_hit = false, budget_hit = false;
+    std::size_t steps = 1;              // that a fold-free drag is made of
+    double degrees = 0.0, scale = 1.0;  // twist and scale at the grabbed point
+    std::uint64_t folded = 0;           // vertices, once the drag is done
 };
 
 // What the user interface keeps for itself of what a person does.
@@ -61,6 +75,10 @@ class Editor {
     // As far as the object's size goes.
     double least_radius() const;
     double most_radius() const;
+    void set_symmetry(bool is_on);
+    void choose_mirror(const MirrorChoice& choice);  // symmetry that is on follows
+    // As a box with control points in it, whatever has been in use.
+    void set_cage(const Box& box, const IVec3& counts);
 
     // --- What there is to show.
     Workspace& workspace() { return workspace_; }
@@ -68,6 +86,11 @@ class Editor {
     const Session& session() const { return workspace_.session(); }
     const Camera& camera() const { return navigation_.camera(); }
     const Sculptor& sculptor() const { return sculptor_; }
+    const CagePoints& cage_points() const { return cage_points_; }
+    // The cage, while its control points can be taken hold of.
+    std::optional<Lattice> cage_at_hand() const;
+    const Pins& pins() const { return pins_; }
+    const MirrorChoice& mirror_choice() const { return mirror_; }
     const std::optional<Pick>& hover() const { return hover_; }
     // Reach of the brush, also while it is being set.
     double radius() const;
@@ -78,6 +101,8 @@ class Editor {
     bool wants_to_end() const { return wants_to_end_; }
 
     Display display{};
+    DragOptions drag_options{.connected = true, .fold_free = true};
+    bool sets_pins = false;  // a click on the surface sets or removes one, in place of a drag
     // --- Dialogs, while they are open; one more tells of a file that is under way.
     bool has_dialog() const { return browser || question || workspace_.file_task(); }
     std::optional<FileBrowser> browser{};
@@ -108,28 +133,44 @@ class Editor {
     void on(const event::KeyUp& key);
     void on(const event::Drop& drop);
 
-    Ray ray_at(const Vec2& at) const { return camera().ray_through(at, size_); }
+    View view() const { return {camera(), size_}; }
+    // --- Of points of the surface and of control points (editor_drag.cpp).
     template <typename Part>
     bool attempt(Part part);
+    void press_left(const Vec2& at, const Pick& pick);
+    Pick grip(Pick pick, const Vec2& at) const;
+    Pick onto_plane(Pick pick) const;
     void grab(const Pick& pick, const Ray& ray);
-    void begin_drag(const Pick& pick, const Ray& ray);
     void drag();
-    void follow_cursor();
+    void follow_with_point();
+    void follow_with_control_points();
+    void begin_figures();
+    void note_frame(std::chrono::duration<double> taken);
     void release_drag();
+    void end_drag(const Command& done, std::size_t steps_before);
     void cancel_drag();
+    void turn_or_grow(double notches);
+    void toggle_pin();
+
     void look();
     void begin_radius_drag();
     void end_radius_drag(bool keeps);
     void frame_all(const std::optional<Vec3>& direction = {});
     bool conclude(const Command& command, Workspace::Outcome outcome);
+    void begin_object();
     void begin_save();
     void save(const std::string& path, std::optional<Question> next);
     bool escape_dialog();
     void use_file(FileBrowser::Purpose purpose, const std::string& path);
     void ask_or_do(Question question);
     void carry_out(const Question& question);
+    bool escape_gesture();
+    void escape_state();
+    void perform_on_file(Action action);
+    void perform_on_view(Action action);
     bool is_busy() const {
-        return sculptor_.is_dragging() || radius_drag_ || workspace_.file_task();
+        return sculptor_.is_dragging() || cage_points_.is_active() || radius_drag_ ||
+               workspace_.file_task();
     }
 
     // F and a move of the mouse: the radius doubles over kPixelsPerDoubling.
@@ -140,11 +181,16 @@ class Editor {
     Workspace workspace_;
     Navigation navigation_;
     Sculptor sculptor_;
+    CagePoints cage_points_;
+    Pins pins_;
+    MirrorChoice mirror_;
     IVec2 size_{1280, 800};
     Vec2 cursor_{0.0};
     Modifiers modifiers_{};
     bool cursor_is_ours_ = false;  // over the window and not over its panels
     bool moved_ = false;           // the drag in hand has to follow
+    std::vector<Vec2> path_;       // of the cursor, since it has followed last
+    Vec2 followed_{0.0};           // where the cursor was then
     std::optional<Pick> hover_;
     std::optional<RadiusDrag> radius_drag_;
     FrameFigures figures_;

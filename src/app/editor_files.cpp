@@ -27,9 +27,11 @@ bool Editor::conclude(const Command& command, Workspace::Outcome outcome) {
     if (is_done) hover_.reset();
     if (is_done && (std::holds_alternative<command::Open>(command) ||
                     std::holds_alternative<command::Shape>(command))) {
-        figures_ = {};
-        frame_all(kFitDirection);
+        begin_object();
     }
+    const bool was_taken_back = std::holds_alternative<command::Undo>(command) ||
+                                std::holds_alternative<command::Redo>(command);
+    if (is_done && was_taken_back) figures_.folded = 0;
     if (std::exchange(quits_next_, false)) {
         quit();
     } else if (is_done && next) {
@@ -44,11 +46,51 @@ bool Editor::conclude(const Command& command, Workspace::Outcome outcome) {
     return is_done;
 }
 
+// Another object: what was set for the one before means nothing.
+void Editor::begin_object() {
+    figures_ = {};
+    pins_.clear();
+    frame_all(kFitDirection);
+    if (!session().symmetry() || !mirror_.through_middle) return;
+    const std::string message = workspace_.message();
+    set_symmetry(true);
+    workspace_.tell(message);
+}
+
 void Editor::begin(const std::string& model) {
     if (model.empty()) {
         execute(kFirstObject);
+        set_symmetry(true);
     } else {
         open(model);
+    }
+}
+
+void Editor::perform_on_file(Action action) {
+    switch (action) {
+        case Action::open:
+            browser.emplace(FileBrowser::Purpose::open, workspace_.path());
+            break;
+        case Action::save:
+            begin_save();
+            break;
+        case Action::save_as:
+        case Action::export_obj: {
+            const std::string& path = workspace_.path();
+            browser.emplace(FileBrowser::Purpose::save,
+                            path.empty() ? workspace_.object_name() + ".obj" : path);
+            break;
+        }
+        case Action::save_picture:
+            browser.emplace(
+                FileBrowser::Purpose::save_picture,
+                std::filesystem::path(workspace_.object_name()).replace_extension(".png").string());
+            break;
+        case Action::quit:
+            quit();
+            break;
+        default:
+            break;
     }
 }
 

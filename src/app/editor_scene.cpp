@@ -11,7 +11,9 @@ namespace {
 
 constexpr Colour kCircle{255, 255, 255, 190};
 constexpr Colour kCircleBeingSet{255, 214, 64, 255};
+constexpr Colour kCircleImage{255, 255, 255, 80};
 constexpr int kCircleSides = 96;
+constexpr double kRoom = 0.06;  // of the object's box diagonal, between it and the plane's border
 
 // The surface's normal where the pick is: that of its corners, weighed, so that the circle glides
 // from face to face.
@@ -45,19 +47,78 @@ void add_circle(Overlay& overlay, const Vec3& centre, const Vec3& normal, double
     overlay.points.push_back({centre, colour, 6.0f});
 }
 
-void add_dragged_lattice(Overlay& overlay, const Lattice& lattice, const Sculptor& sculptor) {
-    const Vec3 from = sculptor.from(), move = sculptor.to() - from;
-    const auto solved = DragSolver::create(lattice, std::array{from}, {});
+// The last step's, displaced as far as a single solve tells.
+void add_dragged_lattice(Overlay& overlay, const Lattice& lattice, const Session& session) {
+    const command::Drag& drag = session.drag_in_hand();
+    const Vec3 from = drag.via.empty() ? drag.moves.front().from : drag.via.back();
+    const Vec3 move = drag.moves.front().to - from;
+    const auto solved = DragSolver::create(lattice, std::array{from}, drag.pins);
     const auto* solver = std::get_if<DragSolver>(&solved);
-    if (!solver) return add_lattice(overlay, lattice, {});
+    if (!solver || solver->check(std::array{move})) return add_lattice(overlay, lattice, {});
     add_lattice(overlay, lattice, solver->control_displacements(std::array{move}));
+}
+
+void add_drag_in_hand(Overlay& overlay, const Editor& editor) {
+    const Sculptor& sculptor = editor.sculptor();
+    if (const auto lattice = editor.session().lattice_in_use()) {
+        add_dragged_lattice(overlay, *lattice, editor.session());
+    }
+    add_drag(overlay, sculptor.from(), sculptor.to());
+    const auto& plane = editor.session().symmetry();
+    if (plane && plane->offset(sculptor.from()) != 0.0) {
+        add_drag(overlay, plane->image(sculptor.from()), plane->image(sculptor.to()), true);
+    }
+}
+
+void add_pins(Overlay& overlay, const Editor& editor) {
+    const auto& plane = editor.session().symmetry();
+    for (const Vec3& pin : editor.pins().points()) {
+        add_pin(overlay, pin);
+        if (plane && plane->offset(pin) != 0.0) add_pin(overlay, plane->image(pin), true);
+    }
+}
+
+// Around the object, with some room.
+void add_symmetry_plane(Overlay& overlay, const Editor& editor) {
+    const auto& plane = editor.session().symmetry();
+    if (!plane || !editor.display.symmetry_plane) return;
+    const Vec3 room{kRoom * editor.workspace().diagonal()};
+    const Box& box = editor.workspace().box();
+    add_mirror_plane(overlay, *plane, {.min = box.min - room, .max = box.max + room});
+}
+
+void add_cage(Overlay& overlay, const Editor& editor, const Lattice& cage) {
+    const CagePoints& points = editor.cage_points();
+    std::vector<Vec3> displacements;
+    if (points.is_dragging()) displacements = points.displacements(editor.session());
+    add_lattice(overlay, cage, displacements);
+    const auto position = [&](const IVec3& index) {
+        const Vec3 rest = cage.rest(index);
+        return displacements.empty() ? rest : rest + displacements[cage.control_index(index)];
+    };
+    for (const IVec3& index : points.selected()) {
+        add_control_point(overlay, position(index), true, false);
+    }
+    if (points.hovered() && !points.is_dragging()) {
+        add_control_point(overlay, position(*points.hovered()), false, true);
+    }
+}
+
+// What reaches as far as the brush, where the cursor is and on the other side.
+void add_brush(Overlay& overlay, const Editor& editor, const Pick& hover) {
+    const Vec3 normal = smooth_normal(editor.session().mesh(), hover);
+    const Colour& colour = editor.is_setting_radius() ? kCircleBeingSet : kCircle;
+    add_circle(overlay, hover.point, normal, editor.radius(), colour);
+    const auto& plane = editor.session().symmetry();
+    if (!plane) return;
+    add_circle(overlay, plane->image(hover.point), plane->image_of_vector(normal), editor.radius(),
+               kCircleImage);
 }
 
 // The lattice that a drag would use, as far as that is known; else the last one's.
 std::optional<Lattice> lattice_at_hand(const Editor& editor) {
-    const LatticeSettings& settings = editor.session().lattice_settings();
-    if (settings.cage) return settings.cage;
-    if (editor.hover()) return brush_lattice(editor.hover()->point, editor.radius(), settings.span);
+    const int span = editor.session().lattice_settings().span;
+    if (editor.hover()) return brush_lattice(editor.hover()->point, editor.radius(), span);
     return editor.session().lattice_in_use();
 }
 
@@ -68,22 +129,19 @@ Scene editor_scene(const Editor& editor, float pixel_scale) {
                 .wireframe = editor.display.wireframe,
                 .levels = editor.display.levels,
                 .pixel_scale = pixel_scale};
-    const Sculptor& sculptor = editor.sculptor();
-    if (sculptor.is_dragging()) {
-        if (const auto lattice = editor.session().lattice_in_use()) {
-            add_dragged_lattice(scene.overlay, *lattice, sculptor);
-        }
-        add_drag(scene.overlay, sculptor.from(), sculptor.to());
-        return scene;
+    Overlay& overlay = scene.overlay;
+    add_symmetry_plane(overlay, editor);
+    const bool is_dragging = editor.sculptor().is_dragging();
+    const bool has_cage = editor.session().lattice_settings().cage.has_value();
+    if (is_dragging) {
+        add_drag_in_hand(overlay, editor);
+    } else if (const auto cage = editor.cage_at_hand()) {
+        add_cage(overlay, editor, *cage);
+    } else if (editor.display.lattice) {
+        if (const auto lattice = lattice_at_hand(editor)) add_lattice(overlay, *lattice, {});
     }
-    if (editor.display.lattice) {
-        if (const auto lattice = lattice_at_hand(editor)) add_lattice(scene.overlay, *lattice, {});
-    }
-    const bool has_brush = !editor.session().lattice_settings().cage;
-    if (const auto& hover = editor.hover(); hover && has_brush) {
-        add_circle(scene.overlay, hover->point, smooth_normal(editor.session().mesh(), *hover),
-                   editor.radius(), editor.is_setting_radius() ? kCircleBeingSet : kCircle);
-    }
+    if (!is_dragging && !has_cage && editor.hover()) add_brush(overlay, editor, *editor.hover());
+    add_pins(overlay, editor);
     return scene;
 }
 

@@ -79,12 +79,4 @@ using InputEvent = std::variant<event::Press, event::Release, event::Move, event
                                 event::Scroll, event::KeyDown, event::KeyUp, event::Character,
                                 event::Drop, event::Resize, event::Close>;
 
-// Of moves that follow each other only the last counts.
-inline void append(std::vector<InputEvent>& events, InputEvent event) {
-    const bool replaces = !events.empty() && std::holds_alternative<event::Move>(events.back()) &&
-                          std::holds_alternative<event::Move>(event);
-    if (replaces) events.pop_back();
-    events.push_back(std::move(event));
-}
-
 }  // namespace pectin

@@ -22,6 +22,8 @@ constexpr float kSettingsWidth = 310.0f;
 
 constexpr float kMessageGap = 12.0f;  // between a message and the button that takes it away
 
+const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
+
 constexpr std::array kHint{
     "Drag a point of the surface: what is round it follows.",
     "Drag beside the object to turn it, with Shift to move it; the wheel zooms.",
@@ -56,15 +58,22 @@ std::string grouped(std::uint64_t number) {
     return digits;
 }
 
+std::string formatted(const char* format, double value) {
+    std::array<char, 48> text{};
+    std::snprintf(text.data(), text.size(), format, value);
+    return text.data();
+}
+
 }  // namespace
 
 void Panels::draw(Editor& editor, const PictureFigures& figures) {
     const bool had_dialog = editor.has_dialog();
     areas_.clear();
+    draw_selection(editor);
     draw_hint(editor);  // first, so that in a small window the panels lie over it
     draw_menus(editor);
     draw_status(editor, figures);
-    draw_radius(editor);
+    draw_tools(editor);
     draw_settings(editor);
     draw_message(editor);
     draw_question(editor);
@@ -109,6 +118,10 @@ void Panels::draw_menus(Editor& editor) {
         item(editor, "Undo", Action::undo, editor.session().undo_count() > 0);
         item(editor, "Redo", Action::redo, editor.session().redo_count() > 0);
         ImGui::Separator();
+        toggle(editor, "Symmetry", Action::toggle_symmetry,
+               editor.session().symmetry().has_value());
+        item(editor, "Remove all pins", Action::remove_pins, !editor.pins().is_empty());
+        ImGui::Separator();
         const TriMesh& mesh = editor.session().mesh();
         const bool is_refined = mesh.vertex_count() > mesh.base_vertex_count();
         if (ImGui::MenuItem("Bake refinement", nullptr, false, is_refined)) {
@@ -130,30 +143,13 @@ void Panels::draw_menus(Editor& editor) {
     ImGui::EndMainMenuBar();
 }
 
-void Panels::draw_radius(Editor& editor) {
-    ImGui::SetNextWindowPos(ImVec2(scaled(kMargin), menu_height_ + scaled(kMargin)));
-    ImGui::Begin("radius", nullptr, kBare | ImGuiWindowFlags_AlwaysAutoResize);
+void Panels::draw_tools(Editor& editor) {
+    const float top = menu_height_ + scaled(kMargin);
+    ImGui::SetNextWindowPos(ImVec2(scaled(kMargin), top));
+    ImGui::Begin("tools", nullptr, kBare | ImGuiWindowFlags_AlwaysAutoResize);
     claim_window();
-    const float width = ImGui::CalcTextSize("Radius").x;
-    ImGui::TextUnformatted("Radius");
-    float radius = edited_radius_.value_or(static_cast<float>(editor.radius()));
-    const float slider = scaled(24.0f);
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() + 0.5f * (width - slider));
-    ImGui::VSliderFloat("##radius", ImVec2(slider, scaled(170.0f)), &radius,
-                        static_cast<float>(editor.least_radius()),
-                        static_cast<float>(editor.most_radius()), "",
-                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip("How far a drag reaches. [ and ] step it;\nhold F and move the mouse.");
-    }
-    if (ImGui::IsItemActive()) edited_radius_ = radius;
-    if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_radius(radius);
-    if (!ImGui::IsItemActive()) edited_radius_.reset();
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(radius));
-    ImGui::SetCursorPosX(ImGui::GetCursorPosX() +
-                         0.5f * (width - ImGui::CalcTextSize(text.data()).x));
-    ImGui::TextUnformatted(text.data());
+    const float below = status_height_ + scaled(kMargin) + 2.0f * ImGui::GetStyle().WindowPadding.y;
+    tools_.draw(editor, scale_, ImGui::GetIO().DisplaySize.y - top - below);
     ImGui::End();
 }
 
@@ -170,7 +166,7 @@ void Panels::draw_settings(Editor& editor) {
     if (is_open) {
         if (ImGui::CollapsingHeader("Refine", ImGuiTreeNodeFlags_DefaultOpen)) refine_.draw(editor);
         if (ImGui::CollapsingHeader("Lattice", ImGuiTreeNodeFlags_DefaultOpen)) {
-            draw_lattice_settings(editor);
+            cage_.draw(editor, scale_);
         }
         if (ImGui::CollapsingHeader("Display", ImGuiTreeNodeFlags_DefaultOpen)) {
             draw_display_settings(editor);
@@ -179,44 +175,11 @@ void Panels::draw_settings(Editor& editor) {
     ImGui::End();
 }
 
-void Panels::draw_lattice_settings(Editor& editor) {
-    const LatticeSettings& settings = editor.session().lattice_settings();
-    const bool is_cage = settings.cage.has_value();
-    if (ImGui::RadioButton("Brush", !is_cage) && is_cage) {
-        editor.set_radius(editor.radius());
-    }
-    ImGui::SameLine(0.0f, scaled(22.0f));
-    if (ImGui::RadioButton("Cage", is_cage) && !is_cage) {
-        editor.execute(command::Cage{command::Cage::Fit{cage_counts_}});
-    }
-    if (!is_cage) {
-        float span = edited_span_.value_or(static_cast<float>(settings.span));
-        int points = static_cast<int>(span);
-        ImGui::SetNextItemWidth(-scaled(112.0f));
-        ImGui::SliderInt("control points##span", &points, 1, 9, "%d", ImGuiSliderFlags_AlwaysClamp);
-        if (ImGui::IsItemHovered()) {
-            ImGui::SetTooltip(
-                "Along each axis of the brush's lattice: more of them\n"
-                "make a drag broader and its edge steeper.");
-        }
-        if (ImGui::IsItemActive()) edited_span_ = static_cast<float>(points);
-        if (ImGui::IsItemDeactivatedAfterEdit()) editor.execute(command::Brush{.span = points});
-        if (!ImGui::IsItemActive()) edited_span_.reset();
-        return;
-    }
-    ImGui::SetNextItemWidth(-scaled(112.0f));
-    ImGui::SliderInt3("control points##cage", &cage_counts_.x, 2, 12, "%d",
-                      ImGuiSliderFlags_AlwaysClamp);
-    const bool is_set = ImGui::IsItemDeactivatedAfterEdit();
-    if (ImGui::Button("Fit to the object") || is_set) {
-        editor.execute(command::Cage{command::Cage::Fit{cage_counts_}});
-    }
-}
-
 void Panels::draw_display_settings(Editor& editor) {
     ImGui::Checkbox("Wireframe", &editor.display.wireframe);
     ImGui::Checkbox("Refinement levels", &editor.display.levels);
     ImGui::Checkbox("Lattice between drags", &editor.display.lattice);
+    ImGui::Checkbox("Symmetry plane", &editor.display.symmetry_plane);
 }
 
 void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
@@ -229,7 +192,7 @@ void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
     ImGui::Begin("status", nullptr, kBare);
     claim_window();
-    const FrameFigures& frame = editor.figures();
+    const FrameFigures frame = editor.figures();
     ImGui::Text("%s triangles", grouped(editor.session().mesh().face_count()).c_str());
     ImGui::SameLine(scaled(180.0f));
     ImGui::Text("+%s  −%s", grouped(frame.splits).c_str(), grouped(frame.unsplits).c_str());
@@ -246,14 +209,45 @@ void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
     ImGui::SameLine(scaled(420.0f));
     ImGui::Text("%.0f MB", 1e-6 * static_cast<double>(figures.memory_bytes));
     if (ImGui::IsItemHovered()) ImGui::SetTooltip("Memory that the program uses");
-    if (frame.budget_hit || frame.floor_hit) {
-        ImGui::SameLine(scaled(520.0f));
-        ImGui::TextColored(ImVec4(0.93f, 0.74f, 0.45f, 1.0f), "%s",
-                           frame.budget_hit ? "the triangle budget is used up"
-                                            : "edges are as short as they may be");
-    }
+    draw_drag_figures(editor);
     ImGui::End();
     ImGui::PopStyleVar(3);
+}
+
+// One after the other, what there is of it.
+void Panels::draw_drag_figures(const Editor& editor) const {
+    const FrameFigures frame = editor.figures();
+    float left = scaled(520.0f);
+    const auto tell = [&](const std::string& text, const ImVec4& colour) {
+        ImGui::SameLine(left);
+        ImGui::TextColored(colour, "%s", text.c_str());
+        left += ImGui::CalcTextSize(text.c_str()).x + scaled(24.0f);
+    };
+    if (editor.sculptor().is_dragging()) {
+        const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+        if (frame.steps > 1) tell(std::to_string(frame.steps) + " steps", plain);
+        if (frame.degrees != 0.0) tell(formatted("twist %.0f°", frame.degrees), plain);
+        if (frame.scale != 1.0) tell(formatted("scale %.2f", frame.scale), plain);
+    }
+    if (frame.folded > 0) tell(grouped(frame.folded) + " vertices folded", kWarning);
+    if (frame.budget_hit) {
+        tell("the triangle budget is used up", kWarning);
+    } else if (frame.floor_hit) {
+        tell("edges are as short as they may be", kWarning);
+    }
+}
+
+// The box that control points are being selected with.
+void Panels::draw_selection(const Editor& editor) const {
+    const auto& box = editor.cage_points().box();
+    if (!box) return;
+    const auto at = [](const Vec2& v) {
+        return ImVec2(static_cast<float>(v.x), static_cast<float>(v.y));
+    };
+    const Vec2 low = glm::min(box->from, box->to), high = glm::max(box->from, box->to);
+    ImDrawList& list = *ImGui::GetBackgroundDrawList();
+    list.AddRectFilled(at(low), at(high), IM_COL32(255, 190, 90, 28));
+    list.AddRect(at(low), at(high), IM_COL32(255, 190, 90, 210), 0.0f, 0, scaled(1.2f));
 }
 
 void Panels::draw_message(Editor& editor) {

@@ -2,11 +2,12 @@
 #pragma once
 
 #include <cstddef>
-#include <optional>
 #include <vector>
 
+#include "app/cage_panel.h"
 #include "app/editor.h"
 #include "app/refine_panel.h"
+#include "app/tool_panel.h"
 
 namespace pectin {
 
@@ -36,11 +37,12 @@ class Panels {
     void claim_window();
 
     void draw_menus(Editor& editor);
-    void draw_radius(Editor& editor);
+    void draw_tools(Editor& editor);
     void draw_settings(Editor& editor);
-    void draw_lattice_settings(Editor& editor);
     void draw_display_settings(Editor& editor);
     void draw_status(const Editor& editor, const PictureFigures& figures);
+    void draw_drag_figures(const Editor& editor) const;
+    void draw_selection(const Editor& editor) const;
     void draw_message(Editor& editor);
     void draw_hint(const Editor& editor);
     void draw_question(Editor& editor);
@@ -51,9 +53,9 @@ class Panels {
     std::vector<Area> areas_;
     bool has_popup_ = false;       // a menu or a dialog is open
     bool has_text_field_ = false;  // one is being typed into
+    ToolPanel tools_;
     RefinePanel refine_;
-    std::optional<float> edited_radius_, edited_span_;
-    IVec3 cage_counts_{4};
+    CagePanel cage_;
 };
 
 }  // namespace pectin

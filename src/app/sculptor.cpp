@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cassert>
+#include <cmath>
 
 namespace pectin {
 namespace {
@@ -11,6 +12,13 @@ namespace {
 constexpr double kTowardsEye = 0.04;
 // cos of the flattest ray that may meet the view plane.
 constexpr double kFlattest = 1e-6;
+
+// What lies on the plane of symmetry stays on it, all else on its side.
+Vec3 on_own_side(const Session& session, const Vec3& from, const Vec3& to) {
+    const MirrorPlane& plane = *session.symmetry();
+    const double cell = session.lattice_in_use()->cell[plane.axis];
+    return nearest_on_own_side(plane, from, to, kOnPlaneShare * cell);
+}
 
 }  // namespace
 
@@ -38,10 +46,11 @@ Vec3 on_normal(const Camera& camera, const Vec3& from, const Vec3& normal, const
     return from + along * normal;
 }
 
-std::optional<std::string> Sculptor::grab(Session& session, const Pick& pick, const Ray& ray) {
+std::optional<std::string> Sculptor::grab(Session& session, const Pick& pick, const Ray& ray,
+                                          std::span<const Vec3> pins, const DragOptions& options) {
     assert(!is_dragging());
-    if (auto refusal = session.begin_drag(std::array{pick.point}, {})) return refusal;
-    grabbed_ = Grabbed{pick, ray, pick.point};
+    if (auto refusal = session.begin_drag(std::array{pick.point}, pins, options)) return refusal;
+    grabbed_ = Grabbed{pick, ray, {pick.point}, {pick.point}};
     return std::nullopt;
 }
 
@@ -49,14 +58,27 @@ std::optional<std::string> Sculptor::drag(Session& session, const Camera& camera
                                           DragPath path) {
     assert(is_dragging());
     const Pick& pick = grabbed_->pick;
-    const std::optional<Vec3> to =
-        path == DragPath::normal ? on_normal(camera, pick.point, pick.normal, grabbed_->ray, ray)
+    std::optional<Vec3> to = path == DragPath::normal
+                                 ? on_normal(camera, pick.point, pick.normal, grabbed_->ray, ray)
                                  : on_view_plane(camera, pick.point, ray);
-    if (!to || *to == grabbed_->to) return std::nullopt;
-    if (auto refusal = session.drag_to(std::array{*to})) return refusal;
-    grabbed_->to = *to;
+    if (to && session.symmetry()) to = on_own_side(session, pick.point, *to);
+    if (to) grabbed_->asked.to = *to;
+    if (grabbed_->asked == grabbed_->done) return std::nullopt;
+    if (auto refusal = session.drag_to(std::array{target(grabbed_->asked)})) {
+        grabbed_->asked = grabbed_->done;
+        return refusal;
+    }
+    grabbed_->done = grabbed_->asked;
     return std::nullopt;
 }
+
+DragTarget Sculptor::target(const Goal& goal) const {
+    DragTarget target{.to = goal.to, .scale = std::pow(kGrowth, goal.growth)};
+    if (goal.degrees != 0.0) target.twist = {grabbed_->pick.normal, goal.degrees};
+    return target;
+}
+
+double Sculptor::scale() const { return target(grabbed_->done).scale; }
 
 std::optional<command::Drag> Sculptor::release(Session& session) {
     assert(is_dragging());

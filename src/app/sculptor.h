@@ -2,6 +2,7 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string>
 
 #include "geometry/camera.h"
@@ -23,27 +24,47 @@ Vec3 on_normal(const Camera& camera, const Vec3& from, const Vec3& normal, const
 
 class Sculptor {
   public:
-    // Begins a drag of the point under the ray. Precondition: `pick` is of that ray, nothing has
-    // changed since and no drag is in hand. Returns why not, if not.
-    std::optional<std::string> grab(Session& session, const Pick& pick, const Ray& ray);
-    // Takes the point there; whether the object changed is in the session's dirty elements.
+    // Begins a drag of the picked point under the ray; the pins stay. Precondition: nothing has
+    // changed since the pick and no drag is in hand. Returns why not, if not.
+    std::optional<std::string> grab(Session& session, const Pick& pick, const Ray& ray,
+                                    std::span<const Vec3> pins = {},
+                                    const DragOptions& options = {});
+    // Takes the point there, turned and scaled as asked for; with symmetry on not beyond the plane.
+    // Whether the object changed is in the session's dirty elements. A refusal leaves the frame
+    // before, and takes back what was asked of turn and scale since.
     std::optional<std::string> drag(Session& session, const Camera& camera, const Ray& ray,
                                     DragPath path);
     // What it came to, if anything.
     std::optional<command::Drag> release(Session& session);
     void cancel(Session& session);
 
+    // --- From the next drag() on, the surroundings of the point turn about the surface's normal,
+    // by the right hand, and grow by kGrowth for each step.
+    void turn(double degrees) { grabbed_->asked.degrees += degrees; }
+    void grow(double steps) { grabbed_->asked.growth += steps; }
+    static constexpr double kGrowth = 1.05;
+
     bool is_dragging() const { return grabbed_.has_value(); }
     // Of the drag in hand.
     const Vec3& from() const { return grabbed_->pick.point; }
-    const Vec3& to() const { return grabbed_->to; }
+    const Vec3& to() const { return grabbed_->done.to; }
+    const Vec3& normal() const { return grabbed_->pick.normal; }
+    double degrees() const { return grabbed_->done.degrees; }
+    double scale() const;
 
   private:
+    struct Goal {
+        Vec3 to;
+        double degrees = 0.0, growth = 0.0;
+        bool operator==(const Goal&) const = default;
+    };
     struct Grabbed {
         Pick pick;
         Ray ray;
-        Vec3 to;
+        Goal asked, done;
     };
+    DragTarget target(const Goal& goal) const;
+
     std::optional<Grabbed> grabbed_;
 };
 

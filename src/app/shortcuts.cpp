@@ -30,6 +30,8 @@ constexpr std::array kShortcuts{
     Shortcut{Key::keypad_1, kPlain, Action::view_front, "Keypad 1"},
     Shortcut{Key::keypad_3, kPlain, Action::view_right, "Keypad 3"},
     Shortcut{Key::keypad_7, kPlain, Action::view_top, "Keypad 7"},
+    Shortcut{Key{'X'}, kPlain, Action::toggle_symmetry, "X"},
+    Shortcut{Key{'P'}, kPlain, Action::toggle_pin, "P"},
     Shortcut{Key{'W'}, kPlain, Action::toggle_wireframe, "W"},
     Shortcut{Key{'L'}, kPlain, Action::toggle_lattice, "L"},
     Shortcut{Key{'V'}, kPlain, Action::toggle_levels, "V"},

@@ -24,6 +24,9 @@ enum class Action {
     toggle_wireframe,
     toggle_lattice,
     toggle_levels,
+    toggle_symmetry,
+    toggle_pin,  // under the cursor
+    remove_pins,
     smaller_radius,
     larger_radius,
 };

@@ -188,24 +188,24 @@ void WindowHost::listen_to_mouse() {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         WindowHost& host = host_of(w);
         host.cursor_ = {x, y};
-        append(host.events_, event::Move{host.cursor_, held_modifiers(w)});
+        host.events_.push_back(event::Move{host.cursor_, held_modifiers(w)});
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-        if (!entered) append(host_of(w).events_, event::Leave{});
+        if (!entered) host_of(w).events_.push_back(event::Leave{});
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
         WindowHost& host = host_of(w);
         const auto which = button_of(button);
         if (!which) return;
         if (action == GLFW_PRESS) {
-            append(host.events_, event::Press{*which, host.cursor_, modifiers_of(mods)});
+            host.events_.push_back(event::Press{*which, host.cursor_, modifiers_of(mods)});
         } else {
-            append(host.events_, event::Release{*which, host.cursor_, modifiers_of(mods)});
+            host.events_.push_back(event::Release{*which, host.cursor_, modifiers_of(mods)});
         }
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
         WindowHost& host = host_of(w);
-        append(host.events_, event::Scroll{y, host.cursor_});
+        host.events_.push_back(event::Scroll{y, host.cursor_});
     });
 }
 
@@ -215,36 +215,37 @@ void WindowHost::listen_to_keyboard() {
         WindowHost& host = host_of(w);
         const Key which = key_of(key, scancode);
         if (is_modifier(key)) {
-            append(host.events_, event::Move{host.cursor_, held_modifiers(w)});
+            host.events_.push_back(event::Move{host.cursor_, held_modifiers(w)});
         } else if (action == GLFW_RELEASE) {
-            append(host.events_, event::KeyUp{which});
+            host.events_.push_back(event::KeyUp{which});
         } else {
-            append(host.events_, event::KeyDown{which, modifiers_of(mods), action == GLFW_REPEAT});
+            host.events_.push_back(
+                event::KeyDown{which, modifiers_of(mods), action == GLFW_REPEAT});
         }
     });
     glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int code) {
-        append(host_of(w).events_, event::Character{code});
+        host_of(w).events_.push_back(event::Character{code});
     });
 }
 
 void WindowHost::listen_to_window() {
     GLFWwindow* const window = window_.get();
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-        append(host_of(w).events_, event::Drop{{paths, paths + count}});
+        host_of(w).events_.push_back(event::Drop{{paths, paths + count}});
     });
     glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int width, int height) {
-        append(host_of(w).events_, event::Resize{{width, height}});
+        host_of(w).events_.push_back(event::Resize{{width, height}});
     });
     // Uncovered, restored, or with another scale: what is shown has to be drawn again.
     glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) {
-        append(host_of(w).events_, event::Resize{host_of(w).size()});
+        host_of(w).events_.push_back(event::Resize{host_of(w).size()});
     });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) {
-        append(host_of(w).events_, event::Resize{host_of(w).size()});
+        host_of(w).events_.push_back(event::Resize{host_of(w).size()});
     });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides
-        append(host_of(w).events_, event::Close{});
+        host_of(w).events_.push_back(event::Close{});
     });
 }
 

@@ -99,7 +99,7 @@ void Workspace::finish(const Command& command) {
     record(command);
 }
 
-void Workspace::note_drag(const command::Drag& drag, bool has_changed) {
+void Workspace::note_drag(const Command& drag, bool has_changed) {
     is_modified_ |= has_changed;
     record(drag);
 }
@@ -116,7 +116,8 @@ void Workspace::record(const Command& command) {
 void Workspace::note(const Command& command) {
     const auto begin = [this](std::string path) {
         path_ = std::move(path);
-        diagonal_ = session_.mesh().bounding_box().diagonal();
+        box_ = session_.mesh().bounding_box();
+        diagonal_ = box_.diagonal();
         is_modified_ = false;
     };
     if (const auto* open = std::get_if<command::Open>(&command)) {

@@ -32,8 +32,8 @@ class Workspace {
     // longer is under way then: it is read or written in the background, the object stays as it is
     // until poll() says otherwise, and all commands fail.
     Outcome execute(const Command& command);
-    // The same for a drag that the session has done already.
-    void note_drag(const command::Drag& drag, bool has_changed);
+    // The same for a drag, of points or of control points, that the session has done already.
+    void note_drag(const Command& drag, bool has_changed);
 
     // --- A file that is under way.
     struct FileTask {
@@ -66,6 +66,7 @@ class Workspace {
     std::string object_name() const;
     bool is_modified() const { return is_modified_; }
     // Of the object as it was opened.
+    const Box& box() const { return box_; }
     double diagonal() const { return diagonal_; }
     // Reach of the brush, whether it was set or follows from the object.
     double radius() const;
@@ -81,6 +82,7 @@ class Workspace {
     std::string message_;
     std::string path_;
     std::string shape_name_ = "untitled";
+    Box box_;
     double diagonal_ = 1.0;
     bool is_modified_ = false;
     std::unique_ptr<FileTask> file_task_;  // last: it looks at the session's mesh

@@ -6,9 +6,13 @@
 namespace pectin {
 namespace {
 
-constexpr Colour kGrabbed{255, 214, 64, 255};
-constexpr Colour kGoal{255, 214, 64, 255};
+constexpr Colour kDragged{255, 214, 64, 255};
 constexpr Colour kPinned{255, 92, 92, 255};
+constexpr Colour kSelected{255, 172, 48, 255};
+constexpr Colour kHovered{255, 255, 255, 235};
+constexpr std::array kAxes{Colour{255, 120, 120, 120}, Colour{130, 235, 120, 120},
+                           Colour{120, 165, 255, 120}};
+constexpr int kMirrorGrid = 6;  // squares along each side
 
 constexpr Colour kDeformable{70, 220, 255, 235};
 constexpr Colour kDeformableMoved{255, 244, 150, 255};
@@ -18,6 +22,11 @@ constexpr Colour kPhantom{190, 196, 206, 110};
 
 // Up to here the grid's inside is drawn as well; beyond it would be a thicket.
 constexpr int kInnerGrid = 5;
+
+Colour faint(Colour colour) {
+    colour.alpha = static_cast<std::uint8_t>(colour.alpha * 2 / 5);
+    return colour;
+}
 
 // A grid of control points from `first` to `last`, both counted.
 struct ControlRange {
@@ -111,15 +120,42 @@ Box Overlay::bounds() const {
     return box;
 }
 
-void add_drag(Overlay& overlay, const Vec3& from, const Vec3& to) {
+void add_drag(Overlay& overlay, const Vec3& from, const Vec3& to, bool is_faint) {
     using Shape = Overlay::Point::Shape;
-    overlay.lines.push_back({from, to, kGoal, 2.0f});
-    overlay.points.push_back({from, kGrabbed, 12.0f, Shape::ring});
-    overlay.points.push_back({to, kGoal, 12.0f, Shape::disc});
+    const Colour colour = is_faint ? faint(kDragged) : kDragged;
+    overlay.lines.push_back({from, to, colour, 2.0f});
+    overlay.points.push_back({from, colour, 12.0f, Shape::ring});
+    overlay.points.push_back({to, colour, 12.0f, Shape::disc});
 }
 
-void add_pin(Overlay& overlay, const Vec3& position) {
-    overlay.points.push_back({position, kPinned, 14.0f, Overlay::Point::Shape::diamond});
+void add_pin(Overlay& overlay, const Vec3& position, bool is_faint) {
+    overlay.points.push_back(
+        {position, is_faint ? faint(kPinned) : kPinned, 14.0f, Overlay::Point::Shape::diamond});
+}
+
+void add_control_point(Overlay& overlay, const Vec3& position, bool is_selected, bool is_hovered) {
+    using Shape = Overlay::Point::Shape;
+    if (is_selected) overlay.points.push_back({position, kSelected, 11.0f, Shape::disc});
+    if (is_hovered) overlay.points.push_back({position, kHovered, 18.0f, Shape::ring});
+}
+
+void add_mirror_plane(Overlay& overlay, const MirrorPlane& plane, const Box& box) {
+    const int u = (plane.axis + 1) % 3, v = (plane.axis + 2) % 3;
+    const Colour& colour = kAxes[static_cast<std::size_t>(plane.axis)];
+    const auto point = [&](double s, double t) {
+        Vec3 p = box.min;
+        p[u] += s * (box.max[u] - box.min[u]);
+        p[v] += t * (box.max[v] - box.min[v]);
+        return plane.onto(p);
+    };
+    for (int i = 0; i <= kMirrorGrid; ++i) {
+        const double s = static_cast<double>(i) / kMirrorGrid;
+        const bool is_edge = i == 0 || i == kMirrorGrid;
+        const Colour shade = is_edge ? colour : faint(colour);
+        const float width = is_edge ? 1.4f : 1.0f;
+        overlay.lines.push_back({point(s, 0.0), point(s, 1.0), shade, width});
+        overlay.lines.push_back({point(0.0, s), point(1.0, s), shade, width});
+    }
 }
 
 void add_lattice(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements) {

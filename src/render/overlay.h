@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "ffd/lattice.h"
+#include "ffd/symmetry.h"
 #include "geometry/vec.h"
 
 namespace pectin {
@@ -39,9 +40,15 @@ struct Overlay {
     Box bounds() const;
 };
 
-// A drag's grabbed point (ring), where it is to go (disc), and the way between.
-void add_drag(Overlay& overlay, const Vec3& from, const Vec3& to);
-void add_pin(Overlay& overlay, const Vec3& position);
+// A drag's grabbed point (ring), where it is to go (disc), and the way between. Faint: its image.
+void add_drag(Overlay& overlay, const Vec3& from, const Vec3& to, bool is_faint = false);
+void add_pin(Overlay& overlay, const Vec3& position, bool is_faint = false);
+// A control point that is under the cursor, selected, or both.
+void add_control_point(Overlay& overlay, const Vec3& position, bool is_selected, bool is_hovered);
+
+// A grid where the plane cuts the box, in the colour of its axis: red for x, green for y, blue for
+// z.
+void add_mirror_plane(Overlay& overlay, const MirrorPlane& plane, const Box& box);
 
 // The zones of a lattice, told apart (Gain & Dodgson 1999, figure 2): the deformable control points
 // and the grid between them, where they have been moved to; the box of the influenced zone with the

@@ -439,6 +439,8 @@ const LatticeSettings& Session::lattice_settings() const { return state_->lattic
 
 const AdaptOutcome& Session::outcome() const { return state_->outcome; }
 
+std::uint64_t Session::folded_vertices() const { return state_->folded; }
+
 std::size_t Session::undo_count() const { return state_->history.undo_count(); }
 
 std::size_t Session::redo_count() const { return state_->history.redo_count(); }

@@ -116,6 +116,8 @@ class Session {
     const LatticeSettings& lattice_settings() const;
     const std::optional<MirrorPlane>& symmetry() const;
     const AdaptOutcome& outcome() const;  // of the mesh as it is
+    // Of the last drag or control, as Statistics has it.
+    std::uint64_t folded_vertices() const;
     std::size_t undo_count() const;
     std::size_t redo_count() const;
 

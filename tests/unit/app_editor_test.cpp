@@ -201,6 +201,7 @@ TEST_F(EditorTest, RecordReplaysToTheSameMesh) {
 // A drag that reaches no vertex changes nothing, but its lattice is in use from then on.
 TEST_F(EditorTest, RecordHoldsDragsThatChangeNothingButTheLattice) {
     Editor editor = this->editor(Recorder(path("record.jsonl")), 2);
+    editor.drag_options = {};
     editor.execute(command::Adapt{.enabled = false});
     editor.set_radius(editor.least_radius());
     drag(editor, kMiddle + Vec2(13, 7), kMiddle + Vec2(40, -20));

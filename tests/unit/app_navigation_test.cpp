@@ -107,15 +107,5 @@ TEST(Shortcuts, TellUndoFromRedoAndPlainLettersFromControl) {
     EXPECT_EQ(shortcut_label(Action::frame_all), "Home");
 }
 
-TEST(InputEvents, OfSeveralMovesTheLastCounts) {
-    std::vector<InputEvent> events;
-    append(events, event::Move{{1, 1}});
-    append(events, event::Move{{2, 2}});
-    append(events, event::Press{MouseButton::left, {2, 2}});
-    append(events, event::Move{{3, 3}});
-    ASSERT_EQ(events.size(), 3u);
-    EXPECT_EQ(std::get<event::Move>(events[0]).at, Vec2(2, 2));
-}
-
 }  // namespace
 }  // namespace pectin

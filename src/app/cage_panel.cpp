@@ -1,0 +1,102 @@
+#include "app/cage_panel.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+
+#include "app/cage_box.h"
+
+namespace pectin {
+namespace {
+
+constexpr int kMostSpan = 9, kMostCount = 16;  // more could hardly be told apart
+constexpr float kLabelWidth = 66.0f;
+constexpr double kLeastSize = 1e-4;     // of a cage, in diagonals of the object
+constexpr double kSizePerPixel = 5e-3;  // the same, for a pull at a number
+
+void row(const char* label, float scale) {
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted(label);
+    ImGui::SameLine(kLabelWidth * scale + ImGui::GetStyle().WindowPadding.x);
+    ImGui::SetNextItemWidth(-1.0f);
+}
+
+// Three numbers that can be pulled at or typed.
+void numbers(const char* id, Vec3& value, double step) {
+    ImGui::DragScalarN(id, ImGuiDataType_Double, &value.x, 3, static_cast<float>(step), nullptr,
+                       nullptr, "%.3g");
+}
+
+}  // namespace
+
+void CagePanel::draw(Editor& editor, float scale) {
+    const auto& cage = editor.session().lattice_settings().cage;
+    if (ImGui::RadioButton("Brush", !cage) && cage) {
+        editor.set_radius(editor.radius());
+        editor.display.lattice = false;
+    }
+    ImGui::SameLine(0.0f, 22.0f * scale);
+    if (ImGui::RadioButton("Cage", cage.has_value()) && !cage) {
+        editor.execute(command::Cage{command::Cage::Fit{counts_}});
+        editor.display.lattice = true;
+    }
+    if (cage) {
+        draw_cage(editor, *cage, scale);
+    } else {
+        draw_brush(editor, scale);
+    }
+}
+
+void CagePanel::draw_brush(Editor& editor, float scale) {
+    int span = edited_span_.value_or(editor.session().lattice_settings().span);
+    ImGui::SetNextItemWidth(-112.0f * scale);
+    ImGui::SliderInt("control points", &span, 1, kMostSpan, "%d", ImGuiSliderFlags_AlwaysClamp);
+    if (ImGui::IsItemHovered()) {
+        ImGui::SetTooltip(
+            "Along each axis of the brush's lattice: more of them\n"
+            "make a drag broader and its edge steeper.");
+    }
+    if (ImGui::IsItemActive()) edited_span_ = span;
+    if (ImGui::IsItemDeactivatedAfterEdit()) editor.execute(command::Brush{.span = span});
+    if (!ImGui::IsItemActive()) edited_span_.reset();
+}
+
+void CagePanel::draw_cage(Editor& editor, const Lattice& cage, float scale) {
+    const Box box = edited_box_.value_or(cage_box(cage));
+    IVec3 counts = edited_counts_.value_or(cage.deformable);
+    Vec3 middle = box.centre(), size = box.extent();
+    const double diagonal = editor.workspace().diagonal();
+    bool is_held = false, is_set = false;
+    const auto note = [&] {
+        is_held |= ImGui::IsItemActive();
+        is_set |= ImGui::IsItemDeactivatedAfterEdit();
+    };
+    row("Points", scale);
+    ImGui::SliderInt3("##counts", &counts.x, 1, kMostCount, "%d", ImGuiSliderFlags_AlwaysClamp);
+    note();
+    row("Middle", scale);
+    numbers("##middle", middle, kSizePerPixel * diagonal);
+    note();
+    row("Size", scale);
+    numbers("##size", size, kSizePerPixel * diagonal);
+    note();
+    size = glm::max(size, Vec3{kLeastSize * diagonal});
+    const Box changed{.min = middle - 0.5 * size, .max = middle + 0.5 * size};
+    if (is_set) editor.set_cage(changed, counts);
+    edited_box_ = is_held ? std::optional(changed) : std::nullopt;
+    edited_counts_ = is_held ? std::optional(counts) : std::nullopt;
+    counts_ = counts;
+    if (ImGui::Button("Fit to the object")) {
+        editor.execute(command::Cage{command::Cage::Fit{counts_}});
+    }
+    ImGui::SameLine();
+    ImGui::Checkbox("Show (L)", &editor.display.lattice);
+    if (!editor.display.lattice) return;
+    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
+    ImGui::TextWrapped(
+        "Drag a control point; Shift and a click takes more of them, Ctrl and a drag all in a "
+        "box.");
+    ImGui::PopStyleColor();
+}
+
+}  // namespace pectin

@@ -1,0 +1,26 @@
+// The part of the settings that says which lattice drags use: the brush's, or a cage of one's own.
+#pragma once
+
+#include <optional>
+
+#include "app/editor.h"
+
+namespace pectin {
+
+class CagePanel {
+  public:
+    // scale: of the screen.
+    void draw(Editor& editor, float scale);
+
+  private:
+    void draw_brush(Editor& editor, float scale);
+    void draw_cage(Editor& editor, const Lattice& cage, float scale);
+
+    std::optional<int> edited_span_;
+    // While a field is held.
+    std::optional<Box> edited_box_;
+    std::optional<IVec3> edited_counts_;
+    IVec3 counts_{4};  // of the next cage
+};
+
+}  // namespace pectin

@@ -1,0 +1,192 @@
+// What an Editor does with the object under the mouse: drags of its points and of the cage's
+// control points, and pins.
+#include <chrono>
+#include <cmath>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "app/cursor_path.h"
+#include "app/editor.h"
+
+namespace pectin {
+namespace {
+
+// Of the cursor's way: what a hand does not mean to draw.
+constexpr double kBend = 4.0;  // pixels
+// A point this near to the plane of symmetry is meant to be on it. As a pair with its image it
+// could hardly be moved apart: the two are nearly one constraint.
+constexpr double kOnPlane = 8.0;  // pixels
+constexpr double kDegreesPerNotch = 5.0;
+
+}  // namespace
+
+// Runs a part of a drag; where it throws (no memory) the object is as before the drag.
+template <typename Part>
+bool Editor::attempt(Part part) {
+    try {
+        part();
+        return true;
+    } catch (const std::exception& error) {
+        if (session().is_dragging()) cancel_drag();
+        workspace_.tell(std::string("the drag was given up: ") + error.what());
+        return false;
+    }
+}
+
+void Editor::press_left(const Vec2& at, const Pick& pick) {
+    if (sets_pins) return toggle_pin();
+    attempt([&] { grab(grip(pick, at), view().ray_through(at)); });
+}
+
+// The point that a press takes hold of: the pin whose marker is there, or the surface.
+Pick Editor::grip(Pick pick, const Vec2& at) const {
+    const auto marker = pins_.at(view(), at, pick, session().symmetry());
+    if (!marker) return onto_plane(pick);
+    pick.point = marker->position;
+    return pick;
+}
+
+Pick Editor::onto_plane(Pick pick) const {
+    const auto& plane = session().symmetry();
+    const double reach = kOnPlane * view().pixel_length(pick.point);
+    if (plane && std::abs(plane->offset(pick.point)) < reach) pick.point = plane->onto(pick.point);
+    return pick;
+}
+
+void Editor::grab(const Pick& pick, const Ray& ray) {
+    if (const auto refusal =
+            sculptor_.grab(workspace_.session(), pick, ray, pins_.points(), drag_options)) {
+        workspace_.tell(*refusal);
+        return;
+    }
+    workspace_.dismiss();
+    shows_hint_ = false;
+    hover_.reset();
+    moved_ = false;
+    path_.clear();
+    followed_ = cursor_;
+    begin_figures();
+}
+
+void Editor::drag() {
+    attempt([&] {
+        if (sculptor_.is_dragging()) {
+            follow_with_point();
+        } else {
+            follow_with_control_points();
+        }
+    });
+}
+
+// A fold-free drag goes the way of the cursor, as its steps depend on it.
+void Editor::follow_with_point() {
+    const auto start = std::chrono::steady_clock::now();
+    const DragPath path = modifiers_.alt ? DragPath::normal : DragPath::view_plane;
+    std::vector<Vec2> places{cursor_};
+    if (drag_options.fold_free && !path_.empty()) places = bends(followed_, path_, kBend);
+    path_.clear();
+    followed_ = cursor_;
+    const command::Drag before = session().drag_in_hand();
+    std::optional<std::string> refusal;
+    for (const Vec2& place : places) {
+        refusal = sculptor_.drag(workspace_.session(), camera(), view().ray_through(place), path);
+    }
+    if (refusal) return workspace_.tell(*refusal);
+    workspace_.dismiss();
+    if (session().drag_in_hand() == before) return;
+    note_frame(std::chrono::steady_clock::now() - start);
+    figures_.steps = session().drag_in_hand().via.size() + 1;
+    figures_.degrees = sculptor_.degrees();
+    figures_.scale = sculptor_.scale();
+}
+
+void Editor::follow_with_control_points() {
+    const auto start = std::chrono::steady_clock::now();
+    const bool had_begun = cage_points_.is_dragging();
+    if (const auto refusal = cage_points_.follow(workspace_.session(), view())) {
+        return workspace_.tell(*refusal);
+    }
+    if (!cage_points_.is_dragging()) return;
+    if (!had_begun) begin_figures();
+    workspace_.dismiss();
+    shows_hint_ = false;
+    note_frame(std::chrono::steady_clock::now() - start);
+}
+
+void Editor::begin_figures() {
+    figures_.steps = 1;
+    figures_.degrees = 0.0;
+    figures_.scale = 1.0;
+    figures_.folded = 0;
+}
+
+void Editor::note_frame(std::chrono::duration<double> taken) {
+    const Frame& frame = session().last_frame();
+    figures_.splits = frame.splits;
+    figures_.unsplits = frame.unsplits;
+    figures_.seconds = taken.count();
+    figures_.deform_seconds = frame.deform_seconds;
+    figures_.refine_seconds = frame.refine_seconds;
+    figures_.decimate_seconds = frame.decimate_seconds;
+    figures_.floor_hit = frame.floor_hit;
+    figures_.budget_hit = frame.budget_hit;
+}
+
+void Editor::release_drag() {
+    if (std::exchange(moved_, false)) drag();
+    attempt([&] {
+        const std::size_t steps = session().undo_count();
+        if (sculptor_.is_dragging()) {
+            if (const auto done = sculptor_.release(workspace_.session())) end_drag(*done, steps);
+        } else if (cage_points_.is_active()) {
+            const auto done = cage_points_.release(workspace_.session(), view());
+            if (done) end_drag(*done, steps);
+        }
+    });
+}
+
+void Editor::end_drag(const Command& done, std::size_t steps_before) {
+    workspace_.note_drag(done, session().undo_count() > steps_before);
+    figures_.folded = session().folded_vertices();
+    if (figures_.folded == 0) return;
+    workspace_.tell("This drag turns space inside out at " + std::to_string(figures_.folded) +
+                    (figures_.folded == 1 ? " vertex" : " vertices") +
+                    ". Undo takes it back; with Fold-free on, drags of the surface never do that.");
+}
+
+FrameFigures Editor::figures() const {
+    FrameFigures figures = figures_;
+    if (!session().is_dragging()) {
+        figures.floor_hit = session().outcome().floor_hit;
+        figures.budget_hit = session().outcome().budget_hit;
+    }
+    return figures;
+}
+
+void Editor::cancel_drag() {
+    if (sculptor_.is_dragging()) sculptor_.cancel(workspace_.session());
+    if (cage_points_.is_active()) cage_points_.cancel(workspace_.session());
+    begin_figures();
+    moved_ = false;
+}
+
+void Editor::turn_or_grow(double notches) {
+    if (modifiers_.shift) {
+        sculptor_.grow(notches);
+    } else {
+        sculptor_.turn(kDegreesPerNotch * notches);
+    }
+    moved_ = true;
+}
+
+// --- Pins.
+
+void Editor::toggle_pin() {
+    if (!cursor_is_ours_) return;
+    std::optional<Pick> pick = workspace_.session().pick(view().ray_through(cursor_));
+    if (pick) pick = onto_plane(*pick);
+    if (pins_.toggle(view(), cursor_, pick, session().symmetry())) workspace_.dismiss();
+}
+
+}  // namespace pectin

@@ -1,0 +1,21 @@
+// Where the object is seen from, and in how large a window.
+#pragma once
+
+#include <optional>
+
+#include "geometry/camera.h"
+
+namespace pectin {
+
+struct View {
+    Camera camera{};
+    IVec2 size{1};
+
+    Ray ray_through(const Vec2& at) const { return camera.ray_through(at, size); }
+    std::optional<Vec2> project(const Vec3& point) const { return camera.project(point, size); }
+    double pixel_length(const Vec3& point) const { return camera.pixel_length(point, size); }
+    // Along the view.
+    double depth(const Vec3& point) const { return glm::dot(point - camera.eye, camera.forward()); }
+};
+
+}  // namespace pectin
