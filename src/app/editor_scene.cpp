@@ -13,7 +13,7 @@ constexpr Colour kCircle{255, 255, 255, 190};
 constexpr Colour kCircleBeingSet{255, 214, 64, 255};
 constexpr Colour kCircleImage{255, 255, 255, 80};
 constexpr int kCircleSides = 96;
-constexpr double kRoom = 0.06;  // of the object's box diagonal, between it and the plane's border
+constexpr double kRoom = 0.03;  // of the object's box diagonal, between it and the plane's border
 
 // The surface's normal where the pick is: that of its corners, weighed, so that the circle glides
 // from face to face.

@@ -27,7 +27,7 @@ const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
 constexpr std::array kHint{
     "Drag a point of the surface: what is round it follows.",
     "Drag beside the object to turn it, with Shift to move it; the wheel zooms.",
-    "[ and ] set how far a drag reaches; Ctrl+Z takes it back.",
+    "[ and ] set how far a drag reaches, X switches symmetry; Ctrl+Z takes a drag back.",
 };
 
 void item(Editor& editor, const char* label, Action action, bool enabled = true) {

@@ -10,8 +10,8 @@ constexpr Colour kDragged{255, 214, 64, 255};
 constexpr Colour kPinned{255, 92, 92, 255};
 constexpr Colour kSelected{255, 172, 48, 255};
 constexpr Colour kHovered{255, 255, 255, 235};
-constexpr std::array kAxes{Colour{255, 120, 120, 120}, Colour{130, 235, 120, 120},
-                           Colour{120, 165, 255, 120}};
+constexpr std::array kAxes{Colour{255, 120, 120, 92}, Colour{130, 235, 120, 92},
+                           Colour{120, 165, 255, 92}};
 constexpr int kMirrorGrid = 6;  // squares along each side
 
 constexpr Colour kDeformable{70, 220, 255, 235};

@@ -1,70 +1,13 @@
 // The window's mind, driven by events.
 #include "app/editor.h"
 
-#include <gtest/gtest.h>
-
-#include <filesystem>
-#include <fstream>
 #include <sstream>
 
 #include "command/script.h"
+#include "unit/app_editor_fixture.h"
 
 namespace pectin {
 namespace {
-
-namespace fs = std::filesystem;
-constexpr IVec2 kSize{1280, 800};
-constexpr Vec2 kMiddle{640, 400}, kBeside{20, 780};
-
-class EditorTest : public testing::Test {
-  protected:
-    EditorTest() {
-        std::string name = (fs::temp_directory_path() / "pectin editor XXXXXX").string();
-        folder_ = mkdtemp(name.data());
-    }
-    ~EditorTest() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    void write(const std::string& name, const std::string& text) const {
-        std::ofstream(path(name), std::ios::binary) << text;
-    }
-    std::string read(const std::string& name) const {
-        std::ifstream file(path(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-    // On a sphere of the given resolution.
-    Editor editor(std::optional<Recorder> recorder = {}, int resolution = 3) const {
-        Editor made(std::move(recorder),
-                    std::chrono::hours(1));  // no file goes on in the background
-        made.handle(event::Resize{kSize});
-        made.new_shape(command::Shape::Kind::sphere, resolution);
-        return made;
-    }
-    static void drag(Editor& editor, const Vec2& from, const Vec2& to, Modifiers modifiers = {}) {
-        press(editor, from, modifiers);
-        for (int i = 1; i <= 4; ++i) move(editor, from + i / 4.0 * (to - from), modifiers);
-        editor.handle(event::Release{MouseButton::left, to, modifiers});
-        editor.advance();
-    }
-    static void press(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
-        editor.handle(event::Move{at, modifiers});
-        editor.advance();
-        editor.handle(event::Press{MouseButton::left, at, modifiers});
-        editor.advance();
-    }
-    static void move(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
-        editor.handle(event::Move{at, modifiers});
-        editor.advance();
-    }
-    static void key(Editor& editor, Key key, Modifiers modifiers = {}) {
-        editor.handle(event::KeyDown{key, modifiers});
-        editor.handle(event::KeyUp{key});
-        editor.advance();
-    }
-
-  private:
-    fs::path folder_;
-};
 
 constexpr const char* kTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";

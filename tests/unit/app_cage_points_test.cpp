@@ -1,0 +1,162 @@
+// The cage's control points under the mouse.
+#include "app/cage_points.h"
+
+#include <algorithm>
+
+#include "app/cage_box.h"
+#include "unit/app_editor_fixture.h"
+
+namespace pectin {
+namespace {
+
+class CagePointsTest : public EditorTest {
+  protected:
+    // With a shown cage of 3 control points an axis about a sphere.
+    Editor caged(std::optional<Recorder> recorder = {}) const {
+        Editor made = editor(std::move(recorder));
+        made.execute(command::Cage{command::Cage::Fit{IVec3{3}}});
+        made.display.lattice = true;
+        made.advance();
+        return made;
+    }
+    static Vec2 seen(const Editor& editor, const IVec3& index) {
+        const Vec3 rest = editor.session().lattice_settings().cage->rest(index);
+        return *editor.camera().project(rest, kSize);
+    }
+    static void click(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
+        press(editor, at, modifiers);
+        editor.handle(event::Release{MouseButton::left, at, modifiers});
+        editor.advance();
+    }
+};
+
+// Of the near corners, in front of the object from where the camera looks.
+constexpr IVec3 kCorner{2, 2, 2}, kOther{0, 2, 2}, kBelow{2, 0, 2};
+
+TEST(CageBox, IsWhatFittingTheSameCageTakes) {
+    const Box box{.min = {-1, 0, 2}, .max = {3, 0.5, 7}};
+    for (const IVec3& counts : {IVec3{2, 3, 4}, IVec3{1, 5, 1}}) {
+        const Box again = cage_box(fit_lattice(box, counts));
+        EXPECT_NEAR(glm::distance(again.min, box.min), 0.0, 1e-12);
+        EXPECT_NEAR(glm::distance(again.max, box.max), 0.0, 1e-12);
+    }
+}
+
+TEST_F(CagePointsTest, AreFoundUnderTheCursorWhileTheCageIsShown) {
+    Editor editor = caged();
+    move(editor, seen(editor, kCorner) + Vec2(3, -2));
+    EXPECT_EQ(editor.cage_points().hovered(), kCorner);
+    editor.display.lattice = false;
+    move(editor, seen(editor, kCorner));
+    EXPECT_FALSE(editor.cage_points().hovered());
+}
+
+TEST_F(CagePointsTest, WhatTheObjectHidesIsNotTaken) {
+    Editor editor = caged();
+    move(editor, seen(editor, {1, 1, 1}));
+    EXPECT_FALSE(editor.cage_points().hovered());
+    EXPECT_TRUE(editor.hover()) << "the surface is";
+}
+
+TEST_F(CagePointsTest, ClicksSelectOneAndWithShiftMore) {
+    Editor editor = caged();
+    const auto& selected = editor.cage_points().selected();
+    click(editor, seen(editor, kCorner));
+    EXPECT_EQ(selected, std::vector{kCorner});
+    click(editor, seen(editor, kOther), {.shift = true});
+    EXPECT_EQ(selected, (std::vector{kCorner, kOther}));
+    click(editor, seen(editor, kOther), {.shift = true});
+    EXPECT_EQ(selected, std::vector{kCorner});
+    click(editor, seen(editor, kBelow));
+    EXPECT_EQ(selected, std::vector{kBelow});
+    key(editor, Key::escape);
+    EXPECT_TRUE(selected.empty());
+    EXPECT_EQ(editor.session().undo_count(), 0u);
+}
+
+TEST_F(CagePointsTest, ABoxSelectsAllThatAreSeenInIt) {
+    Editor editor = caged();
+    editor.handle(event::Scroll{-3.0, kMiddle});  // all of it has to be in the window
+    const Vec2 at = seen(editor, kCorner);
+    drag(editor, at - Vec2(25, 25), at + Vec2(25, 25), {.control = true});
+    EXPECT_EQ(editor.cage_points().selected(), std::vector{kCorner});
+    drag(editor, {0, 0}, Vec2(kSize), {.control = true});
+    EXPECT_EQ(editor.cage_points().selected().size(), 27u);
+    press(editor, at - Vec2(25, 25), {.control = true});
+    move(editor, at + Vec2(25, 25), {.control = true});
+    key(editor, Key::escape);
+    EXPECT_FALSE(editor.cage_points().box());
+    EXPECT_EQ(editor.cage_points().selected().size(), 27u) << "given up, so nothing changes";
+}
+
+TEST_F(CagePointsTest, DraggedOnesGoWithTheCursorAndTheRecordReplaysToTheSameMesh) {
+    Editor editor = caged(Recorder(path("record.jsonl")));
+    click(editor, seen(editor, kCorner));
+    click(editor, seen(editor, kOther), {.shift = true});
+    const Vec2 from = seen(editor, kCorner);
+    drag(editor, from, from + Vec2(50, -40));
+    const auto control = std::get<command::Control>(last_of("record.jsonl"));
+    ASSERT_EQ(control.points.size(), 2u);
+    EXPECT_EQ(control.points[0].index, kCorner);
+    const auto to = editor.camera().project(control.points[0].to, kSize);
+    EXPECT_NEAR(glm::distance(*to, from + Vec2(50, -40)), 0.0, 1e-6);
+    const Lattice cage = *editor.session().lattice_settings().cage;
+    EXPECT_NEAR(glm::distance(control.points[0].to - cage.rest(kCorner),
+                              control.points[1].to - cage.rest(kOther)),
+                0.0, 1e-12);
+    EXPECT_EQ(editor.session().undo_count(), 1u);
+    EXPECT_TRUE(editor.workspace().is_modified());
+    EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());
+}
+
+TEST_F(CagePointsTest, EscapeDuringADragGivesEverythingBack) {
+    Editor editor = caged(), untouched = caged();
+    press(editor, seen(editor, kCorner));
+    move(editor, seen(editor, kCorner) + Vec2(80, 80));
+    EXPECT_FALSE(editor.session().mesh() == untouched.session().mesh());
+    key(editor, Key::escape);
+    EXPECT_TRUE(editor.session().mesh() == untouched.session().mesh());
+    EXPECT_FALSE(editor.session().is_dragging());
+}
+
+TEST_F(CagePointsTest, WithSymmetryTheOtherSideGoesTheMirroredWayThoughSelected) {
+    Editor editor = caged(Recorder(path("record.jsonl")));
+    editor.set_symmetry(true);
+    const Vec2 from = seen(editor, kCorner);
+    click(editor, seen(editor, kOther));
+    click(editor, from, {.shift = true});
+    press(editor, from);
+    move(editor, from + Vec2(60, 0));
+    const Lattice cage = *editor.session().lattice_settings().cage;
+    const auto displacements = editor.cage_points().displacements(editor.session());
+    const Vec3 d = displacements[cage.control_index(kCorner)];
+    EXPECT_GT(glm::length(d), 0.05);
+    EXPECT_EQ(displacements[cage.control_index(kOther)], Vec3(-d.x, d.y, d.z));
+    editor.handle(event::Release{MouseButton::left, from + Vec2(60, 0), {}});
+    EXPECT_TRUE(editor.workspace().message().empty()) << editor.workspace().message();
+    EXPECT_EQ(editor.session().undo_count(), 1u);
+    EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());
+}
+
+TEST_F(CagePointsTest, ACageThatIsNotSymmetricIsRefusedInWords) {
+    Editor editor = caged();
+    editor.set_symmetry(true);
+    editor.set_cage({.min = Vec3{-1, -1, -1}, .max = Vec3{2, 1, 1}}, IVec3{3});
+    editor.advance();
+    const Vec2 from = seen(editor, kCorner);
+    drag(editor, from, from + Vec2(40, 0));
+    EXPECT_NE(editor.workspace().message().find("mirror"), std::string::npos);
+    EXPECT_EQ(editor.session().undo_count(), 0u);
+}
+
+TEST_F(CagePointsTest, AnotherCageForgetsTheSelection) {
+    Editor editor = caged();
+    click(editor, seen(editor, kCorner));
+    editor.set_cage(cage_box(*editor.session().lattice_settings().cage), IVec3{2});
+    editor.advance();
+    EXPECT_TRUE(editor.cage_points().selected().empty());
+    EXPECT_EQ(editor.session().lattice_settings().cage->deformable, IVec3{2});
+}
+
+}  // namespace
+}  // namespace pectin

@@ -1,0 +1,92 @@
+// An Editor and a hand on its mouse and keyboard.
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+#include <utility>
+
+#include "app/editor.h"
+#include "command/script.h"
+
+namespace pectin {
+
+namespace fs = std::filesystem;
+inline constexpr IVec2 kSize{1280, 800};
+inline constexpr Vec2 kMiddle{640, 400}, kBeside{20, 780};
+
+class EditorTest : public testing::Test {
+  protected:
+    EditorTest() {
+        std::string name = (fs::temp_directory_path() / "pectin editor XXXXXX").string();
+        folder_ = mkdtemp(name.data());
+    }
+    ~EditorTest() override { fs::remove_all(folder_); }
+
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    void write(const std::string& name, const std::string& text) const {
+        std::ofstream(path(name), std::ios::binary) << text;
+    }
+    std::string read(const std::string& name) const {
+        std::ifstream file(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
+    // On a sphere of the given resolution.
+    Editor editor(std::optional<Recorder> recorder = {}, int resolution = 3) const {
+        Editor made(std::move(recorder),
+                    std::chrono::hours(1));  // no file goes on in the background
+        made.handle(event::Resize{kSize});
+        made.new_shape(command::Shape::Kind::sphere, resolution);
+        return made;
+    }
+    static void drag(Editor& editor, const Vec2& from, const Vec2& to, Modifiers modifiers = {}) {
+        press(editor, from, modifiers);
+        for (int i = 1; i <= 4; ++i) move(editor, from + i / 4.0 * (to - from), modifiers);
+        editor.handle(event::Release{MouseButton::left, to, modifiers});
+        editor.advance();
+    }
+    static void press(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
+        editor.handle(event::Move{at, modifiers});
+        editor.advance();
+        editor.handle(event::Press{MouseButton::left, at, modifiers});
+        editor.advance();
+    }
+    static void move(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
+        editor.handle(event::Move{at, modifiers});
+        editor.advance();
+    }
+    static void key(Editor& editor, Key key, Modifiers modifiers = {}) {
+        editor.handle(event::KeyDown{key, modifiers});
+        editor.handle(event::KeyUp{key});
+        editor.advance();
+    }
+
+    // What the replay of a record comes to.
+    Session replayed(const std::string& name) const {
+        Session session;
+        std::istringstream text(read(name));
+        ScriptReader reader(text);
+        while (const auto line = reader.next()) {
+            const auto refusal = session.execute(std::get<Command>(line->command));
+            EXPECT_FALSE(refusal) << *refusal;
+        }
+        return session;
+    }
+    // The last command of a record.
+    Command last_of(const std::string& name) const {
+        std::istringstream text(read(name));
+        ScriptReader reader(text);
+        Command last;
+        while (const auto line = reader.next()) last = std::get<Command>(line->command);
+        return last;
+    }
+
+  private:
+    fs::path folder_;
+};
+
+}  // namespace pectin
