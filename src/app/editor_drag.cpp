@@ -8,6 +8,7 @@
 
 #include "app/cursor_path.h"
 #include "app/editor.h"
+#include "app/rounded_numbers.h"
 
 namespace pectin {
 namespace {
@@ -57,8 +58,7 @@ Pick Editor::onto_plane(Pick pick) const {
 void Editor::grab(const Pick& pick, const Ray& ray) {
     if (const auto refusal =
             sculptor_.grab(workspace_.session(), pick, ray, pins_.points(), drag_options)) {
-        workspace_.tell(*refusal);
-        return;
+        return workspace_.tell(rounded_numbers(*refusal));
     }
     workspace_.dismiss();
     shows_hint_ = false;
@@ -92,7 +92,7 @@ void Editor::follow_with_point() {
     for (const Vec2& place : places) {
         refusal = sculptor_.drag(workspace_.session(), camera(), view().ray_through(place), path);
     }
-    if (refusal) return workspace_.tell(*refusal);
+    if (refusal) return workspace_.tell(rounded_numbers(*refusal));
     workspace_.dismiss();
     if (session().drag_in_hand() == before) return;
     note_frame(std::chrono::steady_clock::now() - start);
@@ -105,7 +105,7 @@ void Editor::follow_with_control_points() {
     const auto start = std::chrono::steady_clock::now();
     const bool had_begun = cage_points_.is_dragging();
     if (const auto refusal = cage_points_.follow(workspace_.session(), view())) {
-        return workspace_.tell(*refusal);
+        return workspace_.tell(rounded_numbers(*refusal));
     }
     if (!cage_points_.is_dragging()) return;
     if (!had_begun) begin_figures();

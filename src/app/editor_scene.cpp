@@ -140,8 +140,13 @@ Scene editor_scene(const Editor& editor, float pixel_scale) {
     } else if (editor.display.lattice) {
         if (const auto lattice = lattice_at_hand(editor)) add_lattice(overlay, *lattice, {});
     }
-    if (!is_dragging && !has_cage && editor.hover()) add_brush(overlay, editor, *editor.hover());
     add_pins(overlay, editor);
+    if (is_dragging || !editor.hover()) return scene;
+    if (editor.sets_pins) {
+        add_pin(overlay, editor.hover()->point, true);
+    } else if (!has_cage) {
+        add_brush(overlay, editor, *editor.hover());
+    }
     return scene;
 }
 

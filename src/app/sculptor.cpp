@@ -1,5 +1,6 @@
 #include "app/sculptor.h"
 
+#include <algorithm>
 #include <array>
 #include <cassert>
 #include <cmath>
@@ -13,11 +14,21 @@ constexpr double kTowardsEye = 0.04;
 // cos of the flattest ray that may meet the view plane.
 constexpr double kFlattest = 1e-6;
 
+// Of a cell: how near to the plane of symmetry a point may be taken. On it, it would meet its
+// image.
+constexpr double kLeastOffset = 0.05;
+
 // What lies on the plane of symmetry stays on it, all else on its side.
 Vec3 on_own_side(const Session& session, const Vec3& from, const Vec3& to) {
     const MirrorPlane& plane = *session.symmetry();
     const double cell = session.lattice_in_use()->cell[plane.axis];
-    return nearest_on_own_side(plane, from, to, kOnPlaneShare * cell);
+    const double offset = plane.offset(from);
+    if (std::abs(offset) <= kOnPlaneShare * cell) return plane.onto(to);
+    const double least = std::min(std::abs(offset), kLeastOffset * cell);
+    const double side = offset < 0.0 ? -1.0 : 1.0;
+    Vec3 allowed = to;
+    if (side * plane.offset(to) < least) allowed[plane.axis] = plane.at + side * least;
+    return allowed;
 }
 
 }  // namespace

@@ -1,8 +1,8 @@
 // What the left panel and the wheel do to drags: pins, symmetry, twist and scale, fold-free ways.
 #include <algorithm>
-#include <numbers>
 
 #include "app/cursor_path.h"
+#include "app/rounded_numbers.h"
 #include "unit/app_editor_fixture.h"
 
 namespace pectin {
@@ -41,6 +41,13 @@ TEST(CursorPath, KeepsBendsAndTheLastPlaceOnly) {
               (std::vector<Vec2>{{20, 1}, {20, 30}}));
     // There and back: the end lies where it began.
     EXPECT_EQ(bends({0, 0}, {{10, 0}, {0, 0}}, 2.0), (std::vector<Vec2>{{10, 0}, {0, 0}}));
+}
+
+TEST(RoundedNumbers, AreFewDigitsOfFractionsAndAllOfWholeNumbers) {
+    EXPECT_EQ(rounded_numbers("from (0.21176287100961724, -1.5, 1e-17) by 1234567 of 0.25."),
+              "from (0.2118, -1.5, 1e-17) by 1234567 of 0.25.");
+    EXPECT_EQ(rounded_numbers("-12.000004 and 3.0000001234e-12"), "-12 and 3e-12");
+    EXPECT_EQ(rounded_numbers(""), "");
 }
 
 TEST_F(EditorToolsTest, PSetsAPinUnderTheCursorAndTakesItAwayAgain) {
@@ -162,6 +169,20 @@ TEST_F(EditorToolsTest, APointGrabbedBesideThePlaneOfSymmetryIsOnIt) {
     EXPECT_EQ(drag.moves.front().from.x, 0.0);
     EXPECT_EQ(drag.moves.front().to.x, 0.0);
     EXPECT_GT(drag.moves.front().to.y, 0.1);
+}
+
+TEST_F(EditorToolsTest, ADragTowardsThePlaneOfSymmetryStopsBeforeItWithoutAComplaint) {
+    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    editor.perform(Action::view_front);
+    editor.set_symmetry(true);
+    const Vec2 from = kMiddle + Vec2(60, 0);
+    drag(editor, from, from - Vec2(200, 0));
+    EXPECT_TRUE(editor.workspace().message().empty()) << editor.workspace().message();
+    const auto drag = std::get<command::Drag>(last_of("record.jsonl"));
+    const double from_x = drag.moves.front().from.x, to_x = drag.moves.front().to.x;
+    EXPECT_GT(to_x, 0.0);
+    EXPECT_LT(to_x, 0.2 * from_x);
+    EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());
 }
 
 TEST_F(EditorToolsTest, TheWheelDuringADragTwistsAndWithShiftScales) {

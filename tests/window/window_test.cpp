@@ -96,6 +96,34 @@ TEST_F(WindowTest, ReplayOfTheRecordGivesTheBytesThatTheWindowSaved) {
     EXPECT_TRUE(folder().read("window.obj") == replayed());
 }
 
+TEST_F(WindowTest, PinsSymmetryAndTheWheelAreInTheRecordAndReplayToTheBytesThatTheWindowSaved) {
+    open_window();
+    ASSERT_TRUE(records("\"symmetry\"")) << "the first sphere is symmetric";
+    desktop().move(700, 470);
+    desktop().key("p");
+    desktop().move(kMiddleX, kMiddleY);
+    desktop().press();
+    desktop().move(680, 360);
+    desktop().move(720, 330);
+    desktop().press(4);
+    desktop().release(4);
+    desktop().hold("shift");
+    desktop().press(4);
+    desktop().release(4);
+    desktop().let_go("shift");
+    desktop().release();
+    ASSERT_TRUE(records("\"drag\""));
+    EXPECT_EQ(recorded("\"pins\": [["), 1u) << record();
+    EXPECT_EQ(recorded("\"degrees\": 5"), 1u) << record();
+    EXPECT_EQ(recorded("\"scale\": 1.05"), 1u) << record();
+    EXPECT_EQ(recorded("\"connected\": true, \"fold_free\": true"), 1u) << record();
+    desktop().key("x");
+    ASSERT_TRUE(records("\"symmetry\"", 2));
+    save_as("window.obj");
+    quit();
+    EXPECT_TRUE(folder().read("window.obj") == replayed());
+}
+
 TEST_F(WindowTest, EscapeDuringADragGivesTheSphereBack) {
     open_window();
     save_as("before.obj");
