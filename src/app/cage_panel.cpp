@@ -86,6 +86,10 @@ void CagePanel::draw_cage(Editor& editor, const Lattice& cage, float scale) {
     edited_box_ = is_held ? std::optional(changed) : std::nullopt;
     edited_counts_ = is_held ? std::optional(counts) : std::nullopt;
     counts_ = counts;
+    draw_cage_actions(editor);
+}
+
+void CagePanel::draw_cage_actions(Editor& editor) const {
     if (ImGui::Button("Fit to the object")) {
         editor.execute(command::Cage{command::Cage::Fit{counts_}});
     }

@@ -15,6 +15,7 @@ class CagePanel {
   private:
     void draw_brush(Editor& editor, float scale);
     void draw_cage(Editor& editor, const Lattice& cage, float scale);
+    void draw_cage_actions(Editor& editor) const;
 
     std::optional<int> edited_span_;
     // While a field is held.

@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "app/sculptor.h"
+#include "render/overlay.h"
 
 namespace pectin {
 namespace {
@@ -47,6 +48,7 @@ std::optional<IVec3> CagePoints::under(const Session& session, const View& view,
     std::optional<IVec3> found;
     double nearest = kReach;
     for_each_control(cage, [&](const IVec3& index) {
+        if (!draws_control(cage, index)) return;
         const Vec3 position = cage.rest(index);
         const std::optional<Vec2> seen = view.project(position);
         if (!seen || view.depth(position) > limit) return;

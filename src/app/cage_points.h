@@ -17,7 +17,7 @@ namespace pectin {
 class CagePoints {
   public:
     // --- Before a press. surface: what the cursor meets of the object.
-    // The control point under the cursor that the surface does not hide.
+    // The control point under the cursor that is drawn and that the surface does not hide.
     std::optional<IVec3> under(const Session& session, const View& view, const Vec2& at,
                                const std::optional<Pick>& surface) const;
     void look(const std::optional<IVec3>& hovered) { hovered_ = hovered; }

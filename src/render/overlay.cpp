@@ -47,6 +47,8 @@ struct ControlRange {
     }
 };
 
+int most_of(const IVec3& counts) { return glm::max(counts.x, glm::max(counts.y, counts.z)); }
+
 IVec3 unit_step(int axis) {
     IVec3 step{0};
     step[axis] = 1;
@@ -55,25 +57,23 @@ IVec3 unit_step(int axis) {
 
 void add_deformable(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements) {
     const ControlRange range{IVec3{0}, lattice.deformable - 1};
-    const IVec3 counts = lattice.deformable;
-    const int most = glm::max(counts.x, glm::max(counts.y, counts.z));
-    const bool all = most <= kInnerGrid;
+    const int most = most_of(lattice.deformable);
     // Denser grids are drawn finer, or they would hide the object.
-    const float fine = all ? 1.0f : glm::max(0.4f, 6.0f / static_cast<float>(most));
+    const float fine = most <= kInnerGrid ? 1.0f : glm::max(0.4f, 6.0f / static_cast<float>(most));
     const double still = 1e-6 * lattice.smallest_cell_extent();
     const auto displacement = [&](const IVec3& c) {
         return displacements.empty() ? Vec3{0.0} : displacements[lattice.control_index(c)];
     };
     const auto position = [&](const IVec3& c) { return lattice.rest(c) + displacement(c); };
     range.for_each([&](const IVec3& c) {
-        if (!all && !range.is_on_border(c)) return;
+        if (!draws_control(lattice, c)) return;
         const bool moved = glm::length(displacement(c)) > still;
         overlay.points.push_back({.position = position(c),
                                   .colour = moved ? kDeformableMoved : kDeformable,
                                   .diameter = (moved ? 7.0f : 6.0f) * fine});
         for (int axis = 0; axis < 3; ++axis) {
             const IVec3 next = c + unit_step(axis);
-            if (next[axis] > range.last[axis] || (!all && !range.is_on_border(next))) continue;
+            if (next[axis] > range.last[axis] || !draws_control(lattice, next)) continue;
             overlay.lines.push_back({position(c), position(next), kDeformable, 1.6f * fine});
         }
     });
@@ -163,6 +163,11 @@ void add_lattice(Overlay& overlay, const Lattice& lattice, std::span<const Vec3>
     add_phantom(overlay, lattice);
     add_influenced(overlay, lattice);
     add_deformable(overlay, lattice, displacements);
+}
+
+bool draws_control(const Lattice& lattice, const IVec3& control) {
+    return most_of(lattice.deformable) <= kInnerGrid ||
+           ControlRange{IVec3{0}, lattice.deformable - 1}.is_on_border(control);
 }
 
 }  // namespace pectin

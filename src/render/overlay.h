@@ -55,5 +55,7 @@ void add_mirror_plane(Overlay& overlay, const MirrorPlane& plane, const Box& box
 // grid on its faces; the phantom layer as points about it.
 // displacements: control_count in the order of control_index, or empty: at rest.
 void add_lattice(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements);
+// Whether add_lattice draws this control point: of large lattices only those on the border.
+bool draws_control(const Lattice& lattice, const IVec3& control);
 
 }  // namespace pectin

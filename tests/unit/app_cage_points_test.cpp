@@ -58,6 +58,26 @@ TEST_F(CagePointsTest, WhatTheObjectHidesIsNotTaken) {
     EXPECT_TRUE(editor.hover()) << "the surface is";
 }
 
+TEST_F(CagePointsTest, InsideALargeCageWhatIsNotDrawnIsNotTakenButABoxTakesIt) {
+    Editor editor = caged();
+    // Wider than the object: its inner control points lie beside it.
+    editor.set_cage({.min = Vec3{-4.0}, .max = Vec3{4.0}}, IVec3{7});
+    for (int i = 0; i < 2; ++i) editor.handle(event::Scroll{-8.0, kMiddle});
+    editor.advance();
+    for (int i = 0; i < 7; ++i) {
+        for (int j = 0; j < 7; ++j) {
+            for (int k = 0; k < 7; ++k) {
+                move(editor, seen(editor, {i, j, k}));
+                const auto& hovered = editor.cage_points().hovered();
+                EXPECT_TRUE(!hovered || hovered->x % 6 == 0 || hovered->y % 6 == 0 ||
+                            hovered->z % 6 == 0);
+            }
+        }
+    }
+    drag(editor, {0, 0}, Vec2(kSize), {.control = true});
+    EXPECT_EQ(editor.cage_points().selected().size(), 343u);
+}
+
 TEST_F(CagePointsTest, ClicksSelectOneAndWithShiftMore) {
     Editor editor = caged();
     const auto& selected = editor.cage_points().selected();
