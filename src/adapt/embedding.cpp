@@ -2,6 +2,9 @@
 
 #include <algorithm>
 
+#include "adapt/deform_pass.h"
+#include "adapt/parallel.h"
+
 namespace pectin {
 
 void Embedding::embed() {
@@ -29,7 +32,9 @@ void Embedding::embed() {
             turn(step, w, of_entry(active_.wedge_owner(w)));
         }
     }
-    for (std::uint32_t i = 0; i < active_.influenced_at_begin(); ++i) embed_entry(i);
+    for_pieces(0, active_.influenced_at_begin(), [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) embed_entry(i);
+    });
 }
 
 void Embedding::resize() {
@@ -116,11 +121,20 @@ void Embedding::embed_entry(std::uint32_t entry) {
 
 void Embedding::deform() {
     if (stages_.empty()) return;
-    deform_vertices(0, active_.influenced_at_begin());
-    deform_wedges(0, active_.influenced_wedges_at_begin());
-    // Those that earlier frames have inserted.
-    deform_vertices(active_.influenced_at_begin(), active_.vertex_entries());
-    deform_wedges(active_.influenced_wedges_at_begin(), active_.wedge_entries());
+    if (moves() == 1) {
+        const Vec3& d = last_drag()->displacements.front();
+        const bool is_first = stages_.size() == 1;
+        pectin::deform_vertices(active_,
+                                is_first ? active_.rest_positions() : stages_.back().positions,
+                                weights_, d, 0, active_.vertex_entries());
+        pectin::deform_wedges(active_, is_first ? active_.rest_normals() : normals_, weights_, d, 0,
+                              active_.wedge_entries());
+        return;
+    }
+    for_pieces(0, active_.vertex_entries(),
+               [&](std::uint32_t first, std::uint32_t end) { deform_vertices(first, end); });
+    for_pieces(0, active_.wedge_entries(),
+               [&](std::uint32_t first, std::uint32_t end) { deform_wedges(first, end); });
 }
 
 void Embedding::deform_vertices(std::uint32_t first, std::uint32_t end) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "adapt/parallel.h"
 #include "adapt/refinement_queue.h"
 #include "mesh/first_of_siblings.h"
 
@@ -28,10 +29,7 @@ class Refiner {
         : active_(active), embedding_(embedding), criteria_(criteria) {}
 
     Refinement run() {
-        FirstOfSiblings is_first(active_.mesh());
-        for (EdgeId e : active_.edges()) {
-            if (active_.mesh().is_live(e) && is_first(e)) push_if_needed(e);
-        }
+        push_all_needed();
         while (!result_.budget_hit) {
             const auto next = queue_.pop();
             if (!next) break;
@@ -44,6 +42,32 @@ class Refiner {
     }
 
   private:
+    // Looks at the edges on all threads, then queues them in their order. Of those along one cut
+    // only the first is looked at, since that looks at all of them.
+    void push_all_needed() {
+        const TriMesh& mesh = active_.mesh();
+        const std::span<const EdgeId> edges = active_.edges();
+        const auto count = static_cast<std::uint32_t>(edges.size());
+        const auto is_along_cut = [&](EdgeId e) { return mesh.sibling(e) != e; };
+        std::vector<std::uint8_t> may_need(count);
+        for_pieces(0, count, [&](std::uint32_t first, std::uint32_t end) {
+            for (std::uint32_t i = first; i < end; ++i) {
+                const EdgeId e = edges[i];
+                may_need[i] =
+                    mesh.is_live(e) && (is_along_cut(e) || criteria_.needs_refinement(active_, e));
+            }
+        });
+        FirstOfSiblings is_first(mesh);
+        for (std::uint32_t i = 0; i < count; ++i) {
+            if (!may_need[i] || !is_first(edges[i])) continue;
+            if (is_along_cut(edges[i])) {
+                push_if_needed(edges[i]);
+            } else if (!is_below_floor(edges[i])) {
+                queue_.push(edges[i], octave(edges[i]));
+            }
+        }
+    }
+
     void push_if_needed(EdgeId e) {
         if (!criteria_.needs_refinement(active_, e) || is_below_floor(e)) return;
         queue_.push(e, octave(e));

@@ -47,7 +47,10 @@ class ActiveSet {
     std::uint32_t vertex_entries() const { return static_cast<std::uint32_t>(vertices_.size()); }
     std::uint32_t influenced_at_begin() const { return influenced_; }
     VertexId vertex(std::uint32_t entry) const { return vertices_[entry]; }
+    std::span<const VertexId> vertices() const { return vertices_; }
+    std::span<const Vec3> rest_positions() const { return rest_positions_; }
     const Vec3& rest_position_at(std::uint32_t entry) const { return rest_positions_[entry]; }
+    std::span<const std::uint8_t> were_deformed() const { return was_deformed_; }  // 0 or 1
     bool was_deformed_at(std::uint32_t entry) const { return was_deformed_[entry] != 0; }
     bool is_influenced_at(std::uint32_t entry) const {
         return entry < influenced_ ||
@@ -57,6 +60,9 @@ class ActiveSet {
     // Wedges of influenced vertices come first, as the vertices do.
     std::uint32_t influenced_wedges_at_begin() const { return influenced_wedges_; }
     WedgeId wedge(std::uint32_t entry) const { return wedges_[entry]; }
+    std::span<const WedgeId> wedges() const { return wedges_; }
+    std::span<const Vec3f> rest_normals() const { return rest_normals_; }
+    std::span<const std::uint32_t> wedge_owners() const { return wedge_owners_; }
     const Vec3f& rest_normal_at(std::uint32_t entry) const { return rest_normals_[entry]; }
     std::uint32_t wedge_owner(std::uint32_t entry) const { return wedge_owners_[entry]; }
     // Edges of the active faces and of inserted vertices; may name dead ones.

@@ -150,6 +150,16 @@ class TriMesh {
     // --- Attributes. O(1). Writing them changes no connectivity.
     const Vec3& position(VertexId v) const { return positions_[index(v)]; }
     void set_position(VertexId v, const Vec3& p) { positions_[index(v)] = p; }
+    // Slots from `first` on, to write many at once.
+    std::span<Vec3> positions(VertexId first, std::size_t count) {
+        return std::span(positions_).subspan(index(first), count);
+    }
+    std::span<std::uint8_t> deformed_marks(VertexId first, std::size_t count) {  // 0 or 1
+        return std::span(deformed_).subspan(index(first), count);
+    }
+    std::span<Vec3f> normals(WedgeId first, std::size_t count) {
+        return std::span(normals_).subspan(index(first), count);
+    }
     const Vec3f& normal(WedgeId w) const { return normals_[index(w)]; }  // unit, or 0: undefined
     void set_normal(WedgeId w, const Vec3f& n) { normals_[index(w)] = n; }
     bool has_colors() const { return !colors_.empty(); }

@@ -397,7 +397,10 @@ DirtyElements Session::take_dirty() {
     DirtyElements taken = std::exchange(state_->dirty, {});
     // Slots that were cut off since have nothing to show.
     const auto tidy = [](auto& ids, auto end) {
-        std::sort(ids.begin(), ids.end());
+        // A frame names what it moves in order, and what it inserted after that.
+        const auto unsorted = std::is_sorted_until(ids.begin(), ids.end());
+        std::sort(unsorted, ids.end());
+        std::inplace_merge(ids.begin(), unsorted, ids.end());
         ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
         ids.erase(std::lower_bound(ids.begin(), ids.end(), end), ids.end());
     };

@@ -55,6 +55,7 @@ const std::vector<Restricted>& restricted_headers() {
                                                 {"KHR/", {"render/", "app/"}},
                                                 {"imgui", {"render/", "app/"}},
                                                 {"thread", {"app/"}},
+                                                {"tbb/", {"adapt/parallel.cpp"}},
                                                 {"future", {"app/"}}};
     return kTable;
 }

@@ -1,0 +1,28 @@
+// Work on the elements of flat arrays, on all threads where there is enough of it.
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <functional>
+
+namespace pectin {
+
+// Elements that one thread takes at a time. Starting others costs some microseconds, in which a
+// streaming pass does a few thousand.
+inline constexpr std::uint32_t kPiece = 8192;
+
+using Piece = std::function<void(std::uint32_t first, std::uint32_t end)>;
+void for_pieces_on_all_threads(std::uint32_t first, std::uint32_t end, const Piece& work);
+
+// Calls work(first, end) for pieces of [first, end), in no order. No piece may touch what another
+// writes, so the result does not depend on the number of threads.
+template <typename Work>
+void for_pieces(std::uint32_t first, std::uint32_t end, const Work& work) {
+    if (end - first <= 2 * kPiece) {
+        if (first < end) work(first, end);
+    } else {
+        for_pieces_on_all_threads(first, end, std::cref(work));
+    }
+}
+
+}  // namespace pectin

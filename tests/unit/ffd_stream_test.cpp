@@ -1,0 +1,109 @@
+// The streaming passes give what the plain functions give.
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <random>
+#include <string>
+#include <vector>
+
+#include "ffd/drag_stream.h"
+#include "ffd/lattice_evaluator.h"
+
+namespace pectin {
+namespace {
+
+class Numbers {
+  public:
+    explicit Numbers(unsigned seed) : engine_(seed) {}
+    double operator()() { return std::uniform_real_distribution<double>(-1.0, 1.0)(engine_); }
+    Vec3 vector() { return {(*this)(), (*this)(), (*this)()}; }
+
+  private:
+    std::mt19937 engine_;
+};
+
+template <typename T>
+bool same(const T& x, const T& y) {
+    return std::memcmp(&x, &y, sizeof(T)) == 0;
+}
+
+// Of every length up to some vectors' worth, so that what a loop does at its end is seen, too.
+TEST(DragStream, IsDisplacedAndCovariantNormalToTheBit) {
+    const unsigned seed = 7100;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Numbers numbers(seed);
+    for (std::size_t count = 1; count < 70; ++count) {
+        std::vector<Vec3> rest(count), to(count);
+        std::vector<Vec3f> normals(count), turned(count);
+        std::vector<DragWeight> weights(count);
+        const Vec3 d = count % 10 == 0 ? Vec3{0.0} : 5.0 * numbers.vector();
+        for (std::size_t i = 0; i < count; ++i) {
+            rest[i] = 10.0 * numbers.vector();
+            normals[i] = i % 7 == 3 ? Vec3f{0.0f} : Vec3f{unit_or_zero(numbers.vector())};
+            if (i % 5 == 4) continue;  // no weight at all
+            weights[i] = {static_cast<float>(numbers()), Vec3f{numbers.vector()}};
+        }
+        // A fold whose image vanishes: 1 + ∇w·d = 0 and d·n = 0.
+        if (count > 2 && d != Vec3{0.0}) {
+            weights[1].gradient = Vec3f{-d / glm::dot(d, d)};
+            normals[1] = Vec3f{unit_or_zero(glm::cross(d, Vec3{1, 2, 3}))};
+        }
+        displace(rest, weights, d, to);
+        turn(normals, weights, d, turned);
+        for (std::size_t i = 0; i < count; ++i) {
+            ASSERT_TRUE(same(to[i], displaced(rest[i], weights[i], d))) << i << " of " << count;
+            ASSERT_TRUE(same(turned[i], covariant_normal(normals[i], weights[i], d)))
+                << i << " of " << count;
+        }
+    }
+}
+
+TEST(DragStream, MarksWhatMovedAndKeepsMarks) {
+    const std::vector<Vec3> rest{{1, 2, 3}, {1, 2, 3}, {1, 2, 3}, {0, 0, 0}, {1, 2, 3}};
+    const std::vector<Vec3> to{{1, 2, 3}, {1, 2, 3.5}, {1, 2, 3}, {-0.0, 0, 0}, {2, 2, 3}};
+    const std::vector<std::uint8_t> before{0, 0, 1, 0, 1};
+    std::vector<std::uint8_t> moved(5, 9);
+    mark_moved(rest, to, before, moved);
+    EXPECT_EQ(moved, (std::vector<std::uint8_t>{0, 1, 1, 0, 1}));
+}
+
+TEST(LatticeEvaluator, AgreesWithThePlainSumToRounding) {
+    const unsigned seed = 7200;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Numbers numbers(seed);
+    for (int i = 0; i < 40; ++i) {
+        const Lattice lattice{.origin = numbers.vector(),
+                              .cell = Vec3{0.7} + 0.5 * numbers.vector(),
+                              .deformable = {1 + i % 4, 1 + i % 3, 1 + i % 5}};
+        std::vector<Vec3> displacements(lattice.control_count());
+        for (Vec3& d : displacements) d = 0.3 * numbers.vector();
+        const LatticeField field(lattice, displacements);
+        const LatticeEvaluator evaluator(field);
+        const Box zone = lattice.influenced_zone();
+        std::vector<Vec3> points{zone.min, zone.max, zone.centre()};
+        while (points.size() < 200) {
+            points.push_back(zone.centre() + 0.6 * zone.extent() * numbers.vector());
+        }
+        const std::vector<Vec3f> normals(points.size(), Vec3f{0.6f, 0.0f, 0.8f});
+        std::vector<Vec3> displaced(points.size()), transformed(points.size());
+        std::vector<Vec3f> turned(points.size());
+        evaluator.displace(points, displaced);
+        evaluator.transform(points, normals, transformed, turned);
+        for (std::size_t p = 0; p < points.size(); ++p) {
+            const Vec3 exact = points[p] + field.displacement(points[p]);
+            ASSERT_LT(glm::distance(displaced[p], exact), 1e-13);
+            ASSERT_LT(glm::distance(transformed[p], exact), 1e-13);
+            if (!lattice.influences(points[p])) {
+                ASSERT_TRUE(same(displaced[p], points[p]) && same(transformed[p], points[p]));
+                ASSERT_TRUE(same(turned[p], normals[p]));
+            } else if (glm::length(cofactor_times(field.jacobian(points[p]), Vec3{normals[p]})) >
+                       1e-3) {
+                const Vec3f expected = covariant(field.jacobian(points[p]), normals[p]);
+                ASSERT_LT(glm::distance(turned[p], expected), 1e-6f);
+            }
+        }
+    }
+}
+
+}  // namespace
+}  // namespace pectin
