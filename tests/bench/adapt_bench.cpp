@@ -3,69 +3,15 @@
 // on a 195 MHz R10000).
 #include <benchmark/benchmark.h>
 
-#include <chrono>
-#include <memory>
+#include <string>
 
-#include "adapt/adapt.h"
-#include "adapt/embedding.h"
-#include "ffd/drag_solver.h"
-#include "mesh/build_mesh.h"
-#include "mesh/face_tree.h"
-#include "mesh/shapes.h"
+#include "bench/scenes.h"
 
+namespace pectin::bench {
 namespace {
-
-using namespace pectin;
-
-// A mesh with an active set and a drag about to be adapted to.
-class Scene {
-  public:
-    Scene(const TriMesh& mesh, const Vec3& grabbed, const Vec3& displacement, double radius)
-        : mesh_(mesh), active_(mesh_) {
-        const Lattice lattice = brush_lattice(grabbed, radius, 3);
-        const auto solver = std::get<DragSolver>(DragSolver::create(lattice, {&grabbed, 1}, {}));
-        warp_.steps.push_back(DragStep{solver.field(), {displacement}});
-        active_.begin(FaceTree(mesh_).faces_meeting(warp_.zone(), mesh_), warp_.zone());
-        embedding_ = std::make_unique<Embedding>(active_, warp_);
-        embedding_->embed();
-        embedding_->deform();
-    }
-
-    Refinement refine(const AdaptLimits& limits) {
-        return pectin::refine(active_, *embedding_, criteria(limits));
-    }
-    Decimation decimate(const AdaptLimits& limits) {
-        return pectin::decimate(active_, criteria(limits));
-    }
-    // Back to before the adaptation, with the memory that it took.
-    void roll_back() {
-        active_.roll_back();
-        embedding_->deform();
-    }
-    TriMesh finish() {
-        active_.finish();
-        return mesh_;
-    }
-
-  private:
-    Criteria criteria(const AdaptLimits& limits) const {
-        return Criteria(limits, warp_.zone(), warp_.zone());
-    }
-    TriMesh mesh_;
-    Warp warp_;
-    ActiveSet active_;
-    std::unique_ptr<Embedding> embedding_;
-};
 
 AdaptLimits limits(double theta_max, double theta_min) {
     return {.theta_max = theta_max, .theta_min = theta_min, .floor = 1e-6};
-}
-
-template <typename Work>
-double seconds(Work work) {
-    const auto begin = std::chrono::steady_clock::now();
-    work();
-    return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
 void report(benchmark::State& state, const char* what, double count, double total_seconds,
@@ -74,10 +20,6 @@ void report(benchmark::State& state, const char* what, double count, double tota
     state.counters[std::string("us_per_") + what] = 1e6 * total_seconds / count;
     state.counters[std::string("M_") + what + "s_per_s"] = 1e-6 * count / total_seconds;
     state.counters["paper_us"] = paper_microseconds;
-}
-
-TriMesh sphere(int resolution) {
-    return build_mesh(make_shape(ShapeKind::sphere, resolution)).mesh;
 }
 
 constexpr double kPaperSplit = 16'800.0 / 200.0;          // microseconds a refinement
@@ -164,6 +106,42 @@ void extrude_then_flatten(benchmark::State& state) {
 }
 BENCHMARK(extrude_then_flatten)->UseManualTime();
 
-}  // namespace
+double mean_edge(const TriMesh& mesh) {
+    double sum = 0.0;
+    for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) sum += mesh.length(EdgeId{e});
+    return sum / mesh.edge_count();
+}
 
-BENCHMARK_MAIN();
+// A whole sphere of 330 k faces to half its mean edge, longest first, as peers do it; and all of it
+// taken back. A drag of next to nothing acts, so that normals are turned, too.
+void refine_to_half_mean(benchmark::State& state) {
+    const TriMesh mesh = sphere(7);
+    const AdaptLimits half{.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6};
+    double count = 0.0;
+    for (auto _ : state) {
+        Scene scene(mesh, {0, 0, 1}, {0, 0, 1e-3}, 4.0);
+        Refinement done;
+        state.SetIterationTime(seconds([&] { done = scene.refine(half); }));
+        count += static_cast<double>(done.splits);
+    }
+    state.counters["M_per_s"] = benchmark::Counter(1e-6 * count, benchmark::Counter::kIsRate);
+}
+BENCHMARK(refine_to_half_mean)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+void unsplit_all(benchmark::State& state) {
+    const TriMesh mesh = sphere(7);
+    const AdaptLimits half{.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6};
+    double count = 0.0;
+    for (auto _ : state) {
+        Scene scene(mesh, {0, 0, 1}, {0, 0, 1e-3}, 4.0);
+        scene.refine(half);
+        Decimation done;
+        state.SetIterationTime(seconds([&] { done = scene.decimate(AdaptLimits{}); }));
+        count += static_cast<double>(done.unsplits);
+    }
+    state.counters["M_per_s"] = benchmark::Counter(1e-6 * count, benchmark::Counter::kIsRate);
+}
+BENCHMARK(unsplit_all)->UseManualTime()->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace pectin::bench
