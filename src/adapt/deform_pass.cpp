@@ -16,11 +16,11 @@ constexpr std::uint32_t kBlock = 256;
 template <typename Id>
 bool run_on(std::span<const Id> ids) {
     const auto first = static_cast<std::uint32_t>(ids.front());
-    bool all = static_cast<std::uint32_t>(ids.back()) != 0xffffffffu;
+    std::uint32_t differences = 0;
     for (std::uint32_t k = 0; k < ids.size(); ++k) {
-        all &= static_cast<std::uint32_t>(ids[k]) == first + k;
+        differences |= static_cast<std::uint32_t>(ids[k]) ^ (first + k);
     }
-    return all;
+    return differences == 0 && static_cast<std::uint32_t>(ids.back()) != 0xffffffffu;
 }
 
 // Calls work(first, count) for blocks of [first, end), on all threads.
@@ -37,6 +37,8 @@ void deform_vertices(ActiveSet& active, std::span<const Vec3> starts,
                      std::span<const DragWeight> weights, const Vec3& d, std::uint32_t first,
                      std::uint32_t end) {
     TriMesh& mesh = active.mesh();
+    // Elsewhere a drag may bring back what one before it has moved.
+    const bool is_first = starts.data() == active.rest_positions().data();
     for_blocks(first, end, [&](std::uint32_t from, std::uint32_t count) {
         const std::span<const VertexId> ids = active.vertices().subspan(from, count);
         const bool all = from + count <= active.influenced_at_begin() && run_on(ids);
@@ -46,9 +48,14 @@ void deform_vertices(ActiveSet& active, std::span<const Vec3> starts,
             all ? mesh.positions(ids.front(), count) : std::span(positions).first(count);
         const std::span<std::uint8_t> moved =
             all ? mesh.deformed_marks(ids.front(), count) : std::span(marks).first(count);
-        displace(starts.subspan(from, count), weights.subspan(from, count), d, to);
-        mark_moved(active.rest_positions().subspan(from, count), to,
-                   active.were_deformed().subspan(from, count), moved);
+        const bool all_move =
+            displace(starts.subspan(from, count), weights.subspan(from, count), d, to);
+        if (all_move && is_first) {
+            std::fill(moved.begin(), moved.end(), std::uint8_t{1});
+        } else {
+            mark_moved(active.rest_positions().subspan(from, count), to,
+                       active.were_deformed().subspan(from, count), moved);
+        }
         if (all) return;
         for (std::uint32_t k = 0; k < count; ++k) {
             if (!exists(ids[k]) || !active.is_influenced_at(from + k)) continue;

@@ -8,6 +8,7 @@
 #pragma once
 
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <span>
 #include <vector>
@@ -125,15 +126,28 @@ inline bool bends(const DragWeight& weight, const Vec3& d) {
     return weight.gradient != Vec3f{0.0f} && d != Vec3{0.0};
 }
 
+// Bounds of |image|² within which the image of a unit normal, computed in float, is good to some
+// units in the last place: it is neither out of range nor what is left of larger terms that cancel.
+inline constexpr float kLeastSquare = 0.0625f, kGreatestSquare = 1e30f;
+
 // normalise(cof(J)·n); for one drag cof(I + d ∇wᵀ)·n = (1 + ∇w·d) n − (d·n) ∇w, no matrix at all.
 // Where no drag bends anything n comes back as it is, to the bit. A zero n, or one whose image has
-// no direction, gives zero.
+// no direction, gives zero. For one drag in float where that is exact enough (the terms are of the
+// size of the greater of 1 and |1 + ∇w·d|), else in double.
 inline Vec3f covariant_normal(const Vec3f& n, const DragWeight& weight, const Vec3& d) {
-    const Vec3 normal{n};
-    const Vec3 gradient{weight.gradient};
-    const Vec3 image = (1.0 + glm::dot(gradient, d)) * normal - glm::dot(d, normal) * gradient;
-    const Vec3f unit{unit_or_zero(image)};
-    return bends(weight, d) ? unit : n;
+    if (!bends(weight, d)) return n;
+    const Vec3f& g = weight.gradient;
+    const Vec3f e{d};
+    const float stretch = 1.0f + glm::dot(g, e);
+    const Vec3f image = stretch * n - glm::dot(e, n) * g;
+    const float squared = glm::dot(image, image);
+    if (squared >= kLeastSquare && squared <= kGreatestSquare &&
+        squared >= kLeastSquare * (stretch * stretch)) {
+        return (1.0f / std::sqrt(squared)) * image;
+    }
+    const Vec3 normal{n}, gradient{g};
+    return Vec3f{
+        unit_or_zero((1.0 + glm::dot(gradient, d)) * normal - glm::dot(d, normal) * gradient)};
 }
 inline Vec3f covariant_normal(const Vec3f& n, std::span<const DragWeight> weights,
                               std::span<const Vec3> d) {

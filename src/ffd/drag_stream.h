@@ -9,8 +9,9 @@
 
 namespace pectin {
 
-// rest, weights, to: n_points, `to` apart from the others. World space.
-void displace(std::span<const Vec3> rest, std::span<const DragWeight> weights, const Vec3& d,
+// rest, weights, to: n_points, `to` apart from the others. World space. Whether all have moved for
+// sure, each in the direction in which d is longest; if not, mark_moved tells which have.
+bool displace(std::span<const Vec3> rest, std::span<const DragWeight> weights, const Vec3& d,
               std::span<Vec3> to);
 
 // moved: 1 where `to` differs from `rest` or `before` is 1, else 0. All n_points.

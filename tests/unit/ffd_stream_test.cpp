@@ -48,13 +48,36 @@ TEST(DragStream, IsDisplacedAndCovariantNormalToTheBit) {
             weights[1].gradient = Vec3f{-d / glm::dot(d, d)};
             normals[1] = Vec3f{unit_or_zero(glm::cross(d, Vec3{1, 2, 3}))};
         }
-        displace(rest, weights, d, to);
+        const bool all_move = displace(rest, weights, d, to);
         turn(normals, weights, d, turned);
         for (std::size_t i = 0; i < count; ++i) {
             ASSERT_TRUE(same(to[i], displaced(rest[i], weights[i], d))) << i << " of " << count;
             ASSERT_TRUE(same(turned[i], covariant_normal(normals[i], weights[i], d)))
                 << i << " of " << count;
+            ASSERT_TRUE(!all_move || to[i] != rest[i]) << i << " of " << count;
         }
+    }
+}
+
+TEST(DragStream, KnowsThatAllMoveWhereNoneIsNearRounding) {
+    const unsigned seed = 7150;
+    SCOPED_TRACE("seed " + std::to_string(seed));
+    Numbers numbers(seed);
+    for (std::size_t count = 1; count < 20; ++count) {
+        std::vector<Vec3> rest(count), to(count);
+        std::vector<DragWeight> weights(count, DragWeight{.w = 0.5f});
+        for (Vec3& x : rest) x = 1e6 * numbers.vector();
+        EXPECT_TRUE(displace(rest, weights, Vec3{0, -1e-3, 0}, to));
+        // Any one that stays is noticed, whichever of them it is.
+        for (std::size_t still = 0; still < count; ++still) {
+            weights[still].w = still % 2 == 0 ? 0.0f : 1e-9f;
+            rest[still].x = 1e6;
+            EXPECT_FALSE(displace(rest, weights, Vec3{-1e-3, 0, 0}, to)) << still;
+            EXPECT_EQ(to[still], rest[still]);
+            weights[still].w = -0.5f;
+        }
+        EXPECT_TRUE(displace(rest, weights, Vec3{0, -1e-3, 0}, to));
+        EXPECT_FALSE(displace(rest, weights, Vec3{0.0}, to));
     }
 }
 
