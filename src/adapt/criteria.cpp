@@ -21,6 +21,9 @@ double one_minus_cosine(double degrees) {
 
 double square(double x) { return x * x; }
 
+// Room for the rounding of a bound that is compared in float, or of a sum in another order.
+constexpr double kRoundedDown = 1.0 - 1e-6;
+
 bool is_defined(const Vec3f& n) { return n != Vec3f{0.0f}; }
 
 // 1 - n1.n2 of unit normals.
@@ -70,7 +73,11 @@ Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
       scope_(std::move(scope)),
       between_(between),
       refine_divergence_(one_minus_cosine(limits.theta_max)),
-      thin_divergence_(one_minus_cosine(limits.theta_min)) {}
+      thin_divergence_(one_minus_cosine(limits.theta_min)),
+      fine_difference_(static_cast<float>(2.0 * kRoundedDown * refine_divergence_)) {
+    if (zones_.empty() || limits_.l_max == kOff) return;
+    fine_length_ = between_ ? -1.0 : kRoundedDown * square(limits_.l_max);
+}
 
 double Criteria::divergence(const ActiveSet& active, EdgeId e, double enough) {
     const TriMesh& mesh = active.mesh();

@@ -1,20 +1,41 @@
 #include "adapt/decimate.h"
 
+#include <algorithm>
+#include <span>
 #include <vector>
 
 namespace pectin {
 namespace {
 
-// Inserted vertices of the active set, by level.
-std::vector<std::vector<VertexId>> candidates_by_level(const ActiveSet& active) {
-    std::vector<std::vector<VertexId>> levels;
-    for (std::uint32_t i = 0; i < active.vertex_entries(); ++i) {
-        const VertexId v = active.vertex(i);
-        if (!exists(v) || active.mesh().is_base(v)) continue;
-        const std::size_t level = active.mesh().level(v);
+using Levels = std::vector<std::vector<VertexId>>;
+
+// Of entries in the order of their ids base vertices come first; none of them is ever removed.
+void add_inserted(const TriMesh& mesh, std::span<const VertexId> entries, Levels& levels) {
+    for (VertexId v : entries) {
+        if (!exists(v) || mesh.is_base(v)) continue;
+        const std::size_t level = mesh.level(v);
         if (level >= levels.size()) levels.resize(level + 1);
         levels[level].push_back(v);
     }
+}
+
+std::span<const VertexId> without_base(const TriMesh& mesh, std::span<const VertexId> by_id) {
+    const auto first = std::partition_point(by_id.begin(), by_id.end(),
+                                            [&](VertexId v) { return mesh.is_base(v); });
+    return by_id.subspan(static_cast<std::size_t>(first - by_id.begin()));
+}
+
+// Inserted vertices of the active set, by level.
+Levels candidates_by_level(const ActiveSet& active) {
+    const TriMesh& mesh = active.mesh();
+    const std::uint32_t influenced = active.influenced_at_begin();
+    const std::uint32_t original = active.vertices_at_begin();
+    Levels levels;
+    add_inserted(mesh, without_base(mesh, active.vertices().first(influenced)), levels);
+    add_inserted(mesh,
+                 without_base(mesh, active.vertices().subspan(influenced, original - influenced)),
+                 levels);
+    add_inserted(mesh, active.vertices().subspan(original), levels);
     return levels;
 }
 

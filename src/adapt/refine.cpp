@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 
 #include "adapt/parallel.h"
 #include "adapt/refinement_queue.h"
@@ -47,24 +48,39 @@ class Refiner {
     void push_all_needed() {
         const TriMesh& mesh = active_.mesh();
         const std::span<const EdgeId> edges = active_.edges();
+        const std::span<const std::uint8_t> one_look = active_.one_look_edges();
         const auto count = static_cast<std::uint32_t>(edges.size());
         const auto is_along_cut = [&](EdgeId e) { return mesh.sibling(e) != e; };
-        std::vector<std::uint8_t> may_need(count);
+        const auto needs = [&](std::uint32_t i) {
+            const EdgeId e = edges[i];
+            if (!mesh.is_live(e)) return false;
+            if (one_look[i] != 0 && criteria_.looks_fine(mesh, e)) return false;
+            return is_along_cut(e) || criteria_.needs_refinement(active_, e);
+        };
+        const std::span<std::uint8_t> may_need = active_.scratch_of_edges();
         for_pieces(0, count, [&](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t i = first; i < end; ++i) {
-                const EdgeId e = edges[i];
-                may_need[i] =
-                    mesh.is_live(e) && (is_along_cut(e) || criteria_.needs_refinement(active_, e));
-            }
+            for (std::uint32_t i = first; i < end; ++i) may_need[i] = needs(i) ? 1 : 0;
         });
         FirstOfSiblings is_first(mesh);
-        for (std::uint32_t i = 0; i < count; ++i) {
-            if (!may_need[i] || !is_first(edges[i])) continue;
-            if (is_along_cut(edges[i])) {
-                push_if_needed(edges[i]);
-            } else if (!is_below_floor(edges[i])) {
-                queue_.push(edges[i], octave(edges[i]));
+        for_each_set(may_need, [&](std::size_t i) {
+            const EdgeId e = edges[i];
+            if (!is_first(e)) return;
+            if (is_along_cut(e)) {
+                push_if_needed(e);
+            } else if (!is_below_floor(e)) {
+                queue_.push(e, octave(e));
             }
+        });
+    }
+
+    // visit(index of each byte that is 1), in order.
+    template <typename Visit>
+    static void for_each_set(std::span<const std::uint8_t> bytes, Visit visit) {
+        for (std::size_t i = 0; i < bytes.size(); ++i) {
+            const void* const next = std::memchr(bytes.data() + i, 1, bytes.size() - i);
+            if (!next) return;
+            i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(next) - bytes.data());
+            visit(i);
         }
     }
 

@@ -22,17 +22,26 @@ class RefinementQueue {
     };
 
     void push(EdgeId e, std::size_t octave) {
-        buckets_[octave].edges.push_back(e);
-        longest_ = std::max(longest_, octave);
+        if (buckets_.empty()) lowest_ = octave;
+        if (octave < lowest_) {
+            buckets_.insert(buckets_.begin(), lowest_ - octave, {});
+            longest_ += lowest_ - octave;
+            lowest_ = octave;
+        }
+        const std::size_t bucket = octave - lowest_;
+        if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
+        buckets_[bucket].edges.push_back(e);
+        longest_ = std::max(longest_, bucket);
     }
 
     std::optional<Entry> pop() {
+        if (buckets_.empty()) return std::nullopt;
         while (buckets_[longest_].is_empty()) {
             buckets_[longest_].clear();
             if (longest_ == 0) return std::nullopt;
             --longest_;
         }
-        return Entry{buckets_[longest_].take(), longest_};
+        return Entry{buckets_[longest_].take(), lowest_ + longest_};
     }
 
     static std::size_t octave_of(double squared_length) {
@@ -51,8 +60,9 @@ class RefinementQueue {
             taken = 0;
         }
     };
-    std::vector<Bucket> buckets_ = std::vector<Bucket>(kOctaves);
-    std::size_t longest_ = 0;
+    std::vector<Bucket> buckets_;  // of the octaves from lowest_ on
+    std::size_t lowest_ = 0;
+    std::size_t longest_ = 0;  // the last bucket that is not empty, or beyond
 };
 
 }  // namespace pectin

@@ -56,11 +56,14 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
                 wedge_entry_[index(h.wedge)] = index(h.origin);  // its vertex, until it is entered
                 wedges.push_back(h.wedge);
             }
-            add_edge(h.edge);
+            add_edge(h.edge, false);
         }
     }
     std::sort(edges_.begin(), edges_.end());
-    for (std::uint32_t i = 0; i < edges_.size(); ++i) edge_states_[index(edges_[i])].entry = i;
+    for (std::uint32_t i = 0; i < edges_.size(); ++i) {
+        edge_states_[index(edges_[i])].entry = i;
+        one_look_[i] = one_look_is_enough(edges_[i]) ? 1 : 0;
+    }
 
     std::sort(corners.begin(), corners.end());
     const auto first_still = std::stable_partition(corners.begin(), corners.end(), [&](VertexId v) {
@@ -111,13 +114,21 @@ std::uint32_t ActiveSet::add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t o
     return entry;
 }
 
-ActiveSet::EdgeState& ActiveSet::add_edge(EdgeId e) {
+ActiveSet::EdgeState& ActiveSet::add_edge(EdgeId e, bool one_look) {
     EdgeState& state = grown(edge_states_, e, EdgeState{});
     if (state.entry == kNoEntry) {
         state.entry = static_cast<std::uint32_t>(edges_.size());
         edges_.push_back(e);
+        one_look_.push_back(one_look ? 1 : 0);
     }
     return state;
+}
+
+bool ActiveSet::one_look_is_enough(EdgeId e) const {
+    const HalfEdgeId h = mesh_.half_edge(e), twin = mesh_.twin(h);
+    if (!exists(twin)) return mesh_.sibling(e) == e;
+    return mesh_.wedge(h) == mesh_.wedge(TriMesh::next(twin)) &&
+           mesh_.wedge(twin) == mesh_.wedge(TriMesh::next(h));
 }
 
 // Edges of the beginning keep their place in the list, so that roll_back finds them.
@@ -125,7 +136,9 @@ void ActiveSet::drop_edge(EdgeId e) {
     const std::uint32_t entry = std::exchange(edge_states_[index(e)], EdgeState{}).entry;
     if (entry == kNoEntry || entry < original_edges_) return;
     edges_[entry] = edges_.back();
+    one_look_[entry] = one_look_.back();
     edges_.pop_back();
+    one_look_.pop_back();
     if (entry < edges_.size()) edge_states_[index(edges_[entry])].entry = entry;
 }
 
@@ -165,10 +178,13 @@ ActiveSet::Inserted ActiveSet::split(EdgeId e) {
 void ActiveSet::insert_sheet(const Star& star, std::uint32_t vertex_entry, float half_length) {
     const Vec3 a = rest_position(star.a), b = rest_position(star.b), c = rest_position(star.c);
     const Vec3& m = rest_positions_[vertex_entry];
-    const auto measure = [this](EdgeId e, float length) { add_edge(e).rest_length = length; };
+    const bool on_crease = !one_look_is_enough(mesh_.edge(star.bm));
+    const auto measure = [this](EdgeId e, float length, bool one_look = true) {
+        add_edge(e, one_look).rest_length = length;
+    };
     const EdgeId am = mesh_.edge(TriMesh::prev(star.mc));
-    measure(mesh_.edge(star.bm), half_length);
-    measure(mesh_.edge(star.mc), half_length);
+    measure(mesh_.edge(star.bm), half_length, !on_crease);
+    measure(mesh_.edge(star.mc), half_length, !on_crease);
     measure(am, static_cast<float>(glm::distance(a, m)));
     inserted_edges_.push_back(am);
     faces_.push_back(TriMesh::face(star.mc));
@@ -203,8 +219,10 @@ void ActiveSet::unsplit(const Star& star) {
     entry = kNoEntry;
     const EdgeId bc = mesh_.unsplit(star);
     edits_.push_back(TopologyEdit::unsplit(bc));
-    mesh_.for_each_side(
-        bc, [this](HalfEdgeId h) { add_edge(mesh_.edge(h)).rest_length = kUnmeasured; });
+    mesh_.for_each_side(bc, [this](HalfEdgeId h) {
+        const EdgeId e = mesh_.edge(h);
+        add_edge(e, one_look_is_enough(e)).rest_length = kUnmeasured;
+    });
 }
 
 // Forgets what an unsplit takes from one sheet.
@@ -272,6 +290,7 @@ void ActiveSet::drop_inserted() {
     rest_normals_.resize(original_wedges_);
     wedge_owners_.resize(original_wedges_);
     edges_.resize(original_edges_);
+    one_look_.resize(original_edges_);
     free_vertex_entries_.clear();
     lost_wedges_.clear();
     lost_normals_.clear();
@@ -317,6 +336,7 @@ void ActiveSet::abandon() {
     rest_normals_.clear();
     wedge_owners_.clear();
     edges_.clear();
+    one_look_.clear();
     vertex_entry_.clear();
     wedge_entry_.clear();
     edge_states_.clear();
@@ -377,11 +397,12 @@ std::size_t ActiveSet::memory_bytes() const {
            capacity_bytes(rest_positions_) + capacity_bytes(was_deformed_) +
            capacity_bytes(wedges_) + capacity_bytes(original_wedge_ids_) +
            capacity_bytes(rest_normals_) + capacity_bytes(wedge_owners_) + capacity_bytes(edges_) +
-           capacity_bytes(measured_edges_) + capacity_bytes(edits_) + capacity_bytes(lost_wedges_) +
-           capacity_bytes(lost_normals_) + capacity_bytes(free_vertex_entries_) +
-           capacity_bytes(free_wedge_entries_) + capacity_bytes(inserted_wedges_) +
-           capacity_bytes(inserted_edges_) + capacity_bytes(vertex_entry_) +
-           capacity_bytes(wedge_entry_) + capacity_bytes(edge_states_);
+           capacity_bytes(one_look_) + capacity_bytes(scratch_) + capacity_bytes(measured_edges_) +
+           capacity_bytes(edits_) + capacity_bytes(lost_wedges_) + capacity_bytes(lost_normals_) +
+           capacity_bytes(free_vertex_entries_) + capacity_bytes(free_wedge_entries_) +
+           capacity_bytes(inserted_wedges_) + capacity_bytes(inserted_edges_) +
+           capacity_bytes(vertex_entry_) + capacity_bytes(wedge_entry_) +
+           capacity_bytes(edge_states_);
 }
 
 }  // namespace pectin

@@ -46,6 +46,7 @@ class ActiveSet {
     // --- Entries. vertex(i) is none where unsplit removed it.
     std::uint32_t vertex_entries() const { return static_cast<std::uint32_t>(vertices_.size()); }
     std::uint32_t influenced_at_begin() const { return influenced_; }
+    std::uint32_t vertices_at_begin() const { return original_vertices_; }
     VertexId vertex(std::uint32_t entry) const { return vertices_[entry]; }
     std::span<const VertexId> vertices() const { return vertices_; }
     std::span<const Vec3> rest_positions() const { return rest_positions_; }
@@ -67,6 +68,14 @@ class ActiveSet {
     std::uint32_t wedge_owner(std::uint32_t entry) const { return wedge_owners_[entry]; }
     // Edges of the active faces and of inserted vertices; may name dead ones.
     std::span<const EdgeId> edges() const { return edges_; }
+    // Of each: 1 where one side says all about its end normals, since the other shares both wedges
+    // or there is none; so it stays for all its pieces. 0 on creases and along cuts.
+    std::span<const std::uint8_t> one_look_edges() const { return one_look_; }
+    // A byte for each of them, for a pass to write and read; lost with the next edit.
+    std::span<std::uint8_t> scratch_of_edges() {
+        scratch_.resize(edges_.size());
+        return scratch_;
+    }
 
     // The active faces as they were at begin, then every slot that an edit made, cut or freed.
     const std::vector<FaceId>& faces() const { return faces_; }
@@ -134,7 +143,8 @@ class ActiveSet {
     void insert_side(WedgeId m, WedgeId b, WedgeId c, const Vec3& area_normal, std::uint32_t owner);
     void drop_sheet(const Star& star);
     void drop_wedge(WedgeId w);
-    EdgeState& add_edge(EdgeId e);
+    EdgeState& add_edge(EdgeId e, bool one_look);
+    bool one_look_is_enough(EdgeId e) const;
     void drop_edge(EdgeId e);
     void drop_inserted();
     void forget();
@@ -162,6 +172,8 @@ class ActiveSet {
     std::vector<WedgeId> lost_wedges_;
     std::vector<Vec3f> lost_normals_;
     std::vector<EdgeId> edges_;
+    std::vector<std::uint8_t> one_look_;  // of edges_
+    std::vector<std::uint8_t> scratch_;
     std::vector<EdgeId> measured_edges_;  // not in edges_, but their rest length is remembered
     std::vector<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone
     std::vector<std::uint32_t> inserted_wedges_;                           // of the last split
