@@ -241,7 +241,13 @@ void Editor::perform(Action action) {
     if (is_busy()) return;
     switch (action) {
         case Action::undo:
-            if (session().undo_count() > 0) execute(command::Undo{});
+            if (session().undo_count() > 0) {
+                execute(command::Undo{});
+            } else if (session().history().lost_undo_count() > 0) {
+                workspace_.tell(
+                    "Nothing is left to undo: older steps were let go. Edit, Memory for undo says "
+                    "how much they may take.");
+            }
             break;
         case Action::redo:
             if (session().redo_count() > 0) execute(command::Redo{});

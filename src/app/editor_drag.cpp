@@ -136,7 +136,7 @@ void Editor::note_frame(std::chrono::duration<double> taken) {
 void Editor::release_drag() {
     if (std::exchange(moved_, false)) drag();
     attempt([&] {
-        const std::size_t steps = session().undo_count();
+        const std::size_t steps = session().history().step_number();
         if (sculptor_.is_dragging()) {
             if (const auto done = sculptor_.release(workspace_.session())) end_drag(*done, steps);
         } else if (cage_points_.is_active()) {
@@ -147,7 +147,7 @@ void Editor::release_drag() {
 }
 
 void Editor::end_drag(const Command& done, std::size_t steps_before) {
-    workspace_.note_drag(done, session().undo_count() > steps_before);
+    workspace_.note_drag(done, session().history().step_number() > steps_before);
     figures_.folded = session().folded_vertices();
     if (figures_.folded == 0) return;
     workspace_.tell("This drag turns space inside out at " + std::to_string(figures_.folded) +

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstdio>
 
 #include "app/file_panel.h"
@@ -21,6 +22,10 @@ constexpr float kMargin = 12.0f;  // between panels and the window's edge
 constexpr float kSettingsWidth = 310.0f;
 
 constexpr float kMessageGap = 12.0f;  // between a message and the button that takes it away
+
+// To choose from, in bytes.
+constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, History::kDefaultLimit,
+                                                 3'000'000'000, 10'000'000'000};
 
 const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
 
@@ -62,6 +67,33 @@ std::string formatted(const char* format, double value) {
     std::array<char, 48> text{};
     std::snprintf(text.data(), text.size(), format, value);
     return text.data();
+}
+
+std::string megabytes(std::size_t bytes) {
+    return grouped(static_cast<std::uint64_t>(std::llround(1e-6 * static_cast<double>(bytes)))) +
+           " MB";
+}
+
+std::string undo_memory(const History& history) {
+    const std::size_t steps = history.undo_count();
+    return grouped(steps) + (steps == 1 ? " step" : " steps") + " to undo, " +
+           megabytes(history.memory_bytes()) +
+           (history.limit() ? " of " + megabytes(*history.limit()) : "");
+}
+
+void draw_undo_memory_menu(Editor& editor) {
+    if (!ImGui::BeginMenu("Memory for undo")) return;
+    const History& history = editor.session().history();
+    ImGui::TextDisabled("%s", undo_memory(history).c_str());
+    ImGui::Separator();
+    const auto choice = [&](const std::string& label, std::optional<std::size_t> limit) {
+        if (!ImGui::MenuItem(label.c_str(), nullptr, history.limit() == limit)) return;
+        const double number = 1e-6 * static_cast<double>(limit.value_or(0));
+        editor.execute(command::History{limit ? Setting::of(number) : Setting::off()});
+    };
+    for (const std::size_t limit : kUndoLimits) choice(megabytes(limit), limit);
+    choice("No limit", std::nullopt);
+    ImGui::EndMenu();
 }
 
 }  // namespace
@@ -117,6 +149,7 @@ void Panels::draw_menus(Editor& editor) {
     if (ImGui::BeginMenu("Edit")) {
         item(editor, "Undo", Action::undo, editor.session().undo_count() > 0);
         item(editor, "Redo", Action::redo, editor.session().redo_count() > 0);
+        draw_undo_memory_menu(editor);
         ImGui::Separator();
         toggle(editor, "Symmetry", Action::toggle_symmetry,
                editor.session().symmetry().has_value());
@@ -208,7 +241,12 @@ void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
     }
     ImGui::SameLine(scaled(420.0f));
     ImGui::Text("%.0f MB", 1e-6 * static_cast<double>(figures.memory_bytes));
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Memory that the program uses");
+    if (ImGui::IsItemHovered()) {
+        const History& history = editor.session().history();
+        const std::size_t lost = history.lost_undo_count();
+        ImGui::SetTooltip("Memory that the program uses\n%s%s", undo_memory(history).c_str(),
+                          lost == 0 ? "" : ("\n" + grouped(lost) + " older let go").c_str());
+    }
     draw_drag_figures(editor);
     ImGui::End();
     ImGui::PopStyleVar(3);

@@ -47,7 +47,7 @@ Workspace::Outcome Workspace::execute(const Command& command) {
         tell("a file is under way; wait until it is done, or cancel it");
         return Outcome::failed;
     }
-    const std::size_t undo_count = session_.undo_count();
+    const std::size_t step_number = session_.history().step_number();
     const auto complaint = complaint_about([&]() -> std::optional<std::string> {
         auto work = file_work(command, session_);
         if (!work) return session_.execute(command);
@@ -59,7 +59,7 @@ Workspace::Outcome Workspace::execute(const Command& command) {
         return Outcome::failed;
     }
     if (file_task_) return patience_.count() > 0 ? poll(patience_) : Outcome::under_way;
-    if (session_.undo_count() != undo_count) is_modified_ = true;
+    if (session_.history().step_number() != step_number) is_modified_ = true;
     finish(command);
     return Outcome::done;
 }

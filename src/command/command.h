@@ -125,6 +125,12 @@ struct Redo {
     bool operator==(const Redo&) const = default;
 };
 
+// How much memory undo and redo may take before the oldest steps are let go.
+struct History {
+    std::optional<Setting> megabytes{};  // of 10^6 bytes; number or off: no limit
+    bool operator==(const History&) const = default;
+};
+
 struct Readapt {
     bool operator==(const Readapt&) const = default;
 };
@@ -162,8 +168,8 @@ struct Screenshot {
 
 using Command = std::variant<command::Open, command::Shape, command::Adapt, command::Brush,
                              command::Cage, command::Symmetry, command::Drag, command::Control,
-                             command::Undo, command::Redo, command::Readapt, command::Bake,
-                             command::Save, command::Stats, command::Screenshot>;
+                             command::Undo, command::Redo, command::History, command::Readapt,
+                             command::Bake, command::Save, command::Stats, command::Screenshot>;
 
 // The name a script calls it by.
 const char* name(const Command& command);

@@ -365,6 +365,14 @@ Command read_count(const json& object) {
     return result;
 }
 
+Command read_history(const json& object) {
+    command::History history;
+    if (const json* value = find(object, "megabytes"))
+        history.megabytes =
+            setting(*value, "megabytes", "a number above 0 or null", positive, kAllowOff);
+    return history;
+}
+
 template <class SaveOrStats>
 Command read_path(const json& object) {
     return SaveOrStats{path(require(object, "path", kPathIsRight), "path")};
@@ -438,6 +446,7 @@ constexpr std::array<Reader, std::variant_size_v<Command>> kReaders{
     read_control,
     read_count<command::Undo>,
     read_count<command::Redo>,
+    read_history,
     [](const json&) -> Command { return command::Readapt{}; },
     [](const json&) -> Command { return command::Bake{}; },
     read_path<command::Save>,

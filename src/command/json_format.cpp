@@ -199,6 +199,9 @@ struct FieldWriter {
     void operator()(const command::Control& control) const { json.array("points", control.points); }
     void operator()(const command::Undo& undo) const { json.field("count", undo.count); }
     void operator()(const command::Redo& redo) const { json.field("count", redo.count); }
+    void operator()(const command::History& history) const {
+        json.field("megabytes", history.megabytes);
+    }
     void operator()(const command::Readapt&) const {}
     void operator()(const command::Bake&) const {}
     void operator()(const command::Save& save) const { json.field("path", save.path); }
@@ -280,6 +283,8 @@ std::string format_statistics(const Statistics& statistics) {
     json.field("budget_hit", statistics.budget_hit);
     json.field("folded_vertices", statistics.folded_vertices);
     json.field("memory_bytes", statistics.memory_bytes);
+    json.field("undo_steps", statistics.undo_steps);
+    json.field("undo_bytes", statistics.undo_bytes);
     json.close('}');
     return json.take() + "\n";
 }

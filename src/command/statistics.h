@@ -37,6 +37,8 @@ struct Statistics {
     bool floor_hit = false, budget_hit = false;
     std::uint64_t folded_vertices = 0;  // det J <= 0 in any step of the last drag or control
     std::uint64_t memory_bytes = 0;
+    std::uint64_t undo_steps = 0;  // that can be undone
+    std::uint64_t undo_bytes = 0;  // of memory_bytes what undo and redo take
 };
 
 }  // namespace pectin

@@ -2,34 +2,87 @@
 
 #include <utility>
 
+#include "mesh/array_bytes.h"
+
 namespace pectin {
+namespace {
+
+// What a command that can be a step owns beside itself.
+std::size_t owned_bytes(const Command& command) {
+    if (const auto* drag = std::get_if<command::Drag>(&command)) {
+        return capacity_bytes(drag->moves) + capacity_bytes(drag->pins) + capacity_bytes(drag->via);
+    }
+    const auto* control = std::get_if<command::Control>(&command);
+    return control ? capacity_bytes(control->points) : 0;
+}
+
+}  // namespace
+
+std::size_t History::Step::memory_bytes() const {
+    return sizeof(Step) + owned_bytes(command) + change.memory_bytes() +
+           capacity_bytes(outcome.blocked) +
+           (exchanged ? sizeof(TriMesh) + exchanged->memory_bytes() : 0);
+}
+
+void History::measure(Entry& entry) {
+    bytes_ -= entry.bytes;
+    entry.bytes = entry.step.memory_bytes();
+    bytes_ += entry.bytes;
+}
 
 void History::add(Step step) {
-    steps_.resize(done_);
-    steps_.push_back(std::move(step));
+    while (redo_count() > 0) lose_last();
+    lost_redos_ = 0;
+    steps_.push_back({std::move(step)});
     ++done_;
+    measure(steps_.back());
+    keep_limit();
 }
 
 void History::clear() {
-    steps_.clear();
-    done_ = 0;
+    const std::optional<std::size_t> limit = limit_;
+    *this = History{};
+    limit_ = limit;
 }
-
-History::Step& History::step_back() { return steps_[--done_]; }
-
-History::Step& History::step_forward() { return steps_[done_++]; }
 
 void History::forget_outcomes() {
-    for (Step& step : steps_) step.outcome = {};
+    for (Entry& entry : steps_) {
+        entry.step.outcome = {};
+        measure(entry);
+    }
+    bytes_ -= capacity_bytes(first_outcome_.blocked);
+    first_outcome_ = {};
 }
 
-std::size_t History::memory_bytes() const {
-    std::size_t bytes = steps_.capacity() * sizeof(Step);
-    for (const Step& step : steps_) {
-        bytes += step.change.memory_bytes();
-        if (step.exchanged) bytes += step.exchanged->memory_bytes();
+void History::set_limit(std::optional<std::size_t> limit) {
+    limit_ = limit;
+    keep_limit();
+}
+
+void History::keep_limit() {
+    while (limit_ && bytes_ > *limit_ && steps_.size() > 1) {
+        if (done_ > 0) {
+            lose_oldest();
+        } else {
+            lose_last();
+        }
     }
-    return bytes;
+}
+
+void History::lose_oldest() {
+    Entry& oldest = steps_.front();
+    bytes_ -= oldest.bytes + capacity_bytes(first_outcome_.blocked);
+    first_outcome_ = std::move(oldest.step.outcome);
+    bytes_ += capacity_bytes(first_outcome_.blocked);
+    steps_.pop_front();
+    --done_;
+    ++lost_undos_;
+}
+
+void History::lose_last() {
+    bytes_ -= steps_.back().bytes;
+    steps_.pop_back();
+    ++lost_redos_;
 }
 
 }  // namespace pectin

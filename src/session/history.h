@@ -1,10 +1,11 @@
-// Undo and redo: the commands that changed the object, with what each did.
+// Undo and redo: the commands that changed the object, with what each did, within a limit of
+// memory.
 #pragma once
 
 #include <cstddef>
+#include <deque>
 #include <memory>
 #include <optional>
-#include <span>
 #include <vector>
 
 #include "command/command.h"
@@ -26,30 +27,77 @@ class History {
         AdaptOutcome outcome;
         // Of a bake, which renames everything: the mesh before it, or once undone, after it.
         std::unique_ptr<TriMesh> exchanged{};
+
+        std::size_t memory_bytes() const;
     };
 
-    // A new step drops what could be redone.
+    // A thousand drags of ten thousand vertices each, or fifteen of all of a 1.3 M face model, and
+    // no more than a machine of 4 GB can spare beside such a model.
+    static constexpr std::size_t kDefaultLimit = 1'000'000'000;  // bytes
+
+    // A new step drops what could be redone. Where memory is short the oldest steps are let go.
     void add(Step step);
+    // Starts anew; the limit stays.
     void clear();
 
     std::size_t undo_count() const { return done_; }
     std::size_t redo_count() const { return steps_.size() - done_; }
+    // How many more there would be to undo and to redo, had the limit not let them go.
+    std::size_t lost_undo_count() const { return lost_undos_; }
+    std::size_t lost_redo_count() const { return lost_redos_; }
+    // Of the step that led to the mesh as it is, counted from the beginning whatever was let go.
+    std::size_t step_number() const { return lost_undos_ + done_; }
 
-    // The step to take back or to do again, which then counts as undone or done; the caller
-    // applies its change. Precondition: there is one.
-    Step& step_back();
-    Step& step_forward();
-    // The step that led to the mesh as it is; none at the beginning.
-    const Step* latest() const { return done_ > 0 ? &steps_[done_ - 1] : nullptr; }
+    // Takes steps back, or does them again: apply(Step&) has the mesh follow, latest first or
+    // earliest first. Precondition: there are as many.
+    template <typename Apply>
+    void undo(std::size_t count, Apply apply) {
+        for (; count > 0; --count) visit(steps_[--done_], apply);
+        keep_limit();
+    }
+    template <typename Apply>
+    void redo(std::size_t count, Apply apply) {
+        for (; count > 0; --count) visit(steps_[done_++], apply);
+        keep_limit();
+    }
 
+    // Of the step that led to the mesh as it is.
+    const AdaptOutcome& outcome() const {
+        return done_ > 0 ? steps_[done_ - 1].step.outcome : first_outcome_;
+    }
     // Other settings: where a step stopped by the old ones means nothing any more.
     void forget_outcomes();
 
-    std::size_t memory_bytes() const;
+    // In bytes; none: no limit. Holds at once and from now on: memory_bytes() stays within it, or
+    // there is one step alone. Let go are the oldest steps to undo, then the last to redo. Cost:
+    // O(steps let go).
+    void set_limit(std::optional<std::size_t> limit);
+    std::optional<std::size_t> limit() const { return limit_; }
+
+    std::size_t memory_bytes() const { return bytes_; }  // O(1)
 
   private:
-    std::vector<Step> steps_;
+    struct Entry {
+        Step step;
+        std::size_t bytes = 0;  // of the step as it was last measured
+    };
+
+    template <typename Apply>
+    void visit(Entry& entry, Apply& apply) {
+        apply(entry.step);
+        measure(entry);
+    }
+    void measure(Entry& entry);
+    void keep_limit();
+    void lose_oldest();
+    void lose_last();
+
+    std::deque<Entry> steps_;
     std::size_t done_ = 0;  // steps_[0, done_) are in the mesh
+    std::size_t lost_undos_ = 0, lost_redos_ = 0;
+    AdaptOutcome first_outcome_;  // of the mesh that undoing all leads to
+    std::size_t bytes_ = 0;       // of all steps and the first outcome
+    std::optional<std::size_t> limit_ = kDefaultLimit;
 };
 
 }  // namespace pectin

@@ -103,22 +103,6 @@ void Session::State::note(const Frame& frame) {
     blocked.erase(std::unique(blocked.begin(), blocked.end()), blocked.end());
 }
 
-void Session::State::exchange(TriMesh& other) {
-    std::swap(*mesh, other);
-    tree.reset();
-    dirty = {};
-    dirty.everything = true;
-}
-
-void Session::State::restore_outcome() {
-    outcome = history.latest() ? history.latest()->outcome : AdaptOutcome{};
-}
-
-void Session::State::add_step(Command command, MeshChange change) {
-    follow(change.faces);
-    if (!change.is_empty()) history.add({std::move(command), std::move(change), outcome});
-}
-
 Refusal Session::State::run(const command::Open& open) {
     adopt(load_model(open));
     remark = input_summary(open.path, input_report);
@@ -182,44 +166,6 @@ Refusal Session::State::run(const command::Symmetry& symmetry_command) {
     if (!symmetry_command.plane) return std::nullopt;
     const int axis = static_cast<int>(*symmetry_command.plane);
     symmetry = MirrorPlane{axis, symmetry_command.through[axis]};
-    return std::nullopt;
-}
-
-Refusal Session::State::run(const command::Undo& undo_command) {
-    const auto count = static_cast<std::size_t>(undo_command.count);
-    if (count > history.undo_count()) {
-        return "there are only " + std::to_string(history.undo_count()) + " steps to undo, not " +
-               std::to_string(count);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        History::Step& step = history.step_back();
-        if (step.exchanged) {
-            exchange(*step.exchanged);
-        } else {
-            undo(step.change, *mesh);
-            follow(step.change.faces);
-        }
-    }
-    restore_outcome();
-    return std::nullopt;
-}
-
-Refusal Session::State::run(const command::Redo& redo_command) {
-    const auto count = static_cast<std::size_t>(redo_command.count);
-    if (count > history.redo_count()) {
-        return "there are only " + std::to_string(history.redo_count()) + " steps to redo, not " +
-               std::to_string(count);
-    }
-    for (std::size_t i = 0; i < count; ++i) {
-        History::Step& step = history.step_forward();
-        if (step.exchanged) {
-            exchange(*step.exchanged);
-        } else {
-            redo(step.change, *mesh);
-            follow(step.change.faces);
-        }
-    }
-    restore_outcome();
     return std::nullopt;
 }
 
@@ -413,6 +359,8 @@ Statistics Session::statistics() const { return state_->statistics(); }
 
 const std::optional<MirrorPlane>& Session::symmetry() const { return state_->symmetry; }
 
+const History& Session::history() const { return state_->history; }
+
 std::optional<IVec3> Session::pick_control(const Ray& ray, double slope) const {
     const auto& cage = state_->lattice_settings.cage;
     if (!cage) return std::nullopt;
@@ -443,9 +391,5 @@ const LatticeSettings& Session::lattice_settings() const { return state_->lattic
 const AdaptOutcome& Session::outcome() const { return state_->outcome; }
 
 std::uint64_t Session::folded_vertices() const { return state_->folded; }
-
-std::size_t Session::undo_count() const { return state_->history.undo_count(); }
-
-std::size_t Session::redo_count() const { return state_->history.redo_count(); }
 
 }  // namespace pectin

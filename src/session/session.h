@@ -118,8 +118,9 @@ class Session {
     const AdaptOutcome& outcome() const;  // of the mesh as it is
     // Of the last drag or control, as Statistics has it.
     std::uint64_t folded_vertices() const;
-    std::size_t undo_count() const;
-    std::size_t redo_count() const;
+    const History& history() const;
+    std::size_t undo_count() const { return history().undo_count(); }
+    std::size_t redo_count() const { return history().redo_count(); }
 
   private:
     struct State;

@@ -88,14 +88,10 @@ struct Session::State {
     void note_saved(const std::string& path);
     const FaceTree& face_tree();
     void note(const Frame& frame);
-    void add_step(Command command, MeshChange change);
     // The picture has to learn these faces and their corners anew.
     void show(std::span<const FaceId> faces);
     // The same, and the tree has to follow.
     void follow(std::span<const FaceId> faces);
-    void restore_outcome();
-    // Of a bake's step: the mesh on its one side for that on its other.
-    void exchange(TriMesh& other);
 
     // --- One for each command.
     Refusal run(const command::Open& open);
@@ -108,11 +104,17 @@ struct Session::State {
     Refusal run(const command::Control& control);
     Refusal run(const command::Undo& undo);
     Refusal run(const command::Redo& redo);
+    Refusal run(const command::History& limit);
     Refusal run(const command::Readapt& readapt);
     Refusal run(const command::Bake& bake);
     Refusal run(const command::Save& save);
     Refusal run(const command::Stats& stats);
     Refusal run(const command::Screenshot& screenshot);
+
+    // --- Steps (undo.cpp).
+    void add_step(Command command, MeshChange change);
+    // Of a bake's step: the mesh on its one side for that on its other.
+    void exchange(TriMesh& other);
 
     // --- Drags (drag.cpp).
     Refusal begin_drag(const command::Drag& drag);

@@ -22,6 +22,8 @@ Statistics Session::State::statistics() const {
     s.memory_bytes = mesh->memory_bytes() + active->memory_bytes() + history.memory_bytes() +
                      (tree ? tree->memory_bytes() : 0) +
                      (in_hand && in_hand->gesture ? in_hand->gesture->memory_bytes() : 0);
+    s.undo_steps = history.undo_count();
+    s.undo_bytes = history.memory_bytes();
     return s;
 }
 

@@ -200,6 +200,77 @@ INSTANTIATE_TEST_SUITE_P(OnEveryShape, RandomSession,
                                          Start{"torus", {Shape::Kind::torus, 3}},
                                          Start{"cylinder", {Shape::Kind::cylinder, 2}}));
 
+std::optional<std::size_t> random_limit(Random& random) {
+    if (random.chance(0.1)) return std::nullopt;
+    return static_cast<std::size_t>(random.scale(1e4, 2e7));
+}
+
+void set_limit(Session& session, const std::optional<std::size_t>& limit) {
+    const auto setting =
+        limit ? Setting::of(1e-6 * static_cast<double>(*limit) + 1e-9) : Setting::off();
+    ASSERT_FALSE(session.execute(command::History{setting}));
+    ASSERT_EQ(session.history().limit(), limit);
+}
+
+void expect_within_limit(const History& history) {
+    const std::size_t steps = history.undo_count() + history.redo_count();
+    EXPECT_TRUE(!history.limit() || history.memory_bytes() <= *history.limit() || steps <= 1)
+        << history.memory_bytes() << " bytes in " << steps << " steps, allowed are "
+        << *history.limit();
+}
+
+// The mesh after each step, from the beginning on, beside a history that may not keep them all.
+TEST(HistoryLimit, LetsTheOldestStepsGoAndKeepsTheOthersToTheByte) {
+    const int cases = test::case_count(20);
+    std::size_t lost = 0, kept = 0;
+    for (int i = 0; i < cases; ++i) {
+        const auto seed = 4800 + static_cast<std::uint64_t>(i);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        Session session;
+        ASSERT_FALSE(session.execute(Shape{Shape::Kind::sphere, 2}).has_value());
+        ASSERT_FALSE(session.execute(command::Adapt{.floor = Setting::of(0.05), .budget = 5'000}));
+        set_limit(session, random_limit(random));
+        const History& history = session.history();
+        std::vector<TriMesh> after{session.mesh()};
+        for (int k = 0; k < 60; ++k) {
+            const Command command = random_command(session.mesh(), random);
+            SCOPED_TRACE("command " + std::to_string(k) + ": " + name(command));
+            const std::size_t step = history.step_number();
+            execute(session, command, random);
+            const bool goes_along_steps = std::holds_alternative<command::Undo>(command) ||
+                                          std::holds_alternative<command::Redo>(command);
+            if (!goes_along_steps && history.step_number() != step) {
+                ASSERT_EQ(history.step_number(), step + 1);
+                after.resize(step + 1);
+                after.push_back(session.mesh());
+            }
+            ASSERT_TRUE(session.mesh() == after[history.step_number()]);
+            expect_within_limit(history);
+            if (random.chance(0.1)) {
+                set_limit(session, random_limit(random));
+                expect_within_limit(history);
+            }
+            ASSERT_FALSE(HasFailure());
+        }
+        while (!session.execute(command::Redo{})) {
+        }
+        const std::size_t last = history.step_number(), first = history.lost_undo_count();
+        const std::size_t steps = undo_everything(session);
+        ASSERT_EQ(steps, last - first);
+        ASSERT_TRUE(session.mesh() == after[first]);
+        ASSERT_EQ(format_obj(session.mesh()), format_obj(after[first]));
+        while (!session.execute(command::Redo{})) {
+        }
+        ASSERT_TRUE(session.mesh() == after[history.step_number()]);
+        lost += first;
+        kept += steps;
+    }
+    EXPECT_GT(lost, kept / 4);
+    EXPECT_GT(kept, lost / 4);
+    std::printf("seeds 4800 to %d, %zu steps let go, %zu kept\n", 4800 + cases - 1, lost, kept);
+}
+
 // What a picture shows of each wedge.
 std::map<WedgeId, std::pair<Vec3, Vec3f>> shown_wedges(const TriMesh& mesh) {
     std::map<WedgeId, std::pair<Vec3, Vec3f>> wedges;

@@ -108,6 +108,13 @@ std::vector<BadInput> bad_drags() {
          "drag",
          "(0, -1, 0)"},
         {"NothingToUndo", {R"({"cmd": "undo"})"}, R"({"cmd": "undo"})", "undo", "undo"},
+        {"NothingLeftToUndo",
+         {R"({"cmd": "drag", "moves": [{"from": [0, 1, 0], "to": [0, 1.2, 0]}]})",
+          R"({"cmd": "history", "megabytes": 0.0001})", R"({"cmd": "undo"})"},
+         R"({"cmd": "undo", "count": 3})",
+         "undo",
+         "only 0 steps to undo, not 3; 1 older one was let go"},
+        {"NoMemoryForUndo", {}, R"({"cmd": "history", "megabytes": -1})", "history", "or null"},
         {"NothingToRedo", {}, R"({"cmd": "redo"})", "redo", "redo"},
     };
 }

@@ -88,6 +88,28 @@ TEST_F(EditorTest, UndoAndRedoByKeysGiveBackTheVeryMesh) {
     EXPECT_TRUE(editor.workspace().message().empty()) << "nothing to redo is no error";
 }
 
+TEST_F(EditorTest, StepsThatTheLimitLetsGoStayChangesAndAreTold) {
+    Editor editor = this->editor();
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    editor.execute(command::Save{path("saved.obj")});
+    ASSERT_FALSE(editor.workspace().is_modified());
+    editor.execute(command::History{Setting::of(1e-3)});
+    EXPECT_FALSE(editor.workspace().is_modified());
+    // One step in place of another: as many are there to undo as before.
+    drag(editor, kMiddle, kMiddle + Vec2(-60, -80));
+    ASSERT_EQ(editor.session().undo_count(), 1u);
+    EXPECT_TRUE(editor.workspace().is_modified());
+    editor.execute(command::Save{path("saved.obj")});
+    editor.execute(command::Bake{});
+    ASSERT_EQ(editor.session().undo_count(), 1u);
+    EXPECT_TRUE(editor.workspace().is_modified());
+    editor.workspace().dismiss();
+    key(editor, Key{'Z'}, {.control = true});
+    EXPECT_TRUE(editor.workspace().message().empty());
+    key(editor, Key{'Z'}, {.control = true});
+    EXPECT_NE(editor.workspace().message().find("let go"), std::string::npos);
+}
+
 TEST_F(EditorTest, HoldingFAndMovingSetsTheRadius) {
     Editor editor = this->editor();
     const double before = editor.radius();

@@ -30,7 +30,7 @@ class RandomCommand {
     explicit RandomCommand(std::uint64_t seed) : bits_(seed) {}
 
     Command operator()() {
-        switch (below(15)) {
+        switch (below(16)) {
             case 0:
                 return command::Open{text(), from(0.0, 180.0)};
             case 1:
@@ -60,6 +60,8 @@ class RandomCommand {
                 return control();
             case 13:
                 return command::Bake{};
+            case 14:
+                return command::History{maybe(below(2) ? Setting::off() : Setting::of(positive()))};
             default:
                 return command::Stats{text()};
         }
@@ -183,6 +185,7 @@ TEST(CommandJson, NamesEveryCommandAsTheReferenceDoes) {
     EXPECT_EQ(command_reference().size(), std::variant_size_v<Command>);
     EXPECT_STREQ(name(command::Open{}), "open");
     EXPECT_STREQ(name(command::Brush{}), "brush");
+    EXPECT_STREQ(name(command::History{}), "history");
     EXPECT_STREQ(name(command::Readapt{}), "readapt");
     EXPECT_STREQ(name(command::Stats{}), "stats");
     EXPECT_STREQ(name(command::Screenshot{}), "screenshot");
@@ -209,6 +212,11 @@ TEST(CommandJson, TellsAutomaticFromOffFromANumber) {
                                        .flatness = Setting::of(0.0)}));
     EXPECT_TRUE(parsed(R"({"cmd": "adapt", "theta_max": 180})") ==
                 Command(command::Adapt{.theta_max = Setting::of(180.0)}));
+    EXPECT_TRUE(parsed(R"({"cmd": "history", "megabytes": null})") ==
+                Command(command::History{Setting::off()}));
+    EXPECT_TRUE(parsed(R"({"cmd": "history", "megabytes": 0.5})") ==
+                Command(command::History{Setting::of(0.5)}));
+    EXPECT_TRUE(parsed(R"({"cmd": "history"})") == Command(command::History{}));
 }
 
 // ---- Errors
@@ -304,7 +312,11 @@ TEST(CommandErrors, KeepSettingsInTheirRanges) {
           BadLine{R"({"cmd": "adapt", "budget": 0})", "adapt", {"budget", "whole number from 1"}},
           BadLine{R"({"cmd": "adapt", "budget": 1e300})", "adapt", {"9007199254740992"}},
           BadLine{R"({"cmd": "adapt", "propagation": 1.5})", "adapt", {"below 1.5"}},
-          BadLine{R"({"cmd": "adapt", "propagation": 0.99})", "adapt", {"at least 1"}}})
+          BadLine{R"({"cmd": "adapt", "propagation": 0.99})", "adapt", {"at least 1"}},
+          BadLine{R"({"cmd": "history", "megabytes": 0})", "history", {"above 0 or null, not 0"}},
+          BadLine{R"({"cmd": "history", "megabytes": "auto"})", "history", {"not a string"}},
+          BadLine{R"({"cmd": "history", "megabytes": true})", "history", {"above 0", "not true"}},
+          BadLine{R"({"cmd": "history", "limit": 5})", "history", {"\"limit\"", "megabytes"}}})
         expect_error(bad);
 }
 
@@ -423,7 +435,9 @@ TEST(StatisticsJson, HasItsFieldsInOrderAndEndsWithANewline) {
                               "\"floor_hit\": false",
                               "\"budget_hit\"",
                               "\"folded_vertices\"",
-                              "\"memory_bytes\": 0\n}\n"}) {
+                              "\"memory_bytes\": 0,\n",
+                              "\"undo_steps\": 0,\n",
+                              "\"undo_bytes\": 0\n}\n"}) {
         const std::size_t found = text.find(field, at);
         ASSERT_NE(found, text.npos) << field << " after " << at << " in\n" << text;
         at = found;

@@ -1,0 +1,97 @@
+// Steps: what the history keeps of an edit, how the object goes back and forth along it, and how
+// much memory that may take.
+#include <cmath>
+#include <utility>
+
+#include "geometry/decimal.h"
+#include "session/session_state.h"
+
+namespace pectin {
+namespace {
+
+constexpr double kMegabyte = 1e6;  // as memory is shown in the window
+constexpr double kMostBytes = 0x1p63;
+
+std::string counted_steps(std::size_t count) {
+    return std::to_string(count) + (count == 1 ? " step" : " steps");
+}
+
+// lost: of those that are missing, how many the limit has let go.
+std::string too_few(const char* what, std::size_t there, std::size_t asked, std::size_t lost,
+                    const char* which) {
+    std::string text =
+        "there are only " + counted_steps(there) + " to " + what + ", not " + std::to_string(asked);
+    if (lost > 0) {
+        text += "; " + std::to_string(lost) + " " + which +
+                (lost == 1 ? " one was" : " ones were") +
+                " let go to keep to the memory that history allows";
+    }
+    return text;
+}
+
+}  // namespace
+
+void Session::State::exchange(TriMesh& other) {
+    std::swap(*mesh, other);
+    tree.reset();
+    dirty = {};
+    dirty.everything = true;
+}
+
+void Session::State::add_step(Command command, MeshChange change) {
+    follow(change.faces);
+    if (!change.is_empty()) history.add({std::move(command), std::move(change), outcome});
+}
+
+Refusal Session::State::run(const command::Undo& undo_command) {
+    const auto count = static_cast<std::size_t>(undo_command.count);
+    if (count > history.undo_count()) {
+        return too_few("undo", history.undo_count(), count, history.lost_undo_count(), "older");
+    }
+    history.undo(count, [this](History::Step& step) {
+        if (step.exchanged) {
+            exchange(*step.exchanged);
+        } else {
+            undo(step.change, *mesh);
+            follow(step.change.faces);
+        }
+    });
+    outcome = history.outcome();
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Redo& redo_command) {
+    const auto count = static_cast<std::size_t>(redo_command.count);
+    if (count > history.redo_count()) {
+        return too_few("redo", history.redo_count(), count, history.lost_redo_count(), "later");
+    }
+    history.redo(count, [this](History::Step& step) {
+        if (step.exchanged) {
+            exchange(*step.exchanged);
+        } else {
+            redo(step.change, *mesh);
+            follow(step.change.faces);
+        }
+    });
+    outcome = history.outcome();
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::History& limit) {
+    if (!limit.megabytes) return std::nullopt;
+    const Setting& megabytes = *limit.megabytes;
+    if (megabytes.is_off()) {
+        history.set_limit(std::nullopt);
+        return std::nullopt;
+    }
+    if (megabytes.is_automatic() || !(megabytes.value > 0.0) || !std::isfinite(megabytes.value)) {
+        return "the megabytes " + decimal(megabytes.value) +
+               " must be a number above 0, or null for no limit";
+    }
+    const double bytes = kMegabyte * megabytes.value;
+    history.set_limit(bytes < kMostBytes ? std::optional(static_cast<std::size_t>(bytes))
+                                         : std::nullopt);
+    return std::nullopt;
+}
+
+}  // namespace pectin

@@ -1,0 +1,245 @@
+// The memory that undo takes: counted whole, shown, and kept within the history command's limit.
+#include "session/history.h"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "command/json.h"
+#include "mesh/build_mesh.h"
+#include "mesh/shapes.h"
+#include "session/session.h"
+
+namespace pectin {
+namespace {
+
+using command::Adapt;
+using command::Drag;
+using command::Redo;
+using command::Shape;
+using command::Undo;
+
+void expect_done(Session& session, const Command& command) {
+    const auto refusal = session.execute(command);
+    EXPECT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
+}
+
+std::string refusal_of(Session& session, const Command& command) {
+    const auto refusal = session.execute(command);
+    EXPECT_TRUE(refusal.has_value()) << name(command) << " was done";
+    return refusal.value_or("");
+}
+
+bool contains(const std::string& text, const std::string& part) {
+    return text.find(part) != text.npos;
+}
+
+command::History megabytes(double number) { return {Setting::of(number)}; }
+
+constexpr double kInfinity = std::numeric_limits<double>::infinity();
+constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
+const std::vector<Vec3> kTips{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
+
+// A sphere with a drag at each of four tips, and the mesh before and after each.
+struct FourDrags {
+    FourDrags() {
+        expect_done(session, Shape{Shape::Kind::sphere, 3});
+        after.push_back(session.mesh());
+        for (const Vec3& tip : kTips) {
+            expect_done(session, Drag{.moves = {{tip, 1.2 * tip}}});
+            after.push_back(session.mesh());
+            bytes.push_back(session.history().memory_bytes());
+        }
+    }
+    // A limit that the last so many steps just keep.
+    command::History room_for(std::size_t steps) const {
+        const std::size_t gone = steps < 4 ? bytes[3 - steps] : 0;
+        return megabytes(1e-6 * static_cast<double>(bytes[3] - gone) + 1e-9);
+    }
+    Session session;
+    std::vector<TriMesh> after;
+    std::vector<std::size_t> bytes;  // after the first, second, ... drag
+};
+
+TEST(HistoryLimit, IsAThousandMegabytesAtStart) {
+    EXPECT_EQ(Session().history().limit(), 1'000'000'000u);
+    EXPECT_EQ(History::kDefaultLimit, 1'000'000'000u);
+}
+
+TEST(HistoryLimit, LetsGoAtOnceOfTheOldestStepsAndOfNoMoreThanItMust) {
+    FourDrags drags;
+    const History& history = drags.session.history();
+    expect_done(drags.session, drags.room_for(4));
+    EXPECT_EQ(history.undo_count(), 4u);
+    expect_done(drags.session, drags.room_for(3));
+    EXPECT_EQ(history.undo_count(), 3u);
+    expect_done(drags.session, drags.room_for(2));
+    EXPECT_EQ(history.undo_count(), 2u);
+    EXPECT_EQ(history.lost_undo_count(), 2u);
+    EXPECT_EQ(history.step_number(), 4u);
+    expect_done(drags.session, Undo{.count = 2});
+    EXPECT_TRUE(drags.session.mesh() == drags.after[2]);
+    EXPECT_TRUE(contains(refusal_of(drags.session, Undo{}),
+                         "only 0 steps to undo, not 1; 2 older ones were let go"));
+    expect_done(drags.session, Redo{.count = 2});
+    EXPECT_TRUE(drags.session.mesh() == drags.after[4]);
+}
+
+TEST(HistoryLimit, KeepsTheNewestStepHoweverLargeItIs) {
+    FourDrags drags;
+    expect_done(drags.session, megabytes(1e-6));
+    EXPECT_EQ(drags.session.history().undo_count(), 1u);
+    expect_done(drags.session, Drag{.moves = {{{-1, 0, 0}, {-1.3, 0, 0}}}});
+    EXPECT_EQ(drags.session.history().undo_count(), 1u);
+    EXPECT_EQ(drags.session.history().lost_undo_count(), 4u);
+    expect_done(drags.session, Undo{});
+    EXPECT_TRUE(drags.session.mesh() == drags.after[4]);
+}
+
+TEST(HistoryLimit, IsASettingThatTakesNoStepAndKeepsRedo) {
+    FourDrags drags;
+    expect_done(drags.session, Undo{.count = 2});
+    expect_done(drags.session, drags.room_for(3));
+    EXPECT_EQ(drags.session.history().undo_count(), 1u);
+    EXPECT_EQ(drags.session.history().redo_count(), 2u);
+    expect_done(drags.session, command::History{});  // leaves it as it is
+    EXPECT_TRUE(drags.session.history().limit());
+    expect_done(drags.session, command::History{Setting::off()});
+    EXPECT_FALSE(drags.session.history().limit());
+    expect_done(drags.session, Redo{.count = 2});
+    EXPECT_TRUE(drags.session.mesh() == drags.after[4]);
+}
+
+TEST(HistoryLimit, LetsGoOfTheLastStepsToRedoWhereNoneIsLeftToUndo) {
+    FourDrags drags;
+    expect_done(drags.session, Undo{.count = 3});
+    expect_done(drags.session, megabytes(1e-6));
+    EXPECT_EQ(drags.session.history().undo_count(), 0u);
+    EXPECT_EQ(drags.session.history().redo_count(), 1u);
+    EXPECT_TRUE(contains(refusal_of(drags.session, Redo{.count = 3}),
+                         "only 1 step to redo, not 3; 2 later ones were let go"));
+    expect_done(drags.session, Redo{});
+    EXPECT_TRUE(drags.session.mesh() == drags.after[2]);
+    // A new step takes redo away in any case.
+    expect_done(drags.session, Drag{.moves = {{{-1, 0, 0}, {-1.3, 0, 0}}}});
+    EXPECT_FALSE(contains(refusal_of(drags.session, Redo{}), "let go"));
+}
+
+TEST(HistoryLimit, StaysWithANewObjectWhoseHistoryIsWhole) {
+    FourDrags drags;
+    expect_done(drags.session, megabytes(0.001));
+    ASSERT_GT(drags.session.history().lost_undo_count(), 0u);
+    expect_done(drags.session, Shape{Shape::Kind::cube, 2});
+    EXPECT_EQ(drags.session.history().limit(), 1000u);
+    EXPECT_EQ(drags.session.history().lost_undo_count(), 0u);
+    EXPECT_EQ(drags.session.history().step_number(), 0u);
+    EXPECT_EQ(drags.session.history().memory_bytes(), 0u);
+    EXPECT_FALSE(contains(refusal_of(drags.session, Undo{}), "let go"));
+}
+
+// The mesh then is as a step left it that is there no more.
+TEST(HistoryLimit, RemembersWhereTheLastStepLetGoHadStoppedShort) {
+    Session session;
+    expect_done(session, Shape{Shape::Kind::sphere, 3});
+    const std::uint32_t faces = session.mesh().face_count();
+    expect_done(session, Adapt{.theta_max = Setting::of(1.0), .budget = faces + 400});
+    expect_done(session, Drag{.moves = {{{0, 1, 0}, {0, 1.4, 0}}}});
+    ASSERT_TRUE(session.statistics().budget_hit);
+    expect_done(session, Drag{.moves = {{{0, -1, 0}, {0, -1.0001, 0}}}});
+    expect_done(session, megabytes(1e-6));
+    ASSERT_EQ(session.undo_count(), 1u);
+    expect_done(session, Undo{});
+    EXPECT_TRUE(session.statistics().budget_hit);
+    EXPECT_EQ(session.statistics().needing_refinement, 0u);
+    expect_done(session, Adapt{.budget = 1'000'000});
+    EXPECT_FALSE(session.statistics().budget_hit);
+    expect_done(session, Redo{});
+    expect_done(session, Undo{});
+    EXPECT_FALSE(session.statistics().budget_hit) << "other settings forget it for good";
+}
+
+TEST(HistoryLimit, RefusesWhatIsNoAmountOfMemory) {
+    FourDrags drags;
+    for (const Setting& wrong : {Setting::of(0.0), Setting::of(-1.0), Setting::of(kInfinity),
+                                 Setting::of(kNotANumber), Setting::automatic()}) {
+        EXPECT_TRUE(contains(refusal_of(drags.session, command::History{wrong}),
+                             "must be a number above 0, or null for no limit"));
+    }
+    EXPECT_EQ(drags.session.history().limit(), History::kDefaultLimit);
+    EXPECT_EQ(drags.session.history().undo_count(), 4u);
+    // More than can be counted is no limit.
+    expect_done(drags.session, megabytes(1e300));
+    EXPECT_FALSE(drags.session.history().limit());
+}
+
+// ---- What is counted
+
+History::Step step_of(std::size_t faces) {
+    History::Step step{.command = Drag{}, .change = {}, .outcome = {}};
+    step.change.faces = std::vector<FaceId>(faces);
+    return step;
+}
+
+TEST(HistoryMemory, CountsAllThatAStepOwns) {
+    const std::size_t bare = step_of(0).memory_bytes();
+    EXPECT_GE(bare, sizeof(History::Step));
+    EXPECT_EQ(step_of(1000).memory_bytes(), bare + 4000);
+    History::Step step = step_of(0);
+    std::get<Drag>(step.command).via.assign(50, Vec3{0.0});
+    std::get<Drag>(step.command).pins.assign(20, Vec3{0.0});
+    EXPECT_GE(step.memory_bytes(), bare + 70 * sizeof(Vec3));
+    step = step_of(0);
+    step.outcome.blocked.assign(300, EdgeId{0});
+    EXPECT_GE(step.memory_bytes(), bare + 1200);
+    step = step_of(0);
+    step.command = command::Control{.points = std::vector<command::Control::Point>(30)};
+    EXPECT_GE(step.memory_bytes(), bare + 30 * sizeof(command::Control::Point));
+    step = step_of(0);
+    step.exchanged = std::make_unique<TriMesh>(build_mesh(make_shape(ShapeKind::sphere, 3)).mesh);
+    EXPECT_GE(step.memory_bytes(), bare + step.exchanged->memory_bytes());
+}
+
+TEST(HistoryMemory, IsTheSumOfItsStepsWhateverHappensToThem) {
+    History history;
+    EXPECT_EQ(history.memory_bytes(), 0u);
+    std::size_t expected = 0;
+    for (const std::size_t faces : {100u, 2000u, 30u}) {
+        History::Step step = step_of(faces);
+        step.outcome.blocked = std::vector<EdgeId>(faces);
+        expected += step.memory_bytes();
+        history.add(std::move(step));
+        EXPECT_EQ(history.memory_bytes(), expected);
+    }
+    // As the meshes of a bake change places, which need not be of one size.
+    history.undo(1, [](History::Step& step) { step.change.faces.resize(5000); });
+    expected += sizeof(FaceId) * (5000 - 30);
+    EXPECT_EQ(history.memory_bytes(), expected);
+    history.redo(1, [](History::Step& step) {
+        step.change.faces.resize(30);
+        step.change.faces.shrink_to_fit();
+    });
+    expected -= sizeof(FaceId) * (5000 - 30);
+    EXPECT_EQ(history.memory_bytes(), expected);
+    history.forget_outcomes();
+    expected -= sizeof(EdgeId) * 2130;
+    EXPECT_EQ(history.memory_bytes(), expected);
+    history.undo(2, [](History::Step&) {});
+    history.add(step_of(7));
+    EXPECT_EQ(history.memory_bytes(), step_of(100).memory_bytes() + step_of(7).memory_bytes());
+}
+
+TEST(HistoryMemory, IsAmongTheFiguresOfStats) {
+    FourDrags drags;
+    expect_done(drags.session, Undo{});
+    const Statistics statistics = drags.session.statistics();
+    EXPECT_EQ(statistics.undo_steps, 3u);
+    EXPECT_EQ(statistics.undo_bytes, drags.bytes[3]);
+    EXPECT_GT(statistics.memory_bytes, statistics.undo_bytes + 100 * statistics.vertices);
+    EXPECT_TRUE(contains(format_statistics(statistics), "\"undo_steps\": 3,\n  \"undo_bytes\": " +
+                                                            std::to_string(drags.bytes[3]) + "\n"));
+}
+
+}  // namespace
+}  // namespace pectin
