@@ -44,6 +44,8 @@ class Scene {
     // Back to before the adaptation, with the memory that it took.
     void roll_back();
     TriMesh finish();
+    // The same, for what a step of the history keeps of it.
+    MeshChange finish_with_change() { return active_.finish(); }
     const ActiveSet& active() const { return active_; }
 
   private:

@@ -38,6 +38,10 @@ PROMISES = [
     ("bytes a loaded triangle : 140", ("loaded_bytes/resolution:8", "bytes_per_triangle"), 140.0,
      "<= 1"),
     ("undo bytes a vertex : 100", ("undo_bytes_a_vertex", "bytes_per_vertex"), 100.0, "<= 1"),
+    ("undo bytes a split : 32", ("undo_bytes_an_operation/removes:0",
+     "bytes_per_operation"), 32.0, "<= 1"),
+    ("undo bytes a removal : 32", ("undo_bytes_an_operation/removes:1",
+     "bytes_per_operation"), 32.0, "<= 1"),
 ]
 SECONDS = {"ns": 1e-9, "us": 1e-6, "ms": 1e-3, "s": 1.0}
 
