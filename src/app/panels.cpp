@@ -69,22 +69,22 @@ std::string formatted(const char* format, double value) {
     return text.data();
 }
 
+// As is worth telling of so many bytes.
 std::string megabytes(std::size_t bytes) {
-    return grouped(static_cast<std::uint64_t>(std::llround(1e-6 * static_cast<double>(bytes)))) +
-           " MB";
+    const double number = 1e-6 * static_cast<double>(bytes);
+    if (number < 10.0) return formatted("%.1f MB", number);
+    return grouped(static_cast<std::uint64_t>(std::llround(number))) + " MB";
 }
 
 std::string undo_memory(const History& history) {
-    const std::size_t steps = history.undo_count();
-    return grouped(steps) + (steps == 1 ? " step" : " steps") + " to undo, " +
-           megabytes(history.memory_bytes()) +
+    return megabytes(history.memory_bytes()) +
            (history.limit() ? " of " + megabytes(*history.limit()) : "");
 }
 
 void draw_undo_memory_menu(Editor& editor) {
     if (!ImGui::BeginMenu("Memory for undo")) return;
     const History& history = editor.session().history();
-    ImGui::TextDisabled("%s", undo_memory(history).c_str());
+    ImGui::TextDisabled("%s in use", undo_memory(history).c_str());
     ImGui::Separator();
     const auto choice = [&](const std::string& label, std::optional<std::size_t> limit) {
         if (!ImGui::MenuItem(label.c_str(), nullptr, history.limit() == limit)) return;
@@ -229,27 +229,56 @@ void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
     ImGui::Text("%s triangles", grouped(editor.session().mesh().face_count()).c_str());
     ImGui::SameLine(scaled(180.0f));
     ImGui::Text("+%s  −%s", grouped(frame.splits).c_str(), grouped(frame.unsplits).c_str());
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("Splits and removals of the last frame");
+    if (ImGui::IsItemHovered()) {
+        begin_status_tooltip("Splits and removals of the last frame");
+        ImGui::EndTooltip();
+    }
     ImGui::SameLine(scaled(320.0f));
     ImGui::Text("%.1f ms", 1e3 * frame.seconds);
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
-            "Of the last frame of a drag\n  moving   %.1f ms\n  refining %.1f ms\n"
-            "  thinning %.1f ms\n%s bytes uploaded in %s pieces",
-            1e3 * frame.deform_seconds, 1e3 * frame.refine_seconds, 1e3 * frame.decimate_seconds,
-            grouped(figures.uploaded_bytes).c_str(), grouped(figures.uploaded_ranges).c_str());
-    }
+    if (ImGui::IsItemHovered()) draw_frame_tooltip(frame, figures);
     ImGui::SameLine(scaled(420.0f));
     ImGui::Text("%.0f MB", 1e-6 * static_cast<double>(figures.memory_bytes));
-    if (ImGui::IsItemHovered()) {
-        const History& history = editor.session().history();
-        const std::size_t lost = history.lost_undo_count();
-        ImGui::SetTooltip("Memory that the program uses\n%s%s", undo_memory(history).c_str(),
-                          lost == 0 ? "" : ("\n" + grouped(lost) + " older let go").c_str());
-    }
+    if (ImGui::IsItemHovered()) draw_memory_tooltip(editor.session().history(), figures);
     draw_drag_figures(editor);
     ImGui::End();
     ImGui::PopStyleVar(3);
+}
+
+// Above the line, which stays to be read.
+void Panels::begin_status_tooltip(const char* title) const {
+    const float left = ImGui::GetItemRectMin().x - ImGui::GetStyle().WindowPadding.x;
+    const float bottom = ImGui::GetIO().DisplaySize.y - status_height_ - scaled(4.0f);
+    ImGui::SetNextWindowPos(ImVec2(left, bottom), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
+    ImGui::BeginTooltip();
+    ImGui::TextUnformatted(title);
+}
+
+void Panels::tooltip_row(const char* what, const std::string& figure) const {
+    ImGui::TextDisabled("%s", what);
+    ImGui::SameLine(scaled(90.0f));
+    ImGui::TextUnformatted(figure.c_str());
+}
+
+void Panels::draw_frame_tooltip(const FrameFigures& frame, const PictureFigures& figures) const {
+    begin_status_tooltip("Last frame of a drag");
+    tooltip_row("moving", formatted("%.1f ms", 1e3 * frame.deform_seconds));
+    tooltip_row("refining", formatted("%.1f ms", 1e3 * frame.refine_seconds));
+    tooltip_row("thinning", formatted("%.1f ms", 1e3 * frame.decimate_seconds));
+    tooltip_row("uploaded", grouped(figures.uploaded_bytes) + " bytes in " +
+                                grouped(figures.uploaded_ranges) + " pieces");
+    ImGui::EndTooltip();
+}
+
+void Panels::draw_memory_tooltip(const History& history, const PictureFigures& figures) const {
+    begin_status_tooltip("Memory");
+    tooltip_row("program", megabytes(figures.memory_bytes));
+    tooltip_row("undo", undo_memory(history));
+    tooltip_row("steps", grouped(history.undo_count()) + " to undo, " +
+                             grouped(history.redo_count()) + " to redo");
+    if (history.lost_undo_count() > 0) {
+        tooltip_row("let go", grouped(history.lost_undo_count()) + " older");
+    }
+    ImGui::EndTooltip();
 }
 
 // One after the other, what there is of it.

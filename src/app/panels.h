@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstddef>
+#include <string>
 #include <vector>
 
 #include "app/cage_panel.h"
@@ -41,6 +42,10 @@ class Panels {
     void draw_settings(Editor& editor);
     void draw_display_settings(Editor& editor);
     void draw_status(const Editor& editor, const PictureFigures& figures);
+    void begin_status_tooltip(const char* title) const;
+    void tooltip_row(const char* what, const std::string& figure) const;
+    void draw_frame_tooltip(const FrameFigures& frame, const PictureFigures& figures) const;
+    void draw_memory_tooltip(const History& history, const PictureFigures& figures) const;
     void draw_drag_figures(const Editor& editor) const;
     void draw_selection(const Editor& editor) const;
     void draw_message(Editor& editor);
