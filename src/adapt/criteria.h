@@ -54,9 +54,10 @@ class Criteria {
     // is longer than l_max and belongs to a face that meets the zone; or was so between the steps
     // of the warp (Embedding::is_long_between_steps).
     bool needs_refinement(const ActiveSet& active, EdgeId e) const;
-    // Whether one look tells that e does not, as it does of most. Precondition: one look is enough
-    // (ActiveSet::one_look_edges). Cost: O(1), in one face.
-    bool looks_fine(const TriMesh& mesh, EdgeId e) const;
+    // Whether one look tells that e does not, as it does of most. may_be_long: false if no edge is
+    // longer than l_max. Precondition: one look is enough (ActiveSet::one_look_edges). Cost: O(1),
+    // in one face.
+    bool looks_fine(const TriMesh& mesh, EdgeId e, bool may_be_long) const;
     // Whether its halves would be shorter than the floor.
     bool is_below_floor(const TriMesh& mesh, EdgeId e) const;
 
@@ -94,14 +95,14 @@ class Criteria {
     double fine_length_ = kOff;  // squared; below 0 if the steps of a warp have to be asked
 };
 
-inline bool Criteria::looks_fine(const TriMesh& mesh, EdgeId e) const {
+inline bool Criteria::looks_fine(const TriMesh& mesh, EdgeId e, bool may_be_long) const {
     const HalfEdgeId h = mesh.half_edge(e);
     const HalfEdge& b = mesh.half_edge(h);
     const HalfEdge& c = mesh.half_edge(TriMesh::next(h));
     const Vec3f &m = mesh.normal(b.wedge), &n = mesh.normal(c.wedge);
     const float x = m.x - n.x, y = m.y - n.y, z = m.z - n.z;
     if (!(x * x + y * y + z * z < fine_difference_)) return false;
-    if (fine_length_ == kOff) return true;
+    if (!may_be_long) return true;
     const Vec3 &p = mesh.position(b.origin), &q = mesh.position(c.origin);
     const double u = p.x - q.x, v = p.y - q.y, w = p.z - q.z;
     return u * u + v * v + w * w <= fine_length_;

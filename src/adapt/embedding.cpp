@@ -1,11 +1,19 @@
 #include "adapt/embedding.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "adapt/deform_pass.h"
 #include "adapt/parallel.h"
 
 namespace pectin {
+namespace {
+
+// What rounding of the two ends adds to the length of an edge: of weights to float, of positions.
+constexpr double kShareRounding = 2.0 * std::numeric_limits<float>::epsilon();
+constexpr double kCoordinateRounding = 8.0 * std::numeric_limits<double>::epsilon();
+
+}  // namespace
 
 void Embedding::embed() {
     stages_.assign(warp_.steps.size(), {});
@@ -203,6 +211,17 @@ std::uint64_t Embedding::folded_vertices() const {
         if (folds_last || (stages_.size() > 1 && has_folded_[i] != 0)) ++folded;
     }
     return folded;
+}
+
+double Embedding::longest_edge_bound() const {
+    if (stages_.empty()) return active_.longest_at_rest();
+    const DragStep* drag = last_drag();
+    if (stages_.size() > 1 || !drag) return std::numeric_limits<double>::infinity();
+    const Box& zone = active_.zone();
+    const Vec3 farthest = glm::max(glm::abs(zone.min), glm::abs(zone.max));
+    const double reach = drag->reach_bound();
+    return active_.longest_at_rest() * drag->stretch_bound() + kShareRounding * reach +
+           kCoordinateRounding * std::max({farthest.x, farthest.y, farthest.z, reach});
 }
 
 std::size_t Embedding::memory_bytes() const {

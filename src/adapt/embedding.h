@@ -29,6 +29,10 @@ class Embedding {
 
     // Entries with det J <= 0 in some step, at the present displacements. Cost: O(entries).
     std::uint64_t folded_vertices() const;
+    // No edge of the active set is longer now: its length at rest by the greatest stretch of the
+    // warp. Infinite where none is known, after several steps or control points moved by hand.
+    // O(1).
+    double longest_edge_bound() const;
     std::size_t memory_bytes() const;
 
     // --- Between the steps.

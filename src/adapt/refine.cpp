@@ -51,10 +51,11 @@ class Refiner {
         const std::span<const std::uint8_t> one_look = active_.one_look_edges();
         const auto count = static_cast<std::uint32_t>(edges.size());
         const auto is_along_cut = [&](EdgeId e) { return mesh.sibling(e) != e; };
+        const bool may_be_long = !(embedding_.longest_edge_bound() <= criteria_.limits().l_max);
         const auto needs = [&](std::uint32_t i) {
             const EdgeId e = edges[i];
             if (!mesh.is_live(e)) return false;
-            if (one_look[i] != 0 && criteria_.looks_fine(mesh, e)) return false;
+            if (one_look[i] != 0 && criteria_.looks_fine(mesh, e, may_be_long)) return false;
             return is_along_cut(e) || criteria_.needs_refinement(active_, e);
         };
         const std::span<std::uint8_t> may_need = active_.scratch_of_edges();

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <cmath>
 #include <utility>
 
 namespace pectin {
@@ -31,6 +32,56 @@ DragField::DragField(const Lattice& lattice, std::vector<BasisRow> constraints,
     for (const BasisRow& row : constraints_) {
         products_.push_back({axis_cubics(row, 0), axis_cubics(row, 1), axis_cubics(row, 2)});
     }
+    bound_moves();
+}
+
+// A polynomial on [0, 1] lies within its Bernstein coefficients: those of the cubic, and of its
+// derivative three times their differences.
+DragField::Bound DragField::bound_of(const AxisCubics& cubics) {
+    Bound bound;
+    for (const auto& p : cubics.power) {
+        const std::array<double, 4> b{p[0], p[0] + p[1] / 3.0, p[0] + (2.0 * p[1] + p[2]) / 3.0,
+                                      p[0] + p[1] + p[2] + p[3]};
+        for (std::size_t i = 0; i < 4; ++i) {
+            bound.share = std::max(bound.share, std::abs(b[i]));
+            if (i > 0) bound.gradient = std::max(bound.gradient, 3.0 * std::abs(b[i] - b[i - 1]));
+        }
+    }
+    return bound;
+}
+
+void DragField::bound_moves() {
+    bounds_.assign(move_count_, {});
+    for (std::size_t a = 0; a < products_.size(); ++a) {
+        const Bound x = bound_of(products_[a][0]), y = bound_of(products_[a][1]),
+                    z = bound_of(products_[a][2]);
+        const Vec3 gradient = Vec3{x.gradient * y.share * z.share, x.share * y.gradient * z.share,
+                                   x.share * y.share * z.gradient} *
+                              inverse_cell_;
+        for (std::size_t m = 0; m < move_count_; ++m) {
+            const double factor = std::abs(inverse_[m * products_.size() + a]);
+            bounds_[m].share += factor * x.share * y.share * z.share;
+            bounds_[m].gradient += factor * glm::length(gradient);
+        }
+    }
+}
+
+double DragField::reach_bound(std::span<const Vec3> displacements) const {
+    assert(displacements.size() == move_count_);
+    double reach = 0.0;
+    for (std::size_t m = 0; m < move_count_; ++m) {
+        reach += bounds_[m].share * glm::length(displacements[m]);
+    }
+    return reach;
+}
+
+double DragField::stretch_bound(std::span<const Vec3> displacements) const {
+    assert(displacements.size() == move_count_);
+    double stretch = 1.0;
+    for (std::size_t m = 0; m < move_count_; ++m) {
+        stretch += bounds_[m].gradient * glm::length(displacements[m]);
+    }
+    return stretch;
 }
 
 DragField::AxisCubics DragField::axis_cubics(const BasisRow& row, std::size_t axis) {

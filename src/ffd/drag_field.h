@@ -51,6 +51,12 @@ class DragField {
     };
     void exact_weights(const Vec3& x, std::size_t first, std::span<ExactWeight> out) const;
 
+    // Bounds over all of space, by the convex hull of Bernstein coefficients, per axis and so not
+    // tight: how far the drags move anything, and how many times as long they make anything.
+    // displacements: move_count. Cost: O(moves).
+    double reach_bound(std::span<const Vec3> displacements) const;
+    double stretch_bound(std::span<const Vec3> displacements) const;
+
     // ΔP = Bᵀ(BBᵀ)⁻¹ d, in the order of Lattice::control_index. displacements: move_count.
     std::vector<Vec3> control_displacements(std::span<const Vec3> displacements) const;
 
@@ -72,6 +78,13 @@ class DragField {
         Vec3 derivative{0.0};  // per cell
     };
 
+    // Of one move: |w| and |∇w| are nowhere greater.
+    struct Bound {
+        double share = 0.0, gradient = 0.0;
+    };
+    static Bound bound_of(const AxisCubics& cubics);
+    void bound_moves();
+
     static AxisCubics axis_cubics(const BasisRow& row, std::size_t axis);
     static Value evaluate(const Product& product, const Location& at);
     Location locate(const Vec3& x) const;
@@ -85,6 +98,7 @@ class DragField {
     std::vector<BasisRow> constraints_;
     std::vector<Product> products_;  // one per constraint
     std::vector<double> inverse_;    // move_count × constraints
+    std::vector<Bound> bounds_;      // move_count
 };
 
 // --- A frame: everything below is per vertex, without branches on the data where one drag acts ---

@@ -63,6 +63,7 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
         edge_states_[index(edges_[i])].entry = i;
         one_look_[i] = one_look_is_enough(edges_[i]) ? 1 : 0;
+        longest_square_ = std::max(longest_square_, mesh_.squared_length(edges_[i]));
     }
 
     std::sort(corners.begin(), corners.end());
@@ -131,6 +132,12 @@ bool ActiveSet::one_look_is_enough(EdgeId e) const {
            mesh_.wedge(twin) == mesh_.wedge(TriMesh::next(h));
 }
 
+// Of an edge that was not there at the beginning, rounded to float.
+void ActiveSet::note_length(float rest_length) {
+    const double length = (1.0 + 1e-6) * static_cast<double>(rest_length);
+    longest_square_ = std::max(longest_square_, length * length);
+}
+
 // Edges of the beginning keep their place in the list, so that roll_back finds them.
 void ActiveSet::drop_edge(EdgeId e) {
     const std::uint32_t entry = std::exchange(edge_states_[index(e)], EdgeState{}).entry;
@@ -181,6 +188,7 @@ void ActiveSet::insert_sheet(const Star& star, std::uint32_t vertex_entry, float
     const bool on_crease = !one_look_is_enough(mesh_.edge(star.bm));
     const auto measure = [this](EdgeId e, float length, bool one_look = true) {
         add_edge(e, one_look).rest_length = length;
+        note_length(length);
     };
     const EdgeId am = mesh_.edge(TriMesh::prev(star.mc));
     measure(mesh_.edge(star.bm), half_length, !on_crease);
@@ -222,6 +230,7 @@ void ActiveSet::unsplit(const Star& star) {
     mesh_.for_each_side(bc, [this](HalfEdgeId h) {
         const EdgeId e = mesh_.edge(h);
         add_edge(e, one_look_is_enough(e)).rest_length = kUnmeasured;
+        note_length(rest_length(e));
     });
 }
 
@@ -389,6 +398,7 @@ void ActiveSet::forget() {
     original_ids_.clear();
     original_wedge_ids_.clear();
     influenced_ = influenced_wedges_ = 0;
+    longest_square_ = 0.0;
     begun_ = false;
 }
 

@@ -8,6 +8,7 @@
 // zone by id, the other corners of the active faces by id, then inserted ones as they come.
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -101,6 +102,8 @@ class ActiveSet {
     // Rounded to float and remembered, so that an edge has one rest length for a gesture; the
     // halves of a split have exactly half of it.
     float rest_length(EdgeId e);
+    // No active edge is longer at rest, nor has any been in this gesture. O(1).
+    double longest_at_rest() const { return std::sqrt(longest_square_); }
 
     // --- Edits, logged.
     // The inserted vertex and its wedges are at rest; their entries are the returned ones.
@@ -145,6 +148,7 @@ class ActiveSet {
     void drop_wedge(WedgeId w);
     EdgeState& add_edge(EdgeId e, bool one_look);
     bool one_look_is_enough(EdgeId e) const;
+    void note_length(float rest_length);
     void drop_edge(EdgeId e);
     void drop_inserted();
     void forget();
@@ -181,6 +185,7 @@ class ActiveSet {
 
     std::vector<TopologyEdit> edits_;
     std::uint64_t splits_ = 0;
+    double longest_square_ = 0.0;
 
     // As large as the mesh; as initialised but for what the gesture has touched.
     std::vector<std::uint32_t> vertex_entry_, wedge_entry_;

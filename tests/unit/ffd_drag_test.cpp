@@ -69,6 +69,28 @@ DragSolver solver_of(const Lattice& lattice, const std::vector<Vec3>& moves,
 
 const Lattice kCube{.origin = {0, 0, 0}, .cell = {1, 1, 1}, .deformable = {4, 4, 4}};
 
+TEST(Drag, MovesAndStretchesNoMoreThanItsBounds) {
+    LatticeRandom random{31};
+    SCOPED_TRACE("seed 31");
+    double tightest = 0.0;
+    for (int trial = 0; trial < 200; ++trial) {
+        const Case drag = random_case(random);
+        const double reach = drag.field().reach_bound(drag.d);
+        const double stretch = drag.field().stretch_bound(drag.d);
+        for (int i = 0; i < 100; ++i) {
+            const Vec3 x = random.point_in(drag.lattice, 0.0);
+            const Vec3 y = x + 0.01 * drag.lattice.smallest_cell_extent() * random.vectors(1)[0];
+            const auto at = [&](const Vec3& p) { return displaced(p, drag.weights(p), drag.d); };
+            const double longer = glm::distance(at(x), at(y)) / glm::distance(x, y);
+            // What rounding of w to float adds is no stretch.
+            ASSERT_LE(longer, stretch + 1e-6 * (1.0 + reach) / glm::distance(x, y));
+            ASSERT_LE(glm::distance(at(x), x), reach * (1.0 + 1e-6));
+            tightest = std::max(tightest, longer / stretch);
+        }
+    }
+    EXPECT_GT(tightest, 0.3);  // a bound that is never near anything is of no use
+}
+
 TEST(Drag, TakesEveryPointExactlyWhereItIsDragged) {
     LatticeRandom random{11};
     SCOPED_TRACE("seed 11");

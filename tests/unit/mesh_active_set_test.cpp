@@ -142,6 +142,33 @@ TEST(ActiveSet, RollsBackUndoesAndRedoesAnyEditsToTheByte) {
     }
 }
 
+TEST(ActiveSet, KnowsWhichEdgesOneLookTellsAllOfAndHowLongTheyAre) {
+    for (unsigned seed = 4700; seed < 4760; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        ActiveSet active(mesh);
+        begin(active, random_zone(mesh, random));
+        edit_at_random(active, random, 60);
+        // An id may be listed twice, once for an edge that is gone.
+        std::set<EdgeId> to_look_at_closely;
+        for (std::size_t i = 0; i < active.edges().size(); ++i) {
+            if (active.one_look_edges()[i] == 0) to_look_at_closely.insert(active.edges()[i]);
+        }
+        for (EdgeId e : active.edges()) {
+            if (!mesh.is_live(e)) continue;
+            // Rounded to float.
+            EXPECT_LE(active.rest_length(e), (1.0 + 1e-6) * active.longest_at_rest());
+            std::set<std::pair<WedgeId, WedgeId>> sides;
+            mesh.for_each_side(e, [&](HalfEdgeId h) {
+                const WedgeId x = mesh.wedge(h), y = mesh.wedge(TriMesh::next(h));
+                sides.insert({std::min(x, y), std::max(x, y)});
+            });
+            EXPECT_TRUE(sides.size() == 1 || to_look_at_closely.count(e) == 1);
+        }
+    }
+}
+
 TEST(ActiveSet, IsAfterAGestureAsIfItHadNeverBegun) {
     const int cases = test::case_count(150);
     for (int i = 0; i < cases; ++i) {
