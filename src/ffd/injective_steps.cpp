@@ -19,27 +19,48 @@ DragRefusal refuse_outside(const Vec3& target, const Box& zone) {
 }
 
 DragRefusal refuse_steps(const Vec3& target) {
-    return {
-        "the target " + decimal(target) + " cannot be reached in " + std::to_string(kMaxSteps) +
-        " steps without folding; move less far, stay away from pins, the symmetry plane and the "
-        "border of the zone, or take a larger radius"};
+    return {"the target " + decimal(target) + " cannot be reached in " + std::to_string(kMaxSteps) +
+            " steps without folding; move less far, or in several drags, stay away from pins, "
+            "other moved points, the symmetry plane and the border of the zone, or take a larger "
+            "radius"};
+}
+
+DragRefusal refuse_waypoints() {
+    return {"a drag takes at most " + std::to_string(kMaxSteps) +
+            " steps, and each waypoint ends one; take fewer waypoints, or several drags"};
 }
 
 DragRefusal refuse_across(const MirrorPlane& plane, const Vec3& from, const Vec3& to) {
     return {"the drag from " + decimal(from) + " to " + decimal(to) +
-            " goes across the symmetry plane, where it would meet its own image; the farthest is " +
+            " goes across the symmetry plane, where it would meet its own image; keep it on its "
+            "side of " +
             decimal(plane.onto(to)) + ", or switch symmetry off"};
 }
 
+DragRefusal refuse_onto(const Vec3& to) {
+    return {"the target " + decimal(to) +
+            " is on the symmetry plane, where without folding no point beside it arrives, as it "
+            "would meet its own image; take a target beside the plane, or drag a point on it"};
+}
+
 DragRefusal refuse_turn(const Turn& turn) {
-    return {"a twist needs an axis with a length and finite degrees, and a scale above 0; axis " +
-            decimal(turn.axis) + ", " + decimal(turn.degrees) + " degrees, scale " +
-            decimal(turn.scale) + " is none"};
+    return {"a turn needs an axis with a length, at most " + decimal(kMostDegrees) +
+            " degrees either way and a scale from " + decimal(1.0 / kMostGrowth) + " to " +
+            decimal(kMostGrowth) + "; axis " + decimal(turn.axis) + ", " + decimal(turn.degrees) +
+            " degrees, scale " + decimal(turn.scale) + " is none"};
+}
+
+// The axis may be as long or short as numbers are.
+Vec3 unit_axis(const Turn& turn) {
+    const Vec3 size = glm::abs(turn.axis);
+    const double largest = std::max({size.x, size.y, size.z});
+    if (!(largest > 0.0) || !is_finite(turn.axis)) return Vec3{0.0};
+    return glm::normalize(turn.axis / largest);
 }
 
 bool is_usable(const Turn& turn) {
-    return unit_or_zero(turn.axis) != Vec3{0.0} && std::isfinite(turn.degrees) &&
-           turn.scale > 0.0 && std::isfinite(turn.scale);
+    return unit_axis(turn) != Vec3{0.0} && std::abs(turn.degrees) <= kMostDegrees &&
+           turn.scale >= 1.0 / kMostGrowth && turn.scale <= kMostGrowth;
 }
 
 bool is_on_plane(const DragPlan& plan, const Vec3& point) {
@@ -52,6 +73,9 @@ std::optional<DragRefusal> check_target(const DragPlan& plan, const Vec3& from, 
     if (plane && plane->offset(from) * plane->offset(to) < 0.0 && !is_on_plane(plan, from)) {
         return refuse_across(*plane, from, to);
     }
+    if (plane && plan.fold_free && is_on_plane(plan, to) && !is_on_plane(plan, from)) {
+        return refuse_onto(to);
+    }
     if (!plan.fold_free || plan.follows_point || plan.lattice.influences(to) ||
         (plane && plan.lattice.influences(plane->image(to)))) {
         return std::nullopt;
@@ -63,6 +87,8 @@ std::optional<DragRefusal> check_target(const DragPlan& plan, const Vec3& from, 
 constexpr double kLookAhead = 1.5;
 // What a bound may be off by, so that it never grants what the proof itself would not.
 constexpr double kRounding = 1e-9;
+// Of a turn, in a step.
+constexpr double kDegreesAStep = 80.0;
 
 class Planner {
   public:
@@ -97,23 +123,57 @@ class Planner {
                 return motions_between(a, b, done, of == 1 ? 1.0 : done + (1.0 - done) / double(of),
                                        is_last);
             };
-            if (const auto refusal = solver_->check(motions(1))) return refusal;
-            while (plan_.fold_free) {
-                const double t = guard_->limit(solver_->step(motions(pieces)));
-                if (t >= 1.0) break;
-                const double enough = std::ceil(static_cast<double>(pieces) / t);
-                if (!(enough <= static_cast<double>(kMaxSteps - warp_.steps.size()))) {
-                    return refuse_steps(b);
-                }
-                pieces = std::max(pieces + 1, static_cast<std::size_t>(enough));
+            if (auto refusal = solver_->check(motions(1))) return on_the_way(*refusal, b, is_last);
+            if (warp_.steps.size() == kMaxSteps) return refuse_waypoints();
+            if (plan_.fold_free) {
+                const auto enough = enough_pieces(pieces, done, motions, is_last);
+                if (!enough) return refuse_steps(target(b, is_last));
+                pieces = *enough;
             }
-            if (warp_.steps.size() + pieces > kMaxSteps) return refuse_steps(b);
             points_.push_back(grips_.front().point);
             warp_.steps.emplace_back(solver_->step(motions(pieces)));
             if (pieces == 1) return std::nullopt;
             done += (1.0 - done) / static_cast<double>(pieces);
             --pieces;
         }
+    }
+
+    // In how many equal steps, from `pieces` up, the rest of the segment may go, as far as the next
+    // of them tells; none if in no more than there may be.
+    template <typename Motions>
+    std::optional<std::size_t> enough_pieces(std::size_t pieces, double done,
+                                             const Motions& motions, bool is_last) {
+        const std::size_t most = kMaxSteps - warp_.steps.size();
+        for (const DragPlan::Move& move : plan_.moves) {
+            if (is_last) pieces = std::max(pieces, move.turn.least_steps(1.0 - done));
+        }
+        while (pieces <= most) {
+            const double t = guard_->limit(solver_->step(motions(pieces)));
+            if (t >= 1.0) return pieces;
+            const double enough = std::ceil(static_cast<double>(pieces) / t);
+            if (!(enough <= static_cast<double>(most))) return std::nullopt;
+            pieces = std::max(pieces + 1, static_cast<std::size_t>(enough));
+        }
+        return std::nullopt;
+    }
+
+    // Of the moves in the segment to b the target of the one that goes farthest.
+    Vec3 target(const Vec3& b, bool is_last) const {
+        Vec3 farthest = b;
+        double distance = glm::distance(grips_.front().point, b);
+        for (std::size_t m = 1; is_last && m < grips_.size(); ++m) {
+            const double of_move = glm::distance(grips_[m].point, plan_.moves[m].to);
+            if (!(of_move > distance)) continue;
+            distance = of_move;
+            farthest = plan_.moves[m].to;
+        }
+        return farthest;
+    }
+
+    // A refusal of a later step speaks of places that are in none of the moves.
+    DragRefusal on_the_way(DragRefusal refusal, const Vec3& b, bool is_last) const {
+        if (warp_.steps.empty()) return refusal;
+        return {"on the way to " + decimal(target(b, is_last)) + ", " + refusal.what};
     }
 
     static Vec3 between(const Vec3& a, const Vec3& b, double share) {
@@ -137,7 +197,9 @@ class Planner {
                 grips_.front().point - 0.5 * Vec3{lattice.deformable - 1} * lattice.cell;
         }
         auto solved = DragSolver::create(lattice, grips_, plan_.pins, plan_.plane);
-        if (auto* refusal = std::get_if<DragRefusal>(&solved)) return std::move(*refusal);
+        if (auto* refusal = std::get_if<DragRefusal>(&solved)) {
+            return on_the_way(std::move(*refusal), b, is_last);
+        }
         solver_.emplace(std::move(std::get<DragSolver>(solved)));
         if (plan_.fold_free) guard_.emplace(*solver_);
         return std::nullopt;
@@ -168,12 +230,18 @@ class Planner {
 // Rodrigues' formula.
 Mat3 Turn::jacobian(double share) const {
     if (is_none()) return Mat3{1.0};
-    const Vec3 k = unit_or_zero(axis);
+    const Vec3 k = unit_axis(*this);
     const double angle = share * degrees * std::numbers::pi / 180.0;
     const Mat3 cross{0.0, k.z, -k.y, -k.z, 0.0, k.x, k.y, -k.x, 0.0};
     const Mat3 rotation =
         Mat3{1.0} + std::sin(angle) * cross + (1.0 - std::cos(angle)) * (cross * cross);
     return std::pow(scale, share) * rotation;
+}
+
+std::size_t Turn::least_steps(double share) const {
+    // A share of 1/n of it, n steps before the end, is not rounded up to a step more.
+    const double steps = std::ceil(share * std::abs(degrees) / kDegreesAStep - kRounding);
+    return std::max(std::size_t{1}, static_cast<std::size_t>(steps));
 }
 
 std::optional<DragRefusal> check_drag(const DragPlan& plan) {

@@ -13,13 +13,21 @@
 
 namespace pectin {
 
-// A turn about `axis` (any length) by `degrees`, and a growth by `scale`.
+// Of a turn; beyond them it is a slip of the hand or of a script.
+inline constexpr double kMostDegrees = 3600.0;
+inline constexpr double kMostGrowth = 1000.0;  // or its inverse
+
+// A turn about `axis` (any length above 0) by `degrees`, and a growth by `scale`.
 struct Turn {
     Vec3 axis{0.0, 0.0, 1.0};
     double degrees = 0.0;
     double scale = 1.0;
 
     bool is_none() const { return degrees == 0.0 && scale == 1.0; }
+    // In how many steps at least this share of it is taken without folding: none turns by more than
+    // 80 degrees. At 90 the Jacobian's symmetric part is definite no longer, and a Jacobian does
+    // not tell a full turn from none.
+    std::size_t least_steps(double share = 1.0) const;
     // Its Jacobian, or that of a share of it: those of shares that add up to 1 multiply to that
     // of 1.
     Mat3 jacobian(double share = 1.0) const;
@@ -32,7 +40,8 @@ struct DragPlan {
         Turn turn{};  // about the point
     };
     // The first move goes along `via`, in straight segments; each waypoint is a step's end. All
-    // else (other moves, turns) waits for the last segment and is spread evenly over it.
+    // else (other moves, turns) waits for the last segment and is spread evenly over it. With
+    // fold_free a turn goes all the way round; else only where it ends counts.
     std::vector<Move> moves;
     std::vector<Vec3> pins{}, via{};
     bool fold_free = false;              // else each segment is one step, whatever it folds
@@ -53,8 +62,9 @@ inline constexpr std::size_t kMaxSteps = 256;
 
 // Each step is as long as the proof allows, or so that all that remain are equally long. The point
 // ends at its target as exactly as a single solve takes it there. Refused: what a DragSolver
-// refuses anywhere on the way; a move or waypoint across the plane; with fold_free and a fixed
-// lattice a target outside its zone, which no one to one deformation reaches; more than kMaxSteps.
+// refuses anywhere on the way; turns beyond the limits above; a move or waypoint across the plane;
+// more than kMaxSteps; with fold_free what no one to one deformation reaches: a target on the plane
+// of a point beside it, or, with a fixed lattice, outside its zone.
 // Cost: a solve and two or three proofs a step.
 std::variant<PlannedDrag, DragRefusal> plan_drag(const DragPlan& plan);
 

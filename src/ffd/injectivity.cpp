@@ -15,6 +15,9 @@ namespace {
 constexpr double kSameKnot = 1e-9;
 // Displacements whose cross product is below this share of their squared length are parallel.
 constexpr double kParallel = 1e-12;
+// Displacements of this many cells are not looked at: their squares and determinants would leave
+// the range of numbers.
+constexpr double kSteepest = 1e90;
 // Halvings of an interval of t: to the last digit.
 constexpr int kBisections = 52;
 
@@ -217,6 +220,14 @@ void for_each_box(const IVec3& from, const IVec3& to, const Visit& visit) {
     }
 }
 
+bool is_within_numbers(const LatticeField& field) {
+    const double most = kSteepest * field.lattice().smallest_cell_extent();
+    return std::all_of(
+        field.displacements().begin(), field.displacements().end(), [&](const Vec3& d) {
+            return std::abs(d.x) <= most && std::abs(d.y) <= most && std::abs(d.z) <= most;
+        });
+}
+
 // The unit vector along which all displacements lie, if there is one.
 std::optional<Vec3> common_direction(std::span<const LatticeField> sum) {
     Vec3 longest{0.0};
@@ -286,6 +297,7 @@ double limit_over_boxes(std::span<const LatticeField> sum, double most, const Pa
 
 double injective_limit(std::span<const LatticeField> sum, double most) {
     assert(!sum.empty());
+    if (!std::all_of(sum.begin(), sum.end(), is_within_numbers)) return 0.0;
     if (const auto direction = common_direction(sum)) {
         const auto along = [&](const Vec3& d) { return glm::dot(d, *direction); };
         return limit_over_boxes<double>(

@@ -13,8 +13,7 @@
 // - All of D moves along one direction d, D = w d (one move, or several by the same vector). Then
 //   det(I + t∇D) = 1 + t∇w·d = 1 + t tr ∇D, and tr ∇D(x) ≥ min_i tr G_i.
 // - Otherwise, with S_i the symmetric part of G_i: if every I + tS_i is positive definite, so is
-// the
-//   symmetric part of I + t∇D(x), a convex combination of them; then vᵀ(I + t∇D)v > 0 for all
+//   the symmetric part of I + t∇D(x), a convex combination of them; then vᵀ(I + t∇D)v > 0 for all
 //   v ≠ 0, so the Jacobian is regular, and det > 0, as it is connected to the identity by t → 0.
 //
 // Each holds for every t below the one for which it fails first, since both conditions are convex
@@ -37,8 +36,9 @@ namespace pectin {
 inline constexpr double kLeastStretch = 0.05;
 
 // The largest t in (0, most] such that x + t·Σ D(x) is proven one to one, with kLeastStretch to
-// spare. sum: at least one field. Deterministic. Cost: about 5k multiplications for each cell that
-// moves, eight times as much again for each that is halved.
+// spare; 0 for displacements beyond 1e90 cells, of which nothing is proven. sum: at least one
+// field. Deterministic. Cost: about 5k multiplications for each cell that moves, eight times as
+// much again for each that is halved.
 double injective_limit(std::span<const LatticeField> sum, double most = 1.0);
 
 // A bound on |∇D(x)| over space (Frobenius norm, of the coefficients). Same cost.

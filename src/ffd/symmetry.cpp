@@ -65,11 +65,4 @@ LatticeField image(const MirrorPlane& plane, const LatticeField& field) {
     return {image(plane, lattice), std::move(displacements)};
 }
 
-Vec3 nearest_on_own_side(const MirrorPlane& plane, const Vec3& from, const Vec3& to,
-                         double tolerance) {
-    const double side = plane.offset(from);
-    const bool stays = std::abs(side) > tolerance && side * plane.offset(to) >= 0.0;
-    return stays ? to : plane.onto(to);
-}
-
 }  // namespace pectin

@@ -64,9 +64,4 @@ LatticeField image(const MirrorPlane& plane, const LatticeField& field);
 // places, and as a pair the lattice could not tell them apart.
 inline constexpr double kOnPlaneShare = 1e-6;
 
-// Where a point may go that was asked to go from `from` to `to`: within the plane from a point on
-// it, else not beyond it. tolerance: within this distance of the plane a point is on it.
-Vec3 nearest_on_own_side(const MirrorPlane& plane, const Vec3& from, const Vec3& to,
-                         double tolerance);
-
 }  // namespace pectin

@@ -173,6 +173,7 @@ bool Session::State::is_single_step(const command::Drag& drag, Refusal& refusal)
     if (!in_hand->is_one_step_left) return false;
     for (std::size_t m = 0; m < drag.moves.size(); ++m) {
         if (turns(drag.moves[m]) != turns(before.moves[m])) return false;
+        if (drag.fold_free && turn_of(drag.moves[m]).least_steps() > 1) return false;
     }
     const auto motions = last_motions(drag);
     if (const auto refused = check_drag(plan_of(drag))) {

@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdlib>
+#include <limits>
+#include <numbers>
 
 #include "ffd/drag_solver.h"
 #include "ffd/injective_steps.h"
@@ -96,6 +98,30 @@ TEST(InjectiveLimit, IsHowFarTheSameDragMayGo) {
     ASSERT_LT(t, 1.0);
     EXPECT_NEAR(injective_limit(brush_step(2.0 * by).lattice_fields()), 0.5 * t, 1e-12);
     EXPECT_EQ(injective_limit(brush_step(0.999 * t * by).lattice_fields()), 1.0);
+}
+
+// Where numbers end, products of them prove nothing.
+TEST(InjectiveLimit, GrantsNothingBeyondNumbers) {
+    const DragStep step = brush_step({0.0, 0.0, 1.0});
+    const std::vector<LatticeField> fields = step.lattice_fields();
+    const auto limit = [&](const Vec3& first, const Vec3& second) {
+        std::vector<Vec3> displacements(fields.front().displacements().size(), Vec3{0.0});
+        displacements[0] = first;
+        displacements[1] = second;
+        const std::array<LatticeField, 1> sum{{{step.field.lattice(), displacements}}};
+        return injective_limit(sum);
+    };
+    const double infinity = std::numeric_limits<double>::infinity();
+    EXPECT_GT(limit({1e9, 0, 0}, {0, 1e9, 0}), 0.0);
+    for (const double huge : {1e155, 1e300, infinity, std::nan("")}) {
+        EXPECT_EQ(limit({huge, 0, 0}, {0, huge, 0}), 0.0) << huge;
+        EXPECT_EQ(limit({huge, 0, 0}, {huge, 0, 0}), 0.0) << huge;
+    }
+    const auto solver = std::get<DragSolver>(
+        DragSolver::create(step.field.lattice(), std::array{Grip{.turns = true}}, {}));
+    FoldGuard guard(solver);
+    const std::array<GripMotion, 1> motions{GripMotion{Vec3{0.0}, Mat3{1e300}}};
+    EXPECT_EQ(guard.limit(solver.step(motions)), 0.0);
 }
 
 TEST(GradientBounds, BoundTheGradientEverywhere) {
@@ -255,9 +281,30 @@ TEST(FoldFreeDrag, RefusesTargetsThatNoOneToOneDeformationReaches) {
     plan.fold_free = true;
     plan.moves[0].to = {0.5, 0.5, 1.2};
     EXPECT_EQ(refusal(plan), "");
+    // Of several targets the one that is out of reach is named.
+    DragPlan second = brush_plan({0, 0, 0}, {0, 0, 0});
+    second.moves.push_back({{0.4, 0, 0}, {0.4, 0, 3.0}});
+    EXPECT_NE(refusal(second).find("(0.4, 0, 3)"), std::string::npos) << refusal(second);
+    // Where a step in between is refused, the drag it belongs to is told.
+    DragPlan left_behind = brush_plan({0, 0, 0}, {0, 0, 3});
+    left_behind.moves.push_back({{0.4, 0, 0}, {0.4, 0, 0}});
+    EXPECT_NE(refusal(left_behind).find("on the way to (0, 0, 3)"), std::string::npos)
+        << refusal(left_behind);
     DragPlan into_pin = brush_plan({0, 0, 0}, {0, 0, 1});
     into_pin.pins = {{0, 0, 0.5}};
     EXPECT_NE(refusal(into_pin), "");
+}
+
+TEST(FoldFreeDrag, TellsOfTooManyWaypoints) {
+    DragPlan plan = brush_plan({0, 0, 0}, {0, 0, 0.1});
+    for (std::size_t i = 0; i < kMaxSteps; ++i)
+        plan.via.push_back({0, 0.001 * double(i % 2 + 1), 0});
+    for (const bool fold_free : {false, true}) {
+        plan.fold_free = fold_free;
+        EXPECT_NE(refusal(plan).find("fewer waypoints"), std::string::npos) << refusal(plan);
+    }
+    plan.via.pop_back();
+    EXPECT_EQ(planned(plan).warp.steps.size(), kMaxSteps);
 }
 
 // --- Twist and scale
@@ -302,6 +349,50 @@ TEST(TwistedDrag, HasThePrescribedFrameAtThePoint) {
         }
         if (!plan.fold_free) continue;
         EXPECT_GT(least_determinant(warp, 2000, random), 0.0);
+    }
+}
+
+// The turn of the space at the point, summed up over the steps.
+double degrees_about_z(const Warp& warp, Vec3 x) {
+    double sum = 0.0;
+    for (const Warp::Step& step : warp.steps) {
+        const auto fields = std::get<DragStep>(step).lattice_fields();
+        const Vec3 image = jacobian_at(fields, x)[0];
+        sum += std::atan2(image.y, image.x) * 180.0 / std::numbers::pi;
+        x += fields.front().displacement(x);
+    }
+    return sum;
+}
+
+TEST(TwistedDrag, WithoutFoldingGoesAllTheWayRound) {
+    test::Random random(79);
+    for (const double degrees : {30.0, 179.0, 300.0, 360.0, -340.0, 725.0}) {
+        DragPlan plan = brush_plan({0, 0, 0}, {0.1, 0, 0});
+        plan.moves[0].turn = {.axis = {0, 0, 1}, .degrees = degrees};
+        const Warp warp = planned(plan).warp;
+        EXPECT_NEAR(degrees_about_z(warp, {0, 0, 0}), degrees, 1e-6);
+        EXPECT_GT(least_determinant(warp, 1000, random), 0.0);
+        // A single step only knows where the turn ends.
+        plan.fold_free = false;
+        const double rest = std::remainder(degrees, 360.0);
+        EXPECT_NEAR(degrees_about_z(planned(plan).warp, {0, 0, 0}), rest, 1e-6);
+    }
+}
+
+TEST(TwistedDrag, TakesAnAxisOfAnyLengthAndRefusesTurnsThatAreSlips) {
+    DragPlan plan = brush_plan({0, 0, 0}, {0, 0, 0.1});
+    plan.fold_free = false;
+    for (const double length : {1e-300, 1.0, 1e300}) {
+        plan.moves[0].turn = {.axis = {0, 0, length}, .degrees = 40.0};
+        EXPECT_NEAR(degrees_about_z(planned(plan).warp, {0, 0, 0}), 40.0, 1e-6);
+    }
+    for (const double scale : {0.0, -1.0, 1e-4, 1001.0, 1e300}) {
+        plan.moves[0].turn = {.scale = scale};
+        EXPECT_NE(refusal(plan).find("scale from 0.001 to 1000"), std::string::npos) << scale;
+    }
+    for (const double degrees : {3601.0, -1e300}) {
+        plan.moves[0].turn = {.degrees = degrees};
+        EXPECT_NE(refusal(plan).find("3600 degrees"), std::string::npos) << degrees;
     }
 }
 

@@ -136,14 +136,20 @@ TEST(SymmetricDrag, NeverFoldsWhereItsTwoBrushesMeet) {
     }
 }
 
+// On the plane it would meet its image: no one to one deformation goes there.
+TEST(SymmetricDrag, WithoutFoldingIsRefusedOnThePlaneBeforeAnyStep) {
+    EXPECT_NE(refusal(plan({0.5, 0, 0}, {0, 0.3, 0}, true)).find("(0, 0.3, 0) is on the symmetry"),
+              std::string::npos);
+    EXPECT_EQ(refusal(plan({0.5, 0, 0}, {0.05, 0.3, 0}, true)), "");
+    EXPECT_EQ(refusal(plan({0.5, 0, 0}, {0, 0.3, 0}, false)), "");
+}
+
 TEST(SymmetricDrag, RefusesToLeaveItsSideAndSaysHowFarItMayGo) {
     EXPECT_NE(refusal(plan({0.5, 0, 0}, {-0.2, 0.3, 0}, true)).find("(0, 0.3, 0)"),
               std::string::npos);
     EXPECT_NE(refusal(plan({0, 0, 0}, {0.2, 0.3, 0}, true)).find("(0, 0.3, 0)"), std::string::npos);
     EXPECT_NE(refusal(plan({1e-5, 0, 0}, {0.2, 0.3, 0}, false)).find("tear"), std::string::npos);
     EXPECT_EQ(refusal(plan({1e-5, 0, 0}, {1e-5, 0.3, 0}, false)), "");
-    EXPECT_EQ(nearest_on_own_side(kPlane, {0.5, 0, 0}, {-0.2, 1, 1}, 1e-9), Vec3(0, 1, 1));
-    EXPECT_EQ(nearest_on_own_side(kPlane, {-0.5, 0, 0}, {-0.2, 1, 1}, 1e-9), Vec3(-0.2, 1, 1));
     DragPlan twist = plan({0, 0, 0}, {0, 0, 0}, false);
     twist.moves[0].turn = {{0, 1, 0}, 20.0, 1.0};
     EXPECT_NE(refusal(twist).find("only be twisted about its normal, x"), std::string::npos);
