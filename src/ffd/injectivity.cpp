@@ -4,6 +4,7 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <limits>
 #include <optional>
 #include <vector>
 
@@ -18,6 +19,9 @@ constexpr double kParallel = 1e-12;
 // Displacements of this many cells are not looked at: their squares and determinants would leave
 // the range of numbers.
 constexpr double kSteepest = 1e90;
+// What rounding may take from a cheap bound, as a share of it: it then passes over no box that the
+// coefficients themselves would lower the limit by.
+constexpr double kRounding = 1e-9;
 // Halvings of an interval of t: to the last digit.
 constexpr int kBisections = 52;
 
@@ -125,6 +129,24 @@ struct Coefficients {
             default:
                 return 3.0 / extent * (value(3) - value(2));
         }
+    }
+    // Of the differences of neighbours along the axis, each times 3/extent, the one of which
+    // measure(difference) is largest; the axis' slopes are means of them. Sixteen lines at once,
+    // none of which waits for another.
+    template <typename Measure>
+    double largest_slope(int axis, const Measure& measure) const {
+        const std::size_t steps = axis == 0 ? 1 : axis == 1 ? 4 : 16;
+        const double factor = 3.0 / width[axis];
+        std::array<double, 16> largest;
+        largest.fill(-std::numeric_limits<double>::infinity());
+        for (std::size_t p = 0; p < 3; ++p) {
+            for (std::size_t line = 0; line < 16; ++line) {
+                const std::size_t at = line % steps + line / steps * steps * 4 + p * steps;
+                const double value = measure(factor * (of[at + steps] - of[at]));
+                largest[line] = largest[line] < value ? value : largest[line];
+            }
+        }
+        return *std::max_element(largest.begin(), largest.end());
     }
     std::array<T, 3> gradient(int flat) const {
         return {slope(flat, flat % 4, 1, width.x), slope(flat, flat / 4 % 4, 4, width.y),
@@ -249,36 +271,72 @@ bool is_positive_definite(const Mat3& m) {
     return m[0][0] > 0.0 && m[0][0] * m[1][1] > m[1][0] * m[1][0] && glm::determinant(m) > 0.0;
 }
 
-// The largest t ≤ most for which one coefficient of the divergence keeps det J positive enough.
-double limit_of_divergence(double divergence, double most) {
-    return 1.0 - kLeastStretch + most * divergence >= 0.0 ? most
-                                                          : (1.0 - kLeastStretch) / -divergence;
-}
-
-// The same for one of the gradient and the symmetric part of J.
-double limit_of_symmetric_part(const Mat3& g, double most) {
-    const Mat3 symmetric = 0.5 * (g + glm::transpose(g));
-    const auto allows = [&](double t) {
-        return is_positive_definite(Mat3{1.0 - kLeastStretch} + t * symmetric);
-    };
-    if (allows(most)) return most;
-    double low = 0.0, high = most;
-    for (int i = 0; i < kBisections; ++i) {
-        const double middle = 0.5 * (low + high);
-        (allows(middle) ? low : high) = middle;
+// At least the squared Frobenius norm of every gradient coefficient.
+double squared_norm_bound(const Coefficients<Vec3>& coefficients) {
+    double sum = 0.0;
+    for (int axis = 0; axis < 3; ++axis) {
+        sum +=
+            coefficients.largest_slope(axis, [](const Vec3& slope) { return dot(slope, slope); });
     }
-    return low;
+    return sum;
 }
 
-// limit(gradient, most): what one coefficient allows. Boxes that allow less than all so far are
-// halved.
-template <typename T, typename Part, typename Limit>
-double limit_over_boxes(std::span<const LatticeField> sum, double most, const Part& part,
-                        const Limit& limit) {
-    const BernsteinGrid whole(sum, 1), halved(sum, 2);
+// What one coefficient of the gradient allows where all displacements lie along one direction.
+struct DivergenceLimit {
+    Vec3 direction;
+
+    double part(const Vec3& d) const { return glm::dot(d, direction); }
+    // The largest t ≤ most for which it keeps det J positive enough.
+    double operator()(const std::array<double, 3>& gradient, double most) const {
+        const double divergence = glm::dot(Vec3{gradient[0], gradient[1], gradient[2]}, direction);
+        return 1.0 - kLeastStretch + most * divergence >= 0.0 ? most
+                                                              : (1.0 - kLeastStretch) / -divergence;
+    }
+    // Whether all coefficients allow `most`, by the steepest descent along each axis.
+    bool surely_allows(const Coefficients<double>& coefficients, double most) const {
+        double descent = 0.0;
+        for (int axis = 0; axis < 3; ++axis) {
+            descent += coefficients.largest_slope(
+                axis, [&](double slope) { return -slope * direction[axis]; });
+        }
+        return most * descent <= (1.0 - kLeastStretch) * (1.0 - kRounding);
+    }
+};
+
+// The same in general, by the symmetric part of J.
+struct SymmetricPartLimit {
+    static Vec3 part(const Vec3& d) { return d; }
+    double operator()(const std::array<Vec3, 3>& gradient, double most) const {
+        const Mat3 g{gradient[0], gradient[1], gradient[2]};
+        const Mat3 symmetric = 0.5 * (g + glm::transpose(g));
+        const auto allows = [&](double t) {
+            return is_positive_definite(Mat3{1.0 - kLeastStretch} + t * symmetric);
+        };
+        if (allows(most)) return most;
+        double low = 0.0, high = most;
+        for (int i = 0; i < kBisections; ++i) {
+            const double middle = 0.5 * (low + high);
+            (allows(middle) ? low : high) = middle;
+        }
+        return low;
+    }
+    // By the steepest slopes: no eigenvalue is beyond the Frobenius norm.
+    bool surely_allows(const Coefficients<Vec3>& coefficients, double most) const {
+        return most * std::sqrt(squared_norm_bound(coefficients)) <=
+               (1.0 - kLeastStretch) * (1.0 - kRounding);
+    }
+};
+
+// Boxes that allow less than all so far are halved.
+template <typename T, typename Limit>
+double limit_over_boxes(std::span<const LatticeField> sum, double most, const Limit& limit) {
+    const BernsteinGrid whole(sum, 1);
+    std::optional<BernsteinGrid> halved;
+    const auto part = [&](const Vec3& d) { return limit.part(d); };
     Coefficients<T> coefficients;
     double fraction = most;
     const auto lower = [&](double& t) {
+        if (limit.surely_allows(coefficients, t)) return;
         for (int flat = 0; flat < 64; ++flat) t = limit(coefficients.gradient(flat), t);
     };
     for_each_box(IVec3{0}, whole.counts(), [&](const IVec3& box) {
@@ -286,8 +344,9 @@ double limit_over_boxes(std::span<const LatticeField> sum, double most, const Pa
         double of_whole = fraction;
         lower(of_whole);
         if (of_whole == fraction) return;
+        if (!halved) halved.emplace(sum, 2);
         for_each_box(2 * box, 2 * box + 2, [&](const IVec3& eighth) {
-            if (halved.coefficients(eighth, part, coefficients)) lower(fraction);
+            if (halved->coefficients(eighth, part, coefficients)) lower(fraction);
         });
     });
     return fraction;
@@ -299,31 +358,33 @@ double injective_limit(std::span<const LatticeField> sum, double most) {
     assert(!sum.empty());
     if (!std::all_of(sum.begin(), sum.end(), is_within_numbers)) return 0.0;
     if (const auto direction = common_direction(sum)) {
-        const auto along = [&](const Vec3& d) { return glm::dot(d, *direction); };
-        return limit_over_boxes<double>(
-            sum, most, along, [&](const std::array<double, 3>& g, double t) {
-                return limit_of_divergence(glm::dot(Vec3{g[0], g[1], g[2]}, *direction), t);
-            });
+        return limit_over_boxes<double>(sum, most, DivergenceLimit{*direction});
     }
-    return limit_over_boxes<Vec3>(
-        sum, most, [](const Vec3& d) { return d; },
-        [](const std::array<Vec3, 3>& g, double t) {
-            return limit_of_symmetric_part(Mat3{g[0], g[1], g[2]}, t);
-        });
+    return limit_over_boxes<Vec3>(sum, most, SymmetricPartLimit{});
 }
 
 double gradient_bound(std::span<const LatticeField> sum) {
-    const BernsteinGrid grid(sum, 1);
-    Coefficients<Vec3> coefficients;
+    const BernsteinGrid whole(sum, 1), halved(sum, 2);
     const auto all = [](const Vec3& d) { return d; };
-    double largest = 0.0;
-    for_each_box(IVec3{0}, grid.counts(), [&](const IVec3& box) {
-        if (!grid.coefficients(box, all, coefficients)) return;
+    Coefficients<Vec3> coefficients;
+    const auto largest_norm = [&] {
+        double largest = 0.0;
         for (int flat = 0; flat < 64; ++flat) {
             const auto g = coefficients.gradient(flat);
             largest = std::max(largest,
                                glm::dot(g[0], g[0]) + glm::dot(g[1], g[1]) + glm::dot(g[2], g[2]));
         }
+        return largest;
+    };
+    double largest = 0.0;
+    for_each_box(IVec3{0}, whole.counts(), [&](const IVec3& box) {
+        if (!whole.coefficients(box, all, coefficients)) return;
+        if (squared_norm_bound(coefficients) <= largest || largest_norm() <= largest) return;
+        for_each_box(2 * box, 2 * box + 2, [&](const IVec3& eighth) {
+            if (halved.coefficients(eighth, all, coefficients)) {
+                largest = std::max(largest, largest_norm());
+            }
+        });
     });
     return std::sqrt(largest);
 }

@@ -41,7 +41,7 @@ inline constexpr double kLeastStretch = 0.05;
 // much again for each that is halved.
 double injective_limit(std::span<const LatticeField> sum, double most = 1.0);
 
-// A bound on |∇D(x)| over space (Frobenius norm, of the coefficients). Same cost.
+// A bound on |∇D(x)| over space (Frobenius norm, of the coefficients), found in the same way.
 double gradient_bound(std::span<const LatticeField> sum);
 
 }  // namespace pectin

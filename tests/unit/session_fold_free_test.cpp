@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <iostream>
+#include <numbers>
 
 #include "command/json.h"
 #include "geometry/ray.h"
@@ -110,6 +111,27 @@ TEST(FoldFreeSession, LeavesNoTrianglesThatCutThroughEachOther) {
             expect_done(session, fold_free(to));
             EXPECT_EQ(session.statistics().folded_vertices, 0u);
             EXPECT_EQ(crossings(session.mesh(), to, 2.0), 0u) << resolution;
+        }
+    }
+}
+
+// The cap of a cylinder, a fan of large flat triangles, pulled sideways and home again. It ends
+// nearly flat: only where it is refined by what happens in between does it follow.
+TEST(FoldFreeSession, CutsNoFlatTrianglesThatWereLongBetweenItsSteps) {
+    for (const double radius : {0.65, 0.8}) {
+        Session session;
+        expect_done(session, Shape{Shape::Kind::cylinder, 8});
+        expect_done(session, Brush{.radius = radius});
+        const Vec3 from{0, 1, 0};
+        for (int i = 0; i < 8; ++i) {
+            const double angle = 0.1 + 0.25 * std::numbers::pi * i;
+            expect_done(
+                session,
+                Drag{.moves = {{from, {0, 0.97, 0}}},
+                     .fold_free = true,
+                     .via = {from + 2.0 * radius * Vec3{std::cos(angle), 0, std::sin(angle)}}});
+            EXPECT_EQ(crossings(session.mesh(), from, 3.0), 0u) << radius << ", " << angle;
+            expect_done(session, Undo{});
         }
     }
 }
