@@ -4,8 +4,6 @@
 #include <cmath>
 #include <numbers>
 
-#include "ffd/drag_solver.h"
-
 namespace pectin {
 namespace {
 
@@ -47,21 +45,11 @@ void add_circle(Overlay& overlay, const Vec3& centre, const Vec3& normal, double
     overlay.points.push_back({centre, colour, 6.0f});
 }
 
-// The last step's, displaced as far as a single solve tells.
-void add_dragged_lattice(Overlay& overlay, const Lattice& lattice, const Session& session) {
-    const command::Drag& drag = session.drag_in_hand();
-    const Vec3 from = drag.via.empty() ? drag.moves.front().from : drag.via.back();
-    const Vec3 move = drag.moves.front().to - from;
-    const auto solved = DragSolver::create(lattice, std::array{from}, drag.pins);
-    const auto* solver = std::get_if<DragSolver>(&solved);
-    if (!solver || solver->check(std::array{move})) return add_lattice(overlay, lattice, {});
-    add_lattice(overlay, lattice, solver->control_displacements(std::array{move}));
-}
-
 void add_drag_in_hand(Overlay& overlay, const Editor& editor) {
     const Sculptor& sculptor = editor.sculptor();
-    if (const auto lattice = editor.session().lattice_in_use()) {
-        add_dragged_lattice(overlay, *lattice, editor.session());
+    // Of a drag in several steps the last one's.
+    for (const LatticeField& field : editor.session().lattices_in_hand()) {
+        add_lattice(overlay, field.lattice(), field.displacements());
     }
     add_drag(overlay, sculptor.from(), sculptor.to());
     const auto& plane = editor.session().symmetry();

@@ -1,10 +1,32 @@
 #include "ffd/warp.h"
 
 namespace pectin {
+namespace {
+
+// Lattices whose origins are this share of a cell apart are the same to who looks at them.
+constexpr double kSameLattice = 1e-9;
+
+bool are_same(const Lattice& a, const Lattice& b) {
+    return a.cell == b.cell && a.deformable == b.deformable &&
+           glm::length((a.origin - b.origin) / a.cell) <= kSameLattice;
+}
+
+}  // namespace
 
 std::vector<LatticeField> DragStep::lattice_fields() const {
     std::vector<LatticeField> fields{{field.lattice(), field.control_displacements(displacements)}};
     if (symmetry) fields.push_back(image(symmetry->plane, fields.front()));
+    return fields;
+}
+
+std::vector<LatticeField> lattice_fields(const Warp::Step& step) {
+    const auto* drag = std::get_if<DragStep>(&step);
+    if (!drag) return {std::get<LatticeField>(step)};
+    std::vector<LatticeField> fields = drag->lattice_fields();
+    if (fields.size() < 2 || !are_same(fields[0].lattice(), fields[1].lattice())) return fields;
+    const std::span<Vec3> sum = fields[0].displacements();
+    for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += fields[1].displacements()[i];
+    fields.pop_back();
     return fields;
 }
 

@@ -56,6 +56,9 @@ inline const Lattice& lattice_of(const Warp::Step& step) {
     const auto* drag = std::get_if<DragStep>(&step);
     return drag ? drag->field.lattice() : std::get<LatticeField>(step).lattice();
 }
+// The displaced lattices of one step, whose fields add up: one, or two of a symmetric drag. Where
+// these are the same, as of a cage about the plane, one with the displacements of both.
+std::vector<LatticeField> lattice_fields(const Warp::Step& step);
 // The influenced zones of one step: one, or two of a symmetric drag.
 std::vector<Box> zones_of(const Warp::Step& step);
 

@@ -326,6 +326,12 @@ std::optional<Lattice> Session::lattice_in_use() const {
     return is_dragging() ? state_->in_hand->lattice : state_->lattice_in_use;
 }
 
+std::vector<LatticeField> Session::lattices_in_hand() const {
+    assert(is_dragging());
+    if (!state_->in_hand->gesture) return {};
+    return lattice_fields(state_->in_hand->gesture->warp().steps.back());
+}
+
 std::optional<Pick> Session::pick(const Ray& ray) {
     if (!state_->has_object() || is_dragging()) return std::nullopt;
     const auto first = state_->face_tree().first_hit(ray, mesh());
@@ -360,27 +366,6 @@ Statistics Session::statistics() const { return state_->statistics(); }
 const std::optional<MirrorPlane>& Session::symmetry() const { return state_->symmetry; }
 
 const History& Session::history() const { return state_->history; }
-
-std::optional<IVec3> Session::pick_control(const Ray& ray, double slope) const {
-    const auto& cage = state_->lattice_settings.cage;
-    if (!cage) return std::nullopt;
-    std::optional<IVec3> found;
-    double nearest = std::numeric_limits<double>::infinity();
-    const Vec3 along = glm::normalize(ray.direction);
-    for (int k = 0; k < cage->deformable.z; ++k) {
-        for (int j = 0; j < cage->deformable.y; ++j) {
-            for (int i = 0; i < cage->deformable.x; ++i) {
-                const Vec3 to = cage->rest({i, j, k}) - ray.origin;
-                const double depth = glm::dot(to, along);
-                if (!(depth > 0.0) || depth >= nearest) continue;
-                if (glm::length(to - depth * along) > slope * depth) continue;
-                nearest = depth;
-                found = IVec3{i, j, k};
-            }
-        }
-    }
-    return found;
-}
 
 const BuildReport& Session::input_report() const { return state_->input_report; }
 

@@ -10,6 +10,7 @@
 #include "command/command.h"
 #include "command/statistics.h"
 #include "ffd/lattice.h"
+#include "ffd/lattice_field.h"
 #include "ffd/symmetry.h"
 #include "geometry/ray.h"
 #include "mesh/tri_mesh.h"
@@ -91,9 +92,6 @@ class Session {
     std::optional<std::string> begin_control(std::span<const IVec3> indices);
     std::optional<std::string> control_to(std::span<const Vec3> targets);
     std::optional<command::Control> end_control();
-    // The nearest control point of the cage within a cone about the ray: `slope` is how far beside
-    // it for each unit along it. Cost: O(control points).
-    std::optional<IVec3> pick_control(const Ray& ray, double slope) const;
 
     // Draws screenshots from now on; none: they are refused. Must outlive the session or be taken
     // away.
@@ -105,6 +103,9 @@ class Session {
     std::optional<Pick> pick(const Ray& ray);
     // Of the last drag, or of the one in hand.
     std::optional<Lattice> lattice_in_use() const;
+    // What the last step of the drag in hand does, as displaced lattices whose fields add up: one,
+    // or with symmetry that and its image where they are not the same. Cost: O(control points).
+    std::vector<LatticeField> lattices_in_hand() const;
     // What has changed since it was last asked. Cost: O(changed).
     DirtyElements take_dirty();
     Statistics statistics() const;  // O(n)

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
@@ -243,6 +244,48 @@ TEST(TwistedSession, TurnsAndGrowsWhatIsRightAtThePoint) {
     }
 }
 
+// --- What is shown of a drag
+
+// The lattices that the window draws are those that move the object: turned, and on both sides.
+TEST(LatticesInHand, MoveTheSurfaceAsTheFrameHas) {
+    for (const double x : {0.0, 0.1, 0.9}) {
+        Session session = session_with(Shape::Kind::sphere, 4, 0.6);
+        expect_done(session, Adapt{.enabled = false});
+        expect_done(session, command::Symmetry{.plane = Plane::x});
+        if (x == 0.9) expect_done(session, Cage{Cage::Fit{{4, 3, 5}}});
+        const std::vector<Vec3> before = positions(session.mesh());
+        const Vec3 from{x, 0, std::sqrt(1.0 - x * x)};
+        ASSERT_FALSE(session.begin_drag(std::array{from}, std::array{Vec3{0.3, 0.3, 0.9}}));
+        const Vec3 axis = x == 0.0 ? Vec3{1, 0, 0} : Vec3{1, 2, 3};
+        const DragTarget target{from + Vec3{0, 0.1, 0.2}, Drag::Twist{axis, 40.0}, 1.2};
+        ASSERT_FALSE(session.drag_to(std::array{target}));
+        const std::vector<LatticeField> fields = session.lattices_in_hand();
+        EXPECT_EQ(fields.size(), x == 0.1 ? 2u : 1u) << x;
+        const std::vector<Vec3> after = positions(session.mesh());
+        double farthest = 0.0;
+        for (std::size_t i = 0; i < before.size(); ++i) {
+            Vec3 expected = before[i];
+            for (const LatticeField& field : fields) expected += field.displacement(before[i]);
+            EXPECT_LT(glm::distance(after[i], expected), 1e-6);
+            farthest = std::max(farthest, glm::distance(after[i], before[i]));
+        }
+        EXPECT_GT(farthest, 0.2);
+        session.cancel_drag();
+    }
+}
+
+TEST(LatticesInHand, OfControlPointsAreTheCage) {
+    Session session = session_with(Shape::Kind::sphere, 2, 0.6);
+    expect_done(session, Cage{Cage::Fit{{3, 3, 3}}});
+    ASSERT_FALSE(session.begin_control(std::array{IVec3{1, 1, 2}}));
+    ASSERT_FALSE(session.control_to(std::array{Vec3{0, 0, 1.5}}));
+    const std::vector<LatticeField> fields = session.lattices_in_hand();
+    ASSERT_EQ(fields.size(), 1u);
+    const std::size_t at = fields[0].lattice().control_index({1, 1, 2});
+    EXPECT_LT(glm::distance(fields[0].displacements()[at], Vec3(0, 0, 0.5)), 1e-12);
+    session.cancel_drag();
+}
+
 // --- Control points
 
 const Cage kCage{Cage::Grid{.origin = Vec3{-1.0}, .cell = Vec3{1.0}, .deformable = {3, 3, 3}}};
@@ -330,16 +373,6 @@ TEST(ControlPoints, ThatAreNotThereAreRefused) {
         refusal_of(session, Control{{{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {1, 0, 0}}}}), "once"));
     EXPECT_FALSE(refusal_of(session, Control{}).empty());
     EXPECT_FALSE(refusal_of(session, Control{{{{0, 0, 0}, {1e30, 0, 0}}}}).empty());
-}
-
-TEST(ControlPoints, ArePickedNearestToTheEyeWithinACone) {
-    Session session = session_with(Shape::Kind::sphere, 2, 0.5);
-    const Ray ray{{0.02, 0, 5}, {0, 0, -2}};
-    EXPECT_FALSE(session.pick_control(ray, 0.05).has_value());
-    expect_done(session, kCage);
-    EXPECT_EQ(session.pick_control(ray, 0.05), IVec3(1, 1, 2));
-    EXPECT_FALSE(session.pick_control(ray, 0.001).has_value());
-    EXPECT_FALSE(session.pick_control({{0, 0, -5}, {0, 0, -1}}, 0.05).has_value());
 }
 
 }  // namespace
