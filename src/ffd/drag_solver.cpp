@@ -26,10 +26,11 @@ DragRefusal refuse_outside(const Vec3& point, const Box& zone) {
             "; move the cage so that the point lies inside, or drag a point that does"};
 }
 
-DragRefusal refuse_border(const Vec3& point, const Box& zone) {
+DragRefusal refuse_border(const Vec3& point, const Box& zone, double max_gain) {
     return {"move point " + decimal(point) + " is too close to the border of the influenced zone " +
             decimal(zone.min) + " to " + decimal(zone.max) + ": a control point would move over " +
-            decimal(kMaxControlGain) + " times as far; move the cage or take a larger radius"};
+            decimal(max_gain) +
+            " times as far; stay away from the border, or take a larger cage or radius"};
 }
 
 DragRefusal refuse_dependent(const Vec3& a, const Vec3& b, std::size_t constraints,
@@ -157,8 +158,8 @@ std::variant<Eigen::MatrixXd, DragRefusal> invert(std::span<const Constraint> ro
 
 class DragSolver::Builder {
   public:
-    Builder(const Lattice& lattice, const std::optional<MirrorPlane>& plane)
-        : lattice_(lattice), plane_(plane) {}
+    Builder(const Lattice& lattice, const std::optional<MirrorPlane>& plane, double max_gain)
+        : lattice_(lattice), plane_(plane), max_gain_(max_gain) {}
 
     std::variant<DragSolver, DragRefusal> build(std::span<const Grip> grips,
                                                 std::span<const Vec3> pins) {
@@ -212,8 +213,11 @@ class DragSolver::Builder {
         move.same_place = static_cast<std::size_t>(there - moves_.begin());
         for (const double parity : parities()) {
             const double gain = add_column({move.point, -1, parity});
-            if (parity > 0.0 && !(gain <= kMaxControlGain)) return refuse_border(grip.point, zone);
-            if (parity < 0.0) move.is_near_plane = !move.is_on_plane && !(gain <= kMaxControlGain);
+            if (parity < 0.0) {
+                move.is_near_plane = !move.is_on_plane && !(gain <= kMaxControlGain);
+            } else if (!(gain <= max_gain_)) {
+                return refuse_border(grip.point, zone, max_gain_);
+            }
         }
         for (int along = 0; grip.turns && along < 3; ++along) {
             for (const double parity : parities()) {
@@ -291,6 +295,7 @@ class DragSolver::Builder {
 
     const Lattice& lattice_;
     const std::optional<MirrorPlane>& plane_;
+    double max_gain_;
     std::vector<Constraint> constraints_;  // the driven ones first
     std::vector<Column> columns_;
     std::vector<bool> repeats_;  // of the columns
@@ -307,10 +312,11 @@ DragSolver::DragSolver(DragField field, std::optional<Symmetry> symmetry, std::v
 std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,
                                                          std::span<const Grip> grips,
                                                          std::span<const Vec3> pins,
-                                                         const std::optional<MirrorPlane>& plane) {
+                                                         const std::optional<MirrorPlane>& plane,
+                                                         double max_gain) {
     if (!lattice.is_valid()) return refuse_lattice();
     if (const auto refusal = check_pins(pins)) return *refusal;
-    return Builder(lattice, plane).build(grips, pins);
+    return Builder(lattice, plane, max_gain).build(grips, pins);
 }
 
 std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,

@@ -29,6 +29,10 @@ inline constexpr std::size_t kMaxConstraints = 1024;
 // Near the border of the influenced zone the basis falls to zero by the third power, and meeting a
 // drag throws the control points far. Past this many times the drag the rest of the zone is torn.
 inline constexpr double kMaxControlGain = 1000.0;
+// The same where folds are prevented: a hand that goes on along the border shears the zone anew in
+// every step, and its refinement has no end (measured in 16 drags along a cage's border: up to
+// 1,300,000 faces, within this limit up to 32,000).
+inline constexpr double kMaxFoldFreeGain = 100.0;
 
 // The least squared sine of the angle between a constraint's row and the span of the others'. At
 // 1e-8 two points are about 1e-4 cells apart: asking them to differ shears the lattice 1e4 times
@@ -51,10 +55,11 @@ class DragSolver {
     // Factorises once a gesture. grips: at least one, all strictly inside the influenced zone (or,
     // with a plane, inside its image). pins: points to hold; pins outside are held anyway. Points
     // at the same place count once. Everything in world space, at rest. With a plane all of it is
-    // met on both sides. O(n³) in the distinct rows.
+    // met on both sides. max_gain: how far a control point may be thrown for a grip, in times its
+    // move. O(n³) in the distinct rows.
     static std::variant<DragSolver, DragRefusal> create(
         const Lattice& lattice, std::span<const Grip> grips, std::span<const Vec3> pins,
-        const std::optional<MirrorPlane>& plane = std::nullopt);
+        const std::optional<MirrorPlane>& plane = std::nullopt, double max_gain = kMaxControlGain);
     // The same for points that do not turn.
     static std::variant<DragSolver, DragRefusal> create(const Lattice& lattice,
                                                         std::span<const Vec3> move_points,

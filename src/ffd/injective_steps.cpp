@@ -196,7 +196,8 @@ class Planner {
             lattice.origin =
                 grips_.front().point - 0.5 * Vec3{lattice.deformable - 1} * lattice.cell;
         }
-        auto solved = DragSolver::create(lattice, grips_, plan_.pins, plan_.plane);
+        auto solved = DragSolver::create(lattice, grips_, plan_.pins, plan_.plane,
+                                         plan_.fold_free ? kMaxFoldFreeGain : kMaxControlGain);
         if (auto* refusal = std::get_if<DragRefusal>(&solved)) {
             return on_the_way(std::move(*refusal), b, is_last);
         }

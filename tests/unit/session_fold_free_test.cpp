@@ -209,6 +209,32 @@ TEST(FoldFreeSession, GivesEverythingBackWhereALongDragIsCancelled) {
     expect_done(session, fold_free({0, 0, 1.3}));
 }
 
+// Along the border of a cage every step shears what is there already.
+TEST(FoldFreeSession, RefusesTheBorderOfACageBeforeRefinementHasNoEnd) {
+    for (std::uint64_t seed = 1; seed <= 4; ++seed) {
+        test::Random random(seed);
+        Session session = sphere(3, 0.4);
+        expect_done(session, command::Cage{command::Cage::Fit{{4, 4, 4}}});
+        ASSERT_FALSE(session.begin_drag(std::vector{kFront}, {}, {.fold_free = true}));
+        Vec3 at = kFront, velocity = 0.06 * random.direction();
+        std::string refused;
+        for (int frame = 0; frame < 60; ++frame) {
+            at += velocity + 0.05 * random.direction();
+            if (glm::length(at) > 4.0) velocity = -velocity;
+            const auto refusal = session.drag_to(std::vector{at});
+            if (refusal && refusal->find("too close to the border") != std::string::npos) {
+                refused = *refusal;
+            }
+        }
+        if (seed != 2) {  // which stays away from it
+            EXPECT_NE(refused.find("100 times"), std::string::npos) << "seed " << seed;
+        }
+        session.end_drag();
+        EXPECT_LT(session.statistics().faces, 40'000u) << "seed " << seed;
+        EXPECT_EQ(session.statistics().folded_vertices, 0u);
+    }
+}
+
 TEST(FoldFreeSession, KeepsTheFrameWhereTheNextIsRefused) {
     Session session = sphere(3, 0.4);
     expect_done(session, command::Cage{command::Cage::Fit{{4, 4, 4}}});
