@@ -90,6 +90,12 @@ constexpr double kRounding = 1e-9;
 // Of a turn, in a step.
 constexpr double kDegreesAStep = 80.0;
 
+// The largest t in (0, 1] for which t times the step is proven; the guard and the planner have to
+// agree on it to the bit.
+double proven_share(const DragStep& step) {
+    return std::min(1.0, injective_limit(step.lattice_fields(), kLookAhead));
+}
+
 class Planner {
   public:
     explicit Planner(const DragPlan& plan) : plan_(plan) {
@@ -148,7 +154,7 @@ class Planner {
             if (is_last) pieces = std::max(pieces, move.turn.least_steps(1.0 - done));
         }
         while (pieces <= most) {
-            const double t = guard_->limit(solver_->step(motions(pieces)));
+            const double t = proven_share(solver_->step(motions(pieces)));
             if (t >= 1.0) return pieces;
             const double enough = std::ceil(static_cast<double>(pieces) / t);
             if (!(enough <= static_cast<double>(most))) return std::nullopt;
@@ -202,7 +208,6 @@ class Planner {
             return on_the_way(std::move(*refusal), b, is_last);
         }
         solver_.emplace(std::move(std::get<DragSolver>(solved)));
-        if (plan_.fold_free) guard_.emplace(*solver_);
         return std::nullopt;
     }
 
@@ -223,7 +228,6 @@ class Planner {
     Warp warp_;
     std::vector<Vec3> points_;
     std::optional<DragSolver> solver_;
-    std::optional<FoldGuard> guard_;
 };
 
 }  // namespace

@@ -82,7 +82,7 @@ class FoldGuard {
   public:
     explicit FoldGuard(const DragSolver& solver);
 
-    // The largest t in (0, 1] as injective_limit() finds it.
+    // The largest t in (0, 1] as injective_limit() finds it, or 0.
     double limit(const DragStep& step);
 
   private:
