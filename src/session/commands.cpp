@@ -1,0 +1,184 @@
+// Commands that are done at once: objects, settings, refinement of the whole, files.
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "command/json.h"
+#include "geometry/decimal.h"
+#include "io/atomic_file.h"
+#include "mesh/shapes.h"
+#include "session/input_summary.h"
+#include "session/session_state.h"
+
+namespace pectin {
+namespace {
+
+ShapeKind shape_kind(command::Shape::Kind kind) {
+    switch (kind) {
+        case command::Shape::Kind::sphere:
+            return ShapeKind::sphere;
+        case command::Shape::Kind::cube:
+            return ShapeKind::cube;
+        case command::Shape::Kind::plane:
+            return ShapeKind::plane;
+        case command::Shape::Kind::torus:
+            return ShapeKind::torus;
+        case command::Shape::Kind::cylinder:
+            return ShapeKind::cylinder;
+    }
+    return ShapeKind::sphere;
+}
+
+// Those of faces, strictly inside at least one of the zones.
+std::uint64_t vertices_inside(const TriMesh& mesh, std::span<const Box> zones) {
+    std::uint64_t count = 0;
+    for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
+        const VertexId v{i};
+        if (!mesh.is_live(v) || !exists(mesh.half_edge(v))) continue;
+        const auto contains = [&](const Box& zone) {
+            return zone.contains_strictly(mesh.position(v));
+        };
+        if (std::any_of(zones.begin(), zones.end(), contains)) ++count;
+    }
+    return count;
+}
+
+}  // namespace
+
+Refusal Session::State::run(const command::Open& open) {
+    adopt(load_model(open));
+    remark = input_summary(open.path, input_report);
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Shape& shape) {
+    const ShapeKind kind = shape_kind(shape.kind);
+    const int least = kind == ShapeKind::sphere ? 0 : 1, most = max_resolution(kind);
+    if (shape.resolution < least || shape.resolution > most) {
+        return "resolution " + std::to_string(shape.resolution) + " must be from " +
+               std::to_string(least) + " to " + std::to_string(most) + " for this shape";
+    }
+    adopt(make_model(build_mesh(make_shape(kind, shape.resolution))));
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Adapt& adapt) {
+    const auto changed = adapt_settings.with(adapt);
+    if (const auto* refusal = std::get_if<std::string>(&changed)) return *refusal;
+    adapt_settings = std::get<AdaptSettings>(changed);
+    outcome = {};
+    history.forget_outcomes();
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Brush& brush) {
+    if (brush.radius && !(*brush.radius > 0.0 && std::isfinite(*brush.radius))) {
+        return "the radius " + decimal(*brush.radius) + " must be a number above 0";
+    }
+    if (brush.span && (*brush.span < kMinDeformable || *brush.span > kMaxDeformable)) {
+        return "the span " + std::to_string(*brush.span) + " must be from " +
+               std::to_string(kMinDeformable) + " to " + std::to_string(kMaxDeformable);
+    }
+    if (brush.radius) lattice_settings.radius = brush.radius;
+    lattice_settings.span = brush.span.value_or(lattice_settings.span);
+    lattice_settings.cage.reset();
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Cage& cage) {
+    Lattice lattice;
+    if (const auto* grid = std::get_if<command::Cage::Grid>(&cage.lattice)) {
+        lattice = {grid->origin, grid->cell, grid->deformable};
+    } else {
+        if (!has_object()) return kNoObject;
+        lattice.deformable = std::get<command::Cage::Fit>(cage.lattice).deformable;
+        if (lattice.is_valid()) lattice = fit_lattice(mesh->bounding_box(), lattice.deformable);
+    }
+    if (!lattice.is_valid()) {
+        return "the cage must be finite, with cells above 0 and from " +
+               std::to_string(kMinDeformable) + " to " + std::to_string(kMaxDeformable) +
+               " deformable control points an axis";
+    }
+    lattice_settings.cage = lattice;
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Symmetry& symmetry_command) {
+    symmetry.reset();
+    if (!symmetry_command.plane) return std::nullopt;
+    const int axis = static_cast<int>(*symmetry_command.plane);
+    symmetry = MirrorPlane{axis, symmetry_command.through[axis]};
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Readapt& readapt) {
+    if (!has_object()) return kNoObject;
+    Stopwatch stopwatch;
+    std::vector<FaceId> faces;
+    for (std::uint32_t i = 0; i < mesh->face_slots(); ++i) {
+        if (mesh->is_live(FaceId{i})) faces.push_back(FaceId{i});
+    }
+    last = {};
+    last.influenced_vertices = vertices_inside(*mesh, zones_in_use);
+    active->begin(faces, Box{});
+    last.seconds.begin = stopwatch.lap();
+    const Warp no_warp;
+    Embedding embedding(*active, no_warp);
+    AdaptLimits adapt_limits = limits(lattice_in_use);
+    // At the budget, refinement rests until a drag or the settings change.
+    const bool was_hit = outcome.budget_hit;
+    if (was_hit) adapt_limits.budget = 0;
+    const Adaptation adaptation =
+        adapt(*active, embedding, Criteria(adapt_limits, zones_in_use, {}));
+    MeshChange change = active->finish();
+    Frame frame;
+    frame.splits = adaptation.refinement.splits;
+    frame.unsplits = adaptation.decimation.unsplits;
+    frame.floor_hit = adaptation.refinement.floor_hit;
+    frame.budget_hit = adaptation.refinement.budget_hit || was_hit;
+    frame.blocked = adaptation.refinement.blocked;
+    outcome.blocked.clear();
+    frame.refine_seconds = adaptation.refine_seconds;
+    frame.decimate_seconds = adaptation.decimate_seconds;
+    stopwatch.lap();
+    note(frame);
+    add_step(readapt, std::move(change));
+    last.seconds.commit = stopwatch.lap();
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Bake& bake) {
+    if (!has_object()) return kNoObject;
+    if (mesh->vertex_count() == mesh->base_vertex_count()) return std::nullopt;
+    Baked baked = mesh->baked();
+    for (EdgeId& e : outcome.blocked) e = baked.edges[index(e)];
+    std::sort(outcome.blocked.begin(), outcome.blocked.end());
+    auto before = std::make_unique<TriMesh>(std::move(baked.mesh));
+    exchange(*before);
+    history.add({bake, {}, outcome, std::move(before)});
+    last = {};
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Save& save) {
+    if (!has_object()) return kNoObject;
+    remark = save_model(*mesh, save, {}, material_folders);
+    note_saved(save.path);
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Stats& stats) {
+    if (!has_object()) return kNoObject;
+    write_file_atomically(stats.path, format_statistics(statistics()));
+    return std::nullopt;
+}
+
+Refusal Session::State::run(const command::Screenshot& screenshot) {
+    if (!has_object()) return kNoObject;
+    if (!viewport) return "there is nothing here to draw with; replay the script with pectin";
+    const bool has_cage = lattice_settings.cage.has_value();
+    return viewport->screenshot(*mesh, has_cage ? lattice_settings.cage : lattice_in_use,
+                                screenshot);
+}
+
+}  // namespace pectin
