@@ -1,8 +1,11 @@
 #include "ffd/lattice_evaluator.h"
 
-#include <array>
+#include <algorithm>
 #include <cassert>
+#include <cmath>
+#include <cstdint>
 #include <cstring>
+#include <limits>
 
 namespace pectin {
 namespace {
@@ -14,11 +17,14 @@ constexpr int kBefore = 3, kAfter = 4;
 
 // What the kernels read: everything by value, so that nothing they write can change it.
 struct Grid {
-    const double *x, *y, *z;  // components of the control points
-    std::ptrdiff_t row, layer;
-    Vec3 origin, inverse_cell;
+    const double* components[3];  // of the control points
+    IVec3 stride;                 // of i, j and k
+    Vec3 origin, inverse_cell, last_cell;
     Box zone;
 };
+
+constexpr std::size_t kBlock = 32;  // points at a time: what stays in the innermost cache
+constexpr double kLargest = std::numeric_limits<double>::max();
 
 namespace plain {
 #include "ffd/lattice_kernels.inl"
@@ -63,9 +69,10 @@ LatticeEvaluator::LatticeEvaluator(const LatticeField& field)
 void LatticeEvaluator::displace(std::span<const Vec3> points, std::span<Vec3> to) const {
     assert(to.size() == points.size());
     const auto displace_all = has_avx2() ? avx2::displace_all : plain::displace_all;
-    displace_all({x_.data(), y_.data(), z_.data(), row_, layer_, lattice_.origin,
-                  1.0 / lattice_.cell, zone_},
-                 points.data(), to.data(), points.size());
+    const IVec3 stride{1, static_cast<int>(row_), static_cast<int>(layer_)};
+    const Grid grid{{x_.data(), y_.data(), z_.data()}, stride, lattice_.origin, 1.0 / lattice_.cell,
+                    Vec3{lattice_.deformable + 3}, zone_};
+    displace_all(grid, points.data(), to.data(), points.size());
 }
 
 void LatticeEvaluator::transform(std::span<const Vec3> points, std::span<const Vec3f> normals,
@@ -73,9 +80,10 @@ void LatticeEvaluator::transform(std::span<const Vec3> points, std::span<const V
     assert(normals.size() == points.size() && to.size() == points.size() &&
            turned.size() == points.size());
     const auto transform_all = has_avx2() ? avx2::transform_all : plain::transform_all;
-    transform_all({x_.data(), y_.data(), z_.data(), row_, layer_, lattice_.origin,
-                   1.0 / lattice_.cell, zone_},
-                  points.data(), normals.data(), to.data(), turned.data(), points.size());
+    const IVec3 stride{1, static_cast<int>(row_), static_cast<int>(layer_)};
+    const Grid grid{{x_.data(), y_.data(), z_.data()}, stride, lattice_.origin, 1.0 / lattice_.cell,
+                    Vec3{lattice_.deformable + 3}, zone_};
+    transform_all(grid, points.data(), normals.data(), to.data(), turned.data(), points.size());
 }
 
 std::size_t LatticeEvaluator::memory_bytes() const { return 3 * x_.capacity() * sizeof(double); }
