@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "adapt/deform_pass.h"
+#include "adapt/lattice_pass.h"
 #include "adapt/parallel.h"
 
 namespace pectin {
@@ -22,6 +23,9 @@ void Embedding::embed() {
     for (std::size_t step = 0; step < stages_.size(); ++step) {
         stages_[step].zones = zones_of(warp_.steps[step]);
     }
+    const auto* field =
+        warp_.steps.empty() ? nullptr : std::get_if<LatticeField>(&warp_.steps.back());
+    evaluator_ = field ? std::optional<LatticeEvaluator>(*field) : std::nullopt;
     resize();
     for (std::uint32_t w = 0; w < normals_.size(); ++w) normals_[w] = active_.rest_normal_at(w);
     std::vector<DragWeight> all;
@@ -59,8 +63,12 @@ const Vec3& Embedding::start_position(std::size_t step, std::uint32_t entry) con
     return step == 0 ? active_.rest_position_at(entry) : stages_[step].positions[entry];
 }
 
-const Vec3f& Embedding::start_normal(std::uint32_t entry) const {
-    return stages_.size() < 2 ? active_.rest_normal_at(entry) : normals_[entry];
+std::span<const Vec3> Embedding::start_positions() const {
+    return stages_.size() < 2 ? active_.rest_positions() : stages_.back().positions;
+}
+
+std::span<const Vec3f> Embedding::start_normals() const {
+    return stages_.size() < 2 ? active_.rest_normals() : normals_;
 }
 
 std::span<const DragWeight> Embedding::weights(std::uint32_t entry) const {
@@ -129,14 +137,16 @@ void Embedding::embed_entry(std::uint32_t entry) {
 
 void Embedding::deform() {
     if (stages_.empty()) return;
+    if (evaluator_) {
+        evaluator_->update(std::get<LatticeField>(warp_.steps.back()));
+        pectin::deform(active_, *evaluator_, start_positions(), start_normals());
+        return;
+    }
     if (moves() == 1) {
         const Vec3& d = last_drag()->displacements.front();
-        const bool is_first = stages_.size() == 1;
-        pectin::deform_vertices(active_,
-                                is_first ? active_.rest_positions() : stages_.back().positions,
-                                weights_, d, 0, active_.vertex_entries());
-        pectin::deform_wedges(active_, is_first ? active_.rest_normals() : normals_, weights_, d, 0,
-                              active_.wedge_entries());
+        pectin::deform_vertices(active_, start_positions(), weights_, d, 0,
+                                active_.vertex_entries());
+        pectin::deform_wedges(active_, start_normals(), weights_, d, 0, active_.wedge_entries());
         return;
     }
     for_pieces(0, active_.vertex_entries(),
@@ -146,32 +156,33 @@ void Embedding::deform() {
 }
 
 void Embedding::deform_vertices(std::uint32_t first, std::uint32_t end) {
+    if (evaluator_) {
+        pectin::deform_vertices(active_, *evaluator_, start_positions(), first, end);
+        return;
+    }
     TriMesh& mesh = active_.mesh();
-    const DragStep* drag = last_drag();
     for (std::uint32_t i = first; i < end; ++i) {
         const VertexId v = active_.vertex(i);
         if (!exists(v) || !active_.is_influenced_at(i)) continue;
-        const Vec3& from = start_position(last(), i);
         const Vec3 position =
-            drag ? displaced(from, weights(i), drag->displacements)
-                 : from + std::get<LatticeField>(warp_.steps.back()).displacement(from);
+            displaced(start_positions()[i], weights(i), last_drag()->displacements);
         mesh.set_position(v, position);
         mesh.set_deformed(v, active_.was_deformed_at(i) || position != active_.rest_position_at(i));
     }
 }
 
 void Embedding::deform_wedges(std::uint32_t first, std::uint32_t end) {
+    if (evaluator_) {
+        pectin::deform_wedges(active_, *evaluator_, start_positions(), start_normals(), first, end);
+        return;
+    }
     TriMesh& mesh = active_.mesh();
-    const DragStep* drag = last_drag();
     for (std::uint32_t i = first; i < end; ++i) {
         const WedgeId w = active_.wedge(i);
         const std::uint32_t owner = active_.wedge_owner(i);
         if (!exists(w) || !active_.is_influenced_at(owner)) continue;
         mesh.set_normal(
-            w, drag ? covariant_normal(start_normal(i), weights(owner), drag->displacements)
-                    : covariant(std::get<LatticeField>(warp_.steps.back())
-                                    .jacobian(start_position(last(), owner)),
-                                start_normal(i)));
+            w, covariant_normal(start_normals()[i], weights(owner), last_drag()->displacements));
     }
 }
 
@@ -226,7 +237,8 @@ double Embedding::longest_edge_bound() const {
 
 std::size_t Embedding::memory_bytes() const {
     std::size_t bytes = normals_.capacity() * sizeof(Vec3f) +
-                        weights_.capacity() * sizeof(DragWeight) + has_folded_.capacity();
+                        weights_.capacity() * sizeof(DragWeight) + has_folded_.capacity() +
+                        (evaluator_ ? evaluator_->memory_bytes() : 0);
     for (const Stage& stage : stages_) bytes += stage.positions.capacity() * sizeof(Vec3);
     return bytes;
 }

@@ -4,9 +4,11 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
+#include "ffd/lattice_evaluator.h"
 #include "ffd/warp.h"
 #include "mesh/active_set.h"
 
@@ -62,15 +64,17 @@ class Embedding {
     void deform_vertices(std::uint32_t first, std::uint32_t last);
     void deform_wedges(std::uint32_t first, std::uint32_t last);
     const Vec3& start_position(std::size_t step, std::uint32_t entry) const;
-    const Vec3f& start_normal(std::uint32_t entry) const;
+    std::span<const Vec3> start_positions() const;  // of the last step
+    std::span<const Vec3f> start_normals() const;
     std::span<const DragWeight> weights(std::uint32_t entry) const;
 
     ActiveSet& active_;
     const Warp& warp_;
-    std::vector<Stage> stages_;             // one a step
-    std::vector<Vec3f> normals_;            // of the wedge entries before the last step, if several
-    std::vector<DragWeight> weights_;       // of a drag as last step: vertex entries x moves
-    std::vector<std::uint8_t> has_folded_;  // vertex entries, in a step before the last
+    std::vector<Stage> stages_;        // one a step
+    std::vector<Vec3f> normals_;       // of the wedge entries before the last step, if several
+    std::vector<DragWeight> weights_;  // of a drag as last step: vertex entries x moves
+    std::optional<LatticeEvaluator> evaluator_;  // of a lattice field as last step
+    std::vector<std::uint8_t> has_folded_;       // vertex entries, in a step before the last
     std::vector<DragWeight> scratch_;
 };
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -10,20 +11,29 @@
 
 namespace pectin {
 
-// Holds the control points with the static ones about them, so that no point meets a border. What
-// it gives agrees with LatticeField to rounding (its sums go axis by axis), and with itself to the
-// bit, however many points are asked for at once.
+// Holds the control points with the static ones about them, so that no point meets a border.
+//
+// All in double: displacements agree with LatticeField's to some roundings of the greatest one,
+// normals to those of float. A point's result depends on that point alone, to the bit: not on how
+// many are asked for at once, which of them stands beside it, with or without normals, nor on the
+// machine.
 class LatticeEvaluator {
   public:
+    // Which loops run; their results are the same.
+    enum class Kernels : std::uint8_t { fastest, plain };
+
     // Cost: O(control points); 24 bytes each.
-    explicit LatticeEvaluator(const LatticeField& field);
+    explicit LatticeEvaluator(const LatticeField& field, Kernels kernels = Kernels::fastest);
+
+    // Takes over the displacements of a field on the same lattice. Cost: O(control points).
+    void update(const LatticeField& field);
 
     // to: n_points, x + D(x). On the border of the influenced zone and outside x itself, to the
     // bit.
     void displace(std::span<const Vec3> points, std::span<Vec3> to) const;
 
     // The same, and the covariant normals at the points: normalise(cof(J)·n), zero where that has
-    // no direction, n itself outside. normals, turned: n_points.
+    // no direction, n itself outside and where J is the identity. normals, turned: n_points.
     void transform(std::span<const Vec3> points, std::span<const Vec3f> normals, std::span<Vec3> to,
                    std::span<Vec3f> turned) const;
 
@@ -31,9 +41,9 @@ class LatticeEvaluator {
 
   private:
     Lattice lattice_;
-    Box zone_;
-    std::ptrdiff_t row_ = 0, layer_ = 0;  // strides of j and k
-    std::vector<double> x_, y_, z_;       // displacements from (−3, −3, −3) on, i fastest
+    Kernels kernels_;
+    IVec3 size_;                     // control points held, static ones included
+    std::vector<double> x_, y_, z_;  // displacements from (−3, −3, −3) on, i fastest
 };
 
 }  // namespace pectin

@@ -18,6 +18,7 @@
 
 // Four control points along i, or four points: two of SSE's vectors or one of AVX's.
 using Vec4 [[gnu::vector_size(32)]] = double;
+using Mask4 [[gnu::vector_size(32)]] = std::int64_t;
 using Cells4 [[gnu::vector_size(16)]] = std::int32_t;
 
 inline Vec4 all(double x) { return Vec4{x, x, x, x}; }
@@ -81,22 +82,14 @@ inline void divide(const Vec4& t, std::size_t n, DividedAxis& axis) {
 // --- A block of points
 
 struct Block {
-    double x[3][kBlock];  // where they are
-    double t[3][kBlock];  // inside the cell
-    std::int64_t inside[kBlock];  // all bits strictly inside the influenced zone, else none
-    std::int32_t first[kBlock];  // of the 4 × 4 × 4 control points
-    double a[4][kBlock], da[4][kBlock];
+    double x[3][kBlock];                 // where they are
+    std::int64_t inside[kBlock];         // all bits strictly inside the influenced zone, else none
+    std::int32_t first[kBlock];          // of the 4 × 4 × 4 control points
+    double a[4][kBlock], da[4][kBlock];  // basis along i, and its derivatives per cell
     DividedAxis b, c;
-    double to[3][kBlock];                           // where they go
+    double to[3][kBlock];                                // where they go
     double du[3][kBlock], dv[3][kBlock], dw[3][kBlock];  // derivatives of D per cell
 };
-
-using Mask4 [[gnu::vector_size(32)]] = std::int64_t;
-inline Mask4 load(const std::int64_t* p) {
-    Mask4 v;
-    std::memcpy(&v, p, sizeof v);
-    return v;
-}
 
 // Truncation after a shift by the two influenced cells is a floor: parameters inside the zone
 // exceed −2. Outside any cell will do, and rounding may not leave the grid.
@@ -189,7 +182,8 @@ inline void sum_four(const Grid& grid, std::size_t n, Block& block) {
         contract<kDerivatives>(grid, block, n + static_cast<std::size_t>(m), m, partial);
     }
     const Vec4 b = load(block.b.value + n), c = load(block.c.value + n), bc = b * c;
-    const Mask4 inside = load(block.inside + n);
+    Mask4 inside;
+    std::memcpy(&inside, block.inside + n, sizeof inside);
     Vec4 a[4], da[4];
     for (int i = 0; i < 4; ++i) {
         a[i] = load(block.a[i] + n);
@@ -247,9 +241,12 @@ inline void write_normals(const Grid& grid, const Block& block, std::size_t coun
                      wz = 1.0 + hz * block.dw[2][n];
         const float* const normal = normals + 3 * n;
         const double nx = normal[0], ny = normal[1], nz = normal[2];
-        const double x = nx * (vy * wz - vz * wy) + ny * (wy * uz - wz * uy) + nz * (uy * vz - uz * vy);
-        const double y = nx * (vz * wx - vx * wz) + ny * (wz * ux - wx * uz) + nz * (uz * vx - ux * vz);
-        const double z = nx * (vx * wy - vy * wx) + ny * (wx * uy - wy * ux) + nz * (ux * vy - uy * vx);
+        const double x =
+            nx * (vy * wz - vz * wy) + ny * (wy * uz - wz * uy) + nz * (uy * vz - uz * vy);
+        const double y =
+            nx * (vz * wx - vx * wz) + ny * (wz * ux - wx * uz) + nz * (uz * vx - ux * vz);
+        const double z =
+            nx * (vx * wy - vy * wx) + ny * (wx * uy - wy * ux) + nz * (ux * vy - uy * vx);
         const double squared = x * x + y * y + z * z;
         // NaN or zero where there is none: the square is beyond numbers, or nothing.
         const double scale = 1.0 / std::sqrt(squared);

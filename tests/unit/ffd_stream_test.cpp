@@ -7,7 +7,6 @@
 #include <vector>
 
 #include "ffd/drag_stream.h"
-#include "ffd/lattice_evaluator.h"
 
 namespace pectin {
 namespace {
@@ -88,44 +87,6 @@ TEST(DragStream, MarksWhatMovedAndKeepsMarks) {
     std::vector<std::uint8_t> moved(5, 9);
     mark_moved(rest, to, before, moved);
     EXPECT_EQ(moved, (std::vector<std::uint8_t>{0, 1, 1, 0, 1}));
-}
-
-TEST(LatticeEvaluator, AgreesWithThePlainSumToRounding) {
-    const unsigned seed = 7200;
-    SCOPED_TRACE("seed " + std::to_string(seed));
-    Numbers numbers(seed);
-    for (int i = 0; i < 40; ++i) {
-        const Lattice lattice{.origin = numbers.vector(),
-                              .cell = Vec3{0.7} + 0.5 * numbers.vector(),
-                              .deformable = {1 + i % 4, 1 + i % 3, 1 + i % 5}};
-        std::vector<Vec3> displacements(lattice.control_count());
-        for (Vec3& d : displacements) d = 0.3 * numbers.vector();
-        const LatticeField field(lattice, displacements);
-        const LatticeEvaluator evaluator(field);
-        const Box zone = lattice.influenced_zone();
-        std::vector<Vec3> points{zone.min, zone.max, zone.centre()};
-        while (points.size() < 200) {
-            points.push_back(zone.centre() + 0.6 * zone.extent() * numbers.vector());
-        }
-        const std::vector<Vec3f> normals(points.size(), Vec3f{0.6f, 0.0f, 0.8f});
-        std::vector<Vec3> displaced(points.size()), transformed(points.size());
-        std::vector<Vec3f> turned(points.size());
-        evaluator.displace(points, displaced);
-        evaluator.transform(points, normals, transformed, turned);
-        for (std::size_t p = 0; p < points.size(); ++p) {
-            const Vec3 exact = points[p] + field.displacement(points[p]);
-            ASSERT_LT(glm::distance(displaced[p], exact), 1e-13);
-            ASSERT_LT(glm::distance(transformed[p], exact), 1e-13);
-            if (!lattice.influences(points[p])) {
-                ASSERT_TRUE(same(displaced[p], points[p]) && same(transformed[p], points[p]));
-                ASSERT_TRUE(same(turned[p], normals[p]));
-            } else if (glm::length(cofactor_times(field.jacobian(points[p]), Vec3{normals[p]})) >
-                       1e-3) {
-                const Vec3f expected = covariant(field.jacobian(points[p]), normals[p]);
-                ASSERT_LT(glm::distance(turned[p], expected), 1e-6f);
-            }
-        }
-    }
 }
 
 }  // namespace
