@@ -38,7 +38,7 @@ TriMesh dragged(int threads, bool has_two_moves) {
     return session.mesh();
 }
 
-// The same with control points of a cage: the smooth sphere in one pass, a cube, whose corners have
+// The same with control points of a cage: the smooth torus in one pass, a cube, whose corners have
 // several normals, in two.
 TriMesh moved_by_a_cage(int threads, command::Shape::Kind kind, int resolution) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
@@ -47,7 +47,7 @@ TriMesh moved_by_a_cage(int threads, command::Shape::Kind kind, int resolution) 
     Session session;
     arena.execute([&] {
         EXPECT_FALSE(session.execute(command::Shape{kind, resolution}));
-        EXPECT_FALSE(session.execute(command::Adapt{.theta_max = Setting::of(0.9)}));
+        EXPECT_FALSE(session.execute(command::Adapt{.theta_max = Setting::of(1.5)}));
         EXPECT_FALSE(session.execute(command::Cage{command::Cage::Fit{{4, 4, 4}}}));
         const std::vector<IVec3> indices{{1, 1, 3}, {3, 2, 2}};
         const std::vector<Vec3> near{{-0.3, -0.3, 1.05}, {1.05, 0.3, 0.3}};
@@ -67,7 +67,7 @@ TEST(Threads, GiveControlPointsTheSameBytesHoweverMany) {
     for (const auto& [kind, resolution] :
          {std::pair{command::Shape::Kind::sphere, 6}, std::pair{command::Shape::Kind::cube, 80}}) {
         const TriMesh one = moved_by_a_cage(1, kind, resolution);
-        EXPECT_GT(one.base_vertex_count(), 30000u);
+        EXPECT_GE(one.base_vertex_count(), 20000u);
         EXPECT_TRUE(moved_by_a_cage(2, kind, resolution) == one);
         EXPECT_TRUE(moved_by_a_cage(8, kind, resolution) == one);
     }
