@@ -94,7 +94,7 @@ std::vector<FixedScript> fixed_scripts() {
           R"({"cmd": "drag", "moves": [{"from": [0.6, 0, 0.8], "to": [0.8, 0.1, 1.2]}], )"
           R"("pins": [[0, 0, 1]]})"}},
         {"ControlPoints",
-         0x552723f4701d8497u,
+         0xf09287de320deed3u,
          {kSphere, R"({"cmd": "adapt", "theta_max": 5})", R"({"cmd": "cage", "fit": [3, 4, 3]})",
           R"({"cmd": "control", "points": [{"index": [0, 3, 1], "to": [-1.5, 1.75, 0.25]}, )"
           R"({"index": [2, 0, 2], "to": [1.25, -1.5, 1]}]})"}},
