@@ -140,7 +140,7 @@ inline void contract(const Grid& grid, const Block& block, std::size_t n, int m,
         f0 = all(block.b.s[0][n]), f3 = all(block.b.s[1][n]);
         g0 = all(block.c.s[0][n]), g3 = all(block.c.s[1][n]);
     }
-    for (int component = 0; component < 3; ++component) {
+    for (std::size_t component = 0; component < 3; ++component) {
         const double* p = grid.components[component] + block.first[n];
         Vec4 rr, sr, rs;
         for (int j = 0; j < 4; ++j, p += grid.stride.y) {
