@@ -85,6 +85,8 @@ std::optional<DragRefusal> check_target(const DragPlan& plan, const Vec3& from, 
 
 // How far beyond a step the proof looks, so that the next questions are answered.
 constexpr double kLookAhead = 1.5;
+// Proofs that a guard keeps: a hand that wavers comes back to directions it had some frames ago.
+constexpr std::size_t kProofsKept = 8;
 // What a bound may be off by, so that it never grants what the proof itself would not.
 constexpr double kRounding = 1e-9;
 // Of a turn, in a step.
@@ -282,25 +284,33 @@ FoldGuard::FoldGuard(const DragSolver& solver) {
         step.displacements[m] = unit;
         bounds_.push_back(gradient_bound(step.lattice_fields()));
     }
-    proven_.assign(bounds_.size(), Vec3{0.0});
+    proofs_.push_back({std::vector<Vec3>(bounds_.size(), Vec3{0.0})});
+}
+
+double FoldGuard::steepness_by(const Proof& proof, std::span<const Vec3> displacements) const {
+    double along = 0.0, squared = 0.0;
+    for (std::size_t m = 0; m < bounds_.size(); ++m) {
+        along += glm::dot(displacements[m], proof.displacements[m]);
+        squared += glm::dot(proof.displacements[m], proof.displacements[m]);
+    }
+    const double t = squared > 0.0 ? std::max(0.0, along / squared) : 0.0;
+    double steepness = t * proof.steepness;
+    for (std::size_t m = 0; m < bounds_.size(); ++m) {
+        steepness += bounds_[m] * glm::length(displacements[m] - t * proof.displacements[m]);
+    }
+    return steepness;
 }
 
 double FoldGuard::limit(const DragStep& step) {
     assert(bounds_.size() == step.displacements.size());
-    double along = 0.0, squared = 0.0;
-    for (std::size_t m = 0; m < bounds_.size(); ++m) {
-        along += glm::dot(step.displacements[m], proven_[m]);
-        squared += glm::dot(proven_[m], proven_[m]);
+    for (const Proof& proof : proofs_) {
+        const double steepness = steepness_by(proof, step.displacements);
+        if (steepness <= (1.0 - kLeastStretch) * (1.0 - kRounding)) return 1.0;
     }
-    const double t = squared > 0.0 ? std::max(0.0, along / squared) : 0.0;
-    double steepness = t * steepness_;
-    for (std::size_t m = 0; m < bounds_.size(); ++m) {
-        steepness += bounds_[m] * glm::length(step.displacements[m] - t * proven_[m]);
-    }
-    if (steepness <= (1.0 - kLeastStretch) * (1.0 - kRounding)) return 1.0;
     const double found = injective_limit(step.lattice_fields(), kLookAhead);
-    proven_ = step.displacements;
-    steepness_ = (1.0 - kLeastStretch) / found;
+    if (next_ == proofs_.size()) proofs_.emplace_back();
+    proofs_[next_] = {step.displacements, (1.0 - kLeastStretch) / found};
+    next_ = next_ == kProofsKept ? 1 : next_ + 1;
     return std::min(1.0, found);
 }
 

@@ -77,7 +77,8 @@ std::optional<DragRefusal> check_drag(const DragPlan& plan);
 // proof gives t = (1 − kLeastStretch)/h. As a largest value of linear functions (of d·g_i, or of
 // −vᵀS_i v over i and unit v) h is convex and h(td) = t h(d), so for any d₀ and t ≥ 0
 //     h(d) ≤ t h(d₀) + h(d − t d₀) ≤ t h(d₀) + Σ_c G_c |d_c − t d₀_c|,    G_c ≥ |∇w_c| everywhere.
-// That often spares the proof: near d = 0, and for the rest of a straight drag after one.
+// That often spares the proof: near d = 0, and near and along what was proven for the last few d₀,
+// of which each gives a bound.
 class FoldGuard {
   public:
     explicit FoldGuard(const DragSolver& solver);
@@ -86,9 +87,16 @@ class FoldGuard {
     double limit(const DragStep& step);
 
   private:
+    struct Proof {
+        std::vector<Vec3> displacements;  // d₀
+        double steepness = 0.0;           // h(d₀)
+    };
+    // The bound of h(d) by one proof.
+    double steepness_by(const Proof& proof, std::span<const Vec3> displacements) const;
+
     std::vector<double> bounds_;  // G_c, of every move of the field
-    std::vector<Vec3> proven_;    // d₀
-    double steepness_ = 0.0;      // h(d₀)
+    std::vector<Proof> proofs_;   // the first is d₀ = 0, the others the last few
+    std::size_t next_ = 1;        // the oldest of these
 };
 
 }  // namespace pectin
