@@ -35,56 +35,73 @@ double growth(const Box& box, const Box& added) {
 
 }  // namespace
 
-FaceTree::FaceTree(const TriMesh& mesh) { build(mesh); }
+FaceTree::FaceTree(const TriMesh& mesh) {
+    std::vector<FaceId> faces;
+    faces.reserve(mesh.face_count());
+    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+        if (mesh.is_live(FaceId{i})) faces.push_back(FaceId{i});
+    }
+    build(mesh, faces);
+}
 
-void FaceTree::build(const TriMesh& mesh) {
+FaceTree::FaceTree(const TriMesh& mesh, std::span<const FaceId> faces) { build(mesh, faces); }
+
+void FaceTree::build(const TriMesh& mesh, std::span<const FaceId> faces) {
     nodes_.clear();
     leaves_.clear();
     node_of_face_.assign(mesh.face_slots(), kNoNode);
     built_for_ = mesh.face_count();
-    std::vector<FaceId> faces;
-    std::vector<Vec3> centroids(mesh.face_slots());
-    faces.reserve(built_for_);
-    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-        if (!mesh.is_live(FaceId{i})) continue;
-        faces.push_back(FaceId{i});
-        centroids[i] = face_box(FaceId{i}, mesh).centre();
-    }
-    build_node(faces, centroids, kNoNode, mesh);
+    std::vector<Placed> placed;
+    placed.reserve(faces.size());
+    for (FaceId f : faces) placed.push_back({f, face_box(f, mesh).centre()});
+    build_node(placed, kNoNode, mesh);
 }
 
-std::uint32_t FaceTree::build_node(std::span<FaceId> faces, std::span<const Vec3> centroids,
-                                   std::uint32_t parent, const TriMesh& mesh) {
+// Of the faces it holds and those that are new to it.
+void FaceTree::rebuild(const TriMesh& mesh, std::span<const FaceId> changed) {
+    node_of_face_.resize(mesh.face_slots(), kNoNode);
+    for (FaceId f : changed) {
+        if (index(f) < mesh.face_slots()) node_of_face_[index(f)] = 0;
+    }
+    std::vector<FaceId> faces;
+    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
+        if (node_of_face_[i] != kNoNode && mesh.is_live(FaceId{i})) faces.push_back(FaceId{i});
+    }
+    build(mesh, faces);
+}
+
+std::uint32_t FaceTree::build_node(std::span<Placed> faces, std::uint32_t parent,
+                                   const TriMesh& mesh) {
     // Three quarters full, so that refinement does not divide every leaf at once.
     if (faces.size() <= kLeafFaces * 3 / 4) return make_leaf(faces, parent, mesh);
     Box spread;
-    for (FaceId f : faces) spread.include(centroids[index(f)]);
+    for (const Placed& f : faces) spread.include(f.centre);
     const int axis = longest_axis(spread);
     const std::size_t middle = faces.size() / 2;
     std::nth_element(
         faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(middle), faces.end(),
-        [&](FaceId x, FaceId y) { return centroids[index(x)][axis] < centroids[index(y)][axis]; });
+        [&](const Placed& x, const Placed& y) { return x.centre[axis] < y.centre[axis]; });
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     nodes_[node].parent = parent;
-    const std::uint32_t left = build_node(faces.first(middle), centroids, node, mesh);
-    const std::uint32_t right = build_node(faces.subspan(middle), centroids, node, mesh);
+    const std::uint32_t left = build_node(faces.first(middle), node, mesh);
+    const std::uint32_t right = build_node(faces.subspan(middle), node, mesh);
     nodes_[node].left = left;
     nodes_[node].right = right;
     nodes_[node].box = fitted_box(nodes_[node], mesh);
     return node;
 }
 
-std::uint32_t FaceTree::make_leaf(std::span<const FaceId> faces, std::uint32_t parent,
+std::uint32_t FaceTree::make_leaf(std::span<const Placed> faces, std::uint32_t parent,
                                   const TriMesh& mesh) {
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     nodes_[node].parent = parent;
     nodes_[node].leaf = static_cast<std::uint32_t>(leaves_.size());
     Leaf& leaf = leaves_.emplace_back();
-    for (FaceId f : faces) {
-        leaf.faces[leaf.count++] = f;
-        node_of_face_[index(f)] = node;
+    for (const Placed& f : faces) {
+        leaf.faces[leaf.count++] = f.face;
+        node_of_face_[index(f.face)] = node;
     }
     nodes_[node].box = fitted_box(nodes_[node], mesh);
     return node;
@@ -124,6 +141,61 @@ std::vector<FaceId> FaceTree::faces_meeting(const Box& box, const TriMesh& mesh)
         }
     }
     std::sort(answer.begin(), answer.end());
+    return answer;
+}
+
+void FaceTree::append_near(const Box& box, const TriMesh& mesh, std::vector<FaceId>& faces) const {
+    std::vector<std::uint32_t> stack{0};
+    while (!stack.empty()) {
+        const Node& node = nodes_[stack.back()];
+        stack.pop_back();
+        if (node.box.is_empty() || !node.box.meets(box)) continue;
+        if (!node.is_leaf()) {
+            stack.push_back(node.right);
+            stack.push_back(node.left);
+            continue;
+        }
+        const Leaf& leaf = leaves_[node.leaf];
+        for (std::uint32_t i = 0; i < leaf.count; ++i) {
+            if (face_box(leaf.faces[i], mesh).meets(box)) faces.push_back(leaf.faces[i]);
+        }
+    }
+}
+
+std::vector<std::pair<FaceId, FaceId>> FaceTree::near_pairs(const TriMesh& mesh) const {
+    std::vector<std::pair<FaceId, FaceId>> answer;
+    std::array<std::array<Box, kLeafFaces>, 2> boxes;
+    const auto pair_leaves = [&](const Leaf& left, const Leaf& right) {
+        for (std::uint32_t i = 0; i < left.count; ++i) boxes[0][i] = face_box(left.faces[i], mesh);
+        for (std::uint32_t j = 0; j < right.count; ++j) {
+            boxes[1][j] = face_box(right.faces[j], mesh);
+        }
+        for (std::uint32_t i = 0; i < left.count; ++i) {
+            for (std::uint32_t j = &left == &right ? i + 1 : 0; j < right.count; ++j) {
+                if (!boxes[0][i].meets(boxes[1][j])) continue;
+                answer.emplace_back(left.faces[i], right.faces[j]);
+            }
+        }
+    };
+    std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
+    while (!stack.empty()) {
+        const auto [x, y] = stack.back();
+        stack.pop_back();
+        const Node &left = nodes_[x], &right = nodes_[y];
+        if (left.box.is_empty() || right.box.is_empty() || !left.box.meets(right.box)) continue;
+        if (left.is_leaf() && right.is_leaf()) {
+            pair_leaves(leaves_[left.leaf], leaves_[right.leaf]);
+        } else if (x == y) {
+            stack.insert(
+                stack.end(),
+                {{left.left, left.left}, {left.left, left.right}, {left.right, left.right}});
+        } else if (right.is_leaf() ||
+                   (!left.is_leaf() && left.box.diagonal() > right.box.diagonal())) {
+            stack.insert(stack.end(), {{left.left, y}, {left.right, y}});
+        } else {
+            stack.insert(stack.end(), {{x, right.left}, {x, right.right}});
+        }
+    }
     return answer;
 }
 
@@ -203,7 +275,7 @@ std::optional<FaceId> FaceTree::nearest(const Vec3& point, const TriMesh& mesh) 
 
 void FaceTree::update(std::span<const FaceId> changed, const TriMesh& mesh) {
     if (mesh.face_count() > 2 * built_for_) {
-        build(mesh);
+        rebuild(mesh, changed);
         return;
     }
     // Slots cut off by an undo: their faces leave the tree before the slots do.
@@ -263,14 +335,15 @@ void FaceTree::remove(FaceId f) {
 
 void FaceTree::divide_leaf(std::uint32_t node, FaceId extra, const TriMesh& mesh) {
     const std::uint32_t old_leaf = nodes_[node].leaf;
-    std::array<FaceId, kLeafFaces + 1> faces;
-    std::copy_n(leaves_[old_leaf].faces, kLeafFaces, faces.begin());
-    faces.back() = extra;
+    std::array<Placed, kLeafFaces + 1> faces;
+    for (std::uint32_t i = 0; i <= kLeafFaces; ++i) {
+        const FaceId f = i < kLeafFaces ? leaves_[old_leaf].faces[i] : extra;
+        faces[i] = {f, face_box(f, mesh).centre()};
+    }
     const int axis = longest_axis(nodes_[node].box);
-    std::sort(faces.begin(), faces.end(), [&](FaceId x, FaceId y) {
-        return face_box(x, mesh).centre()[axis] < face_box(y, mesh).centre()[axis];
-    });
-    const std::span<FaceId> all(faces);
+    std::sort(faces.begin(), faces.end(),
+              [&](const Placed& x, const Placed& y) { return x.centre[axis] < y.centre[axis]; });
+    const std::span<const Placed> all(faces);
     const std::size_t middle = faces.size() / 2;
     const std::uint32_t left = make_leaf(all.first(middle), node, mesh);
     // The second half takes over the leaf that the node gives up.
@@ -279,9 +352,9 @@ void FaceTree::divide_leaf(std::uint32_t node, FaceId extra, const TriMesh& mesh
     nodes_[right].parent = node;
     nodes_[right].leaf = old_leaf;
     leaves_[old_leaf].count = 0;
-    for (FaceId f : all.subspan(middle)) {
-        leaves_[old_leaf].faces[leaves_[old_leaf].count++] = f;
-        node_of_face_[index(f)] = right;
+    for (const Placed& f : all.subspan(middle)) {
+        leaves_[old_leaf].faces[leaves_[old_leaf].count++] = f.face;
+        node_of_face_[index(f.face)] = right;
     }
     nodes_[right].box = fitted_box(nodes_[right], mesh);
     nodes_[node].leaf = kNoNode;

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/box.h"
@@ -25,10 +26,18 @@ struct FaceHit {
 class FaceTree {
   public:
     explicit FaceTree(const TriMesh& mesh);  // O(n log n)
+    // Of these faces alone, each once; `update` adds what it is told of. O(k log k), and a word a
+    // face slot.
+    FaceTree(const TriMesh& mesh, std::span<const FaceId> faces);
 
     // The live faces that have a point in common with `box`, sorted by id.
     // Cost: O(answer + log n).
     std::vector<FaceId> faces_meeting(const Box& box, const TriMesh& mesh) const;
+
+    // Its faces whose boxes meet `box`, appended, in the tree's order. Cost: O(answer + log n).
+    void append_near(const Box& box, const TriMesh& mesh, std::vector<FaceId>& faces) const;
+    // Every two of its faces whose boxes meet, each pair once. Cost: O(answer + n).
+    std::vector<std::pair<FaceId, FaceId>> near_pairs(const TriMesh& mesh) const;
 
     // The live face that the ray meets first, of those at one distance the one with the lowest id.
     // Cost: O(log n) for a ray that meets little.
@@ -60,10 +69,15 @@ class FaceTree {
         FaceId faces[kLeafFaces] = {};
     };
 
-    void build(const TriMesh& mesh);
-    std::uint32_t build_node(std::span<FaceId> faces, std::span<const Vec3> centroids,
-                             std::uint32_t parent, const TriMesh& mesh);
-    std::uint32_t make_leaf(std::span<const FaceId> faces, std::uint32_t parent,
+    struct Placed {
+        FaceId face = kNone<FaceId>;
+        Vec3 centre;  // of its box
+    };
+
+    void build(const TriMesh& mesh, std::span<const FaceId> faces);
+    std::uint32_t build_node(std::span<Placed> faces, std::uint32_t parent, const TriMesh& mesh);
+    void rebuild(const TriMesh& mesh, std::span<const FaceId> changed);
+    std::uint32_t make_leaf(std::span<const Placed> faces, std::uint32_t parent,
                             const TriMesh& mesh);
     void insert(FaceId f, const TriMesh& mesh);
     void remove(FaceId f);
@@ -75,7 +89,7 @@ class FaceTree {
     std::vector<Node> nodes_;  // children after their parent; the root first
     std::vector<Leaf> leaves_;
     std::vector<std::uint32_t> node_of_face_;  // n_face_slots; kNoNode where not in the tree
-    std::uint32_t built_for_ = 0;
+    std::uint32_t built_for_ = 0;              // faces of the mesh then
 };
 
 }  // namespace pectin

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <utility>
+
 #include "mesh/build_mesh.h"
 #include "mesh/mesh_change.h"
 #include "mesh/shapes.h"
@@ -44,6 +47,44 @@ void expect_agreement(const FaceTree& tree, const TriMesh& mesh, Random& random)
     }
     const Box all = mesh.bounding_box();
     ASSERT_EQ(tree.faces_meeting(all, mesh), test::live_faces(mesh));
+}
+
+Box box_of(const TriMesh& mesh, FaceId f) {
+    Box box;
+    for (int c = 0; c < 3; ++c) box.include(mesh.position(mesh.origin(TriMesh::half_edge(f, c))));
+    return box;
+}
+
+TEST(FaceTree, PairsTheFacesItWasMadeOfWhereTheirBoxesMeet) {
+    for (std::uint64_t seed = 7500; seed < 7530; ++seed) {
+        Random random(seed);
+        const TriMesh mesh = test::random_mesh(random).mesh;
+        if (mesh.face_count() > 2000) continue;
+        std::vector<FaceId> some;
+        for (FaceId f : test::live_faces(mesh)) {
+            if (random.chance(0.6)) some.push_back(f);
+        }
+        const FaceTree tree(mesh, some);
+        std::vector<std::pair<FaceId, FaceId>> expected;
+        for (std::size_t i = 0; i < some.size(); ++i) {
+            std::vector<FaceId> near;
+            tree.append_near(box_of(mesh, some[i]), mesh, near);
+            std::sort(near.begin(), near.end());
+            std::vector<FaceId> met;
+            for (std::size_t j = 0; j < some.size(); ++j) {
+                if (!box_of(mesh, some[i]).meets(box_of(mesh, some[j]))) continue;
+                met.push_back(some[j]);
+                if (j > i) expected.emplace_back(some[i], some[j]);
+            }
+            ASSERT_EQ(near, met) << "seed " << seed;
+        }
+        std::vector<std::pair<FaceId, FaceId>> pairs = tree.near_pairs(mesh);
+        for (auto& [f, g] : pairs) {
+            if (g < f) std::swap(f, g);
+        }
+        std::sort(pairs.begin(), pairs.end());
+        ASSERT_EQ(pairs, expected) << "seed " << seed;
+    }
 }
 
 MeshChange random_gesture(TriMesh& mesh, const FaceTree& tree, Random& random) {
