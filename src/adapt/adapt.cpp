@@ -5,24 +5,73 @@
 #include <cmath>
 #include <numbers>
 
+#include "adapt/cuts.h"
 #include "mesh/first_of_siblings.h"
 
 namespace pectin {
 
-Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+namespace {
+
+template <typename Refine, typename Thin>
+Adaptation timed(Refine refine, Thin thin) {
     using Clock = std::chrono::steady_clock;
     const auto seconds = [](Clock::time_point from, Clock::time_point to) {
         return std::chrono::duration<double>(to - from).count();
     };
     Adaptation result;
     const auto begin = Clock::now();
-    result.refinement = refine(active, embedding, criteria);
+    result.refinement = refine();
     const auto refined = Clock::now();
-    result.decimation = decimate(active, criteria);
-    const auto decimated = Clock::now();
+    result.decimation = thin();
     result.refine_seconds = seconds(begin, refined);
-    result.decimate_seconds = seconds(refined, decimated);
+    result.decimate_seconds = seconds(refined, Clock::now());
     return result;
+}
+
+// More rounds halve an edge more often than numbers have digits.
+constexpr int kMostRounds = 64;
+// Where all is pressed into one sheet nearly every face is near nearly every other; a second's
+// worth or two of them are looked at.
+constexpr std::uint64_t kMostPairs = 40'000'000;
+
+void add(Refinement& result, const Refinement& more) {
+    result.splits += more.splits;
+    result.floor_hit |= more.floor_hit;
+    result.budget_hit |= more.budget_hit;
+    result.blocked.insert(result.blocked.end(), more.blocked.begin(), more.blocked.end());
+}
+
+Refinement refine_without_cuts(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+    Refinement result = refine(active, embedding, criteria);
+    if (embedding.is_at_rest()) return result;
+    Cuts cuts(active);
+    for (int round = 0; round < kMostRounds && !result.budget_hit; ++round) {
+        const std::vector<Cut>& found = cuts.find();
+        result.cuts = found.size();
+        if (found.empty() || cuts.pairs() > kMostPairs) break;
+        const Refinement more = refine_at(active, embedding, criteria,
+                                          edges_to_mend(active, embedding, criteria, found));
+        add(result, more);
+        if (more.splits == 0) break;
+    }
+    return result;
+}
+
+}  // namespace
+
+Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+    return timed([&] { return refine(active, embedding, criteria); },
+                 [&] { return decimate(active, criteria); });
+}
+
+Adaptation adapt_without_cuts(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+    return timed([&] { return refine_without_cuts(active, embedding, criteria); },
+                 [&] {
+                     if (criteria.limits().flatness == kOff) return decimate(active, criteria);
+                     Cuts cuts(active);
+                     auto r = decimate(active, criteria, &cuts);
+                     return r;
+                 });
 }
 
 Assessment assess(const ActiveSet& active, const Criteria& criteria,

@@ -30,6 +30,8 @@ struct AdaptLimits {
     // Ties are broken alike on both sides of it, so that a symmetric mesh stays so (with a
     // propagation of 1; beyond, what is split first depends on the order).
     std::optional<MirrorPlane> symmetry{};
+    // The warp folds nothing: a commit leaves no faces that cut each other (adapt_without_cuts).
+    bool without_cuts = false;
 };
 
 // The tests of one pass. Edges along a cut (siblings) are one edge to all of them, with as many

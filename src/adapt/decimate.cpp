@@ -4,6 +4,8 @@
 #include <span>
 #include <vector>
 
+#include "adapt/cuts.h"
+
 namespace pectin {
 namespace {
 
@@ -39,19 +41,33 @@ Levels candidates_by_level(const ActiveSet& active) {
     return levels;
 }
 
-}  // namespace
-
-Decimation decimate(ActiveSet& active, const Criteria& criteria) {
-    Decimation result;
+// Whether any was kept for the cuts alone.
+bool thin(ActiveSet& active, const Criteria& criteria, Cuts* cuts, Decimation& result) {
+    bool any_kept = false;
     const auto levels = candidates_by_level(active);
     for (std::size_t level = levels.size(); level-- > 1;) {
         for (VertexId m : levels[level]) {
             const auto star = active.mesh().removable(m);
             if (!star || !criteria.may_unsplit(active, *star)) continue;
+            if (cuts && cuts->would_cut(*star)) {
+                any_kept = true;
+                continue;
+            }
             active.unsplit(*star);
             ++result.unsplits;
         }
     }
+    return any_kept;
+}
+
+}  // namespace
+
+Decimation decimate(ActiveSet& active, const Criteria& criteria, Cuts* cuts) {
+    Decimation result;
+    std::uint64_t before = 0;
+    do {
+        before = result.unsplits;
+    } while (thin(active, criteria, cuts, result) && result.unsplits > before);
     return result;
 }
 

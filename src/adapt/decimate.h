@@ -8,6 +8,8 @@
 
 namespace pectin {
 
+class Cuts;
+
 struct Decimation {
     std::uint64_t unsplits = 0;
 };
@@ -20,7 +22,10 @@ struct Decimation {
 // Two inserted vertices of one level are never neighbours (a midpoint's level is above those of
 // all its neighbours), so neither the order within a level matters nor can removing one change
 // what another of its level or above sees: one pass is enough.
-// Cost: O(active vertices).
-Decimation decimate(ActiveSet& active, const Criteria& criteria);
+//
+// cuts: none goes whose restored faces would cut; where removing others may have made room, it is
+// tried again. Kept up to date.
+// Cost: O(active vertices), with cuts times O(log n) for those that could go.
+Decimation decimate(ActiveSet& active, const Criteria& criteria, Cuts* cuts = nullptr);
 
 }  // namespace pectin

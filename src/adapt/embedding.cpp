@@ -210,6 +210,20 @@ void Embedding::place(const ActiveSet::Inserted& inserted) {
     for (std::uint32_t w : wedges) deform_wedges(w, w + 1);
 }
 
+Vec3 Embedding::image(const Vec3& rest) const {
+    Vec3 at = rest;
+    for (const Warp::Step& step : warp_.steps) {
+        if (const auto* drag = std::get_if<DragStep>(&step)) {
+            std::vector<DragWeight> weights(drag->displacements.size());
+            drag->weights(at, weights);
+            at = displaced(at, weights, drag->displacements);
+        } else {
+            at += std::get<LatticeField>(step).displacement(at);
+        }
+    }
+    return at;
+}
+
 std::uint64_t Embedding::folded_vertices() const {
     if (stages_.empty()) return 0;
     std::uint64_t folded = 0;

@@ -29,6 +29,10 @@ class Embedding {
     // Weights, position and normals of a vertex that a split has just inserted.
     void place(const ActiveSet::Inserted& inserted);
 
+    // Where the warp takes a point, by its present displacements.
+    Vec3 image(const Vec3& rest) const;
+    // Whether there are no steps, so that nothing moves.
+    bool is_at_rest() const { return stages_.empty(); }
     // Entries with det J <= 0 in some step, at the present displacements. Cost: O(entries).
     std::uint64_t folded_vertices() const;
     // No edge of the active set is longer now: its length at rest by the greatest stretch of the

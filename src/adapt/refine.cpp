@@ -31,6 +31,24 @@ class Refiner {
 
     Refinement run() {
         push_all_needed();
+        split_queued();
+        return result_;
+    }
+
+    Refinement run_at(std::span<const EdgeId> edges) {
+        std::vector<float> lengths;
+        for (EdgeId e : edges) lengths.push_back(active_.rest_length(e));
+        for (std::size_t i = 0; i < edges.size() && !result_.budget_hit; ++i) {
+            // One split since, for the sake of another, is its shorter half now.
+            if (active_.rest_length(edges[i]) != lengths[i] || is_below_floor(edges[i])) continue;
+            split_with_propagation(edges[i]);
+        }
+        split_queued();
+        return result_;
+    }
+
+  private:
+    void split_queued() {
         while (!result_.budget_hit) {
             const auto next = queue_.pop();
             if (!next) break;
@@ -39,10 +57,8 @@ class Refiner {
             if (!criteria_.needs_refinement(active_, next->edge)) continue;
             if (!is_below_floor(next->edge)) split_with_propagation(next->edge);
         }
-        return result_;
     }
 
-  private:
     // Looks at the edges on all threads, then queues them in their order. Of those along one cut
     // only the first is looked at, since that looks at all of them.
     void push_all_needed() {
@@ -243,6 +259,11 @@ class Refiner {
 
 Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
     return Refiner(active, embedding, criteria).run();
+}
+
+Refinement refine_at(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
+                     std::span<const EdgeId> edges) {
+    return Refiner(active, embedding, criteria).run_at(edges);
 }
 
 }  // namespace pectin

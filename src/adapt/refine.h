@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "adapt/criteria.h"
@@ -17,6 +18,7 @@ struct Refinement {
     // Edges that needed it and are above the floor, but lie beside one that the floor keeps from
     // being split and would leave too thin a triangle; some may have been split since.
     std::vector<EdgeId> blocked;
+    std::uint64_t cuts = 0;  // that adapt_without_cuts has to leave
 };
 
 // A queue by decreasing deformed length (in octaves of its square, first come first served within
@@ -31,5 +33,10 @@ struct Refinement {
 // Cost: O(active edges + splits). On 1.3 M faces the bucketed queue does 2.6-3.0 M splits/s where
 // a binary heap does 1.4-1.7, with the same result to within a split.
 Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria);
+
+// The same, but starts from these edges alone (leaders of their siblings, each once), which are
+// split whether they need it or not. Cost: O(edges + splits).
+Refinement refine_at(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
+                     std::span<const EdgeId> edges);
 
 }  // namespace pectin

@@ -129,7 +129,7 @@ Refusal Session::State::run(const command::Readapt& readapt) {
     const bool was_hit = outcome.budget_hit;
     if (was_hit) adapt_limits.budget = 0;
     const Adaptation adaptation =
-        adapt(*active, embedding, Criteria(adapt_limits, zones_in_use, {}));
+        adapt_without_cuts(*active, embedding, Criteria(adapt_limits, zones_in_use, {}));
     MeshChange change = active->finish();
     Frame frame;
     frame.splits = adaptation.refinement.splits;

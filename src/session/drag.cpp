@@ -2,6 +2,7 @@
 #include <algorithm>
 #include <cassert>
 #include <cmath>
+#include <string>
 
 #include "ffd/injectivity.h"
 #include "geometry/decimal.h"
@@ -109,7 +110,10 @@ std::variant<std::vector<FaceId>, std::string> Session::State::faces_of(
 void Session::State::start_gesture(InHand& begun, std::span<const FaceId> faces, Warp warp) {
     std::optional<AdaptLimits> adapt_limits;
     begun.lattice = lattice_of(warp.steps.back());
-    if (adapt_settings.enabled) adapt_limits = limits(begun.lattice);
+    if (adapt_settings.enabled) {
+        adapt_limits = limits(begun.lattice);
+        adapt_limits->without_cuts = begun.drag.fold_free;
+    }
     begun.measured.steps = warp.steps.size();
     begun.gesture = std::make_unique<Gesture>(*active, faces, std::move(warp), adapt_limits);
     begun.measured.influenced_vertices = begun.gesture->influenced_vertices();
@@ -247,6 +251,11 @@ void Session::State::commit(std::span<const Vec3> displacements, bool is_nothing
     // Other parts reach into the zones, too, but were not refined there.
     if (in_hand->drag.connected) zones_in_use.clear();
     note(in_hand->gesture->last_frame());
+    if (const std::uint64_t cuts = in_hand->gesture->last_frame().cuts; cuts > 0) {
+        remark = "in " + std::to_string(cuts) +
+                 " places triangles cut through each other: there the jelly is pressed thinner "
+                 "than they may be refined; lower the floor, or undo and drag less far";
+    }
     folded = in_hand->gesture->folded_vertices();
     Command command = in_hand->is_control() ? Command{in_hand->control} : Command{in_hand->drag};
     in_hand.reset();

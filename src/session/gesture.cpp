@@ -37,6 +37,10 @@ Gesture::~Gesture() {
 }
 
 const Frame& Gesture::frame(std::span<const Vec3> displacements) {
+    return show(displacements, pectin::adapt);
+}
+
+const Frame& Gesture::show(std::span<const Vec3> displacements, Adapt adapt) {
     // A long drag makes and undoes more than it keeps; from the rest state it starts lean again.
     if (active_.edit_count() > kMostEdits * (active_.vertex_entries() + 1000)) roll_back();
     auto* const drag = std::get_if<DragStep>(&warp_.steps.back());
@@ -58,6 +62,7 @@ const Frame& Gesture::frame(std::span<const Vec3> displacements) {
         last_.unsplits = adaptation.decimation.unsplits;
         last_.floor_hit = adaptation.refinement.floor_hit;
         last_.budget_hit = adaptation.refinement.budget_hit;
+        last_.cuts = adaptation.refinement.cuts;
         last_.blocked = std::move(adaptation.refinement.blocked);
         last_.refine_seconds = adaptation.refine_seconds;
         last_.decimate_seconds = adaptation.decimate_seconds;
@@ -68,7 +73,8 @@ const Frame& Gesture::frame(std::span<const Vec3> displacements) {
 
 MeshChange Gesture::commit(std::span<const Vec3> displacements) {
     if (has_frames_) roll_back();
-    frame(displacements);
+    show(displacements,
+         criteria_ && criteria_->limits().without_cuts ? adapt_without_cuts : pectin::adapt);
     folded_ = embedding_.folded_vertices();
     return active_.finish();
 }

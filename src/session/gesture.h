@@ -19,6 +19,7 @@ struct Frame {
     std::uint64_t splits = 0, unsplits = 0;
     bool floor_hit = false, budget_hit = false;
     std::vector<EdgeId> blocked;  // see Refinement
+    std::uint64_t cuts = 0;       // left (Refinement::cuts); only a commit looks for them
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 };
 
@@ -39,7 +40,7 @@ class Gesture {
     // moves, or for each control point.
     // Cost: O(active set).
     const Frame& frame(std::span<const Vec3> displacements);
-    // The same as a single frame from the rest state, for good.
+    // The same as a single frame from the rest state, for good. Cuts are looked for here alone.
     MeshChange commit(std::span<const Vec3> displacements);
     // Gives everything back, to the byte, and says which faces it had changed.
     std::vector<FaceId> cancel();
@@ -58,6 +59,9 @@ class Gesture {
     std::uint64_t folded_vertices() const { return folded_; }  // of the commit
 
   private:
+    using Adapt = Adaptation (*)(ActiveSet&, Embedding&, const Criteria&);
+
+    const Frame& show(std::span<const Vec3> displacements, Adapt adapt);
     void roll_back();
 
     ActiveSet& active_;

@@ -3,8 +3,10 @@
 #include <algorithm>
 #include <filesystem>
 
+#include "geometry/ray.h"
 #include "io/obj_reader.h"
 #include "mesh/build_mesh.h"
+#include "mesh/face_tree.h"
 
 namespace pectin::test {
 
@@ -58,6 +60,28 @@ EdgeId edge_between(const TriMesh& mesh, std::uint32_t v, std::uint32_t w) {
         }
     }
     return kNone<EdgeId>;
+}
+
+std::size_t crossings(const TriMesh& mesh) {
+    const FaceTree tree(mesh);
+    std::size_t found = 0;
+    for (const EdgeId e : live_edges(mesh)) {
+        const VertexId v = mesh.origin(mesh.half_edge(e)), w = mesh.target(mesh.half_edge(e));
+        const Vec3 from = mesh.position(v), to = mesh.position(w);
+        Box box;
+        box.include(from);
+        box.include(to);
+        for (const FaceId f : tree.faces_meeting(box, mesh)) {
+            const HalfEdgeId h = TriMesh::half_edge(f, 0);
+            const VertexId a = mesh.origin(h), b = mesh.target(h);
+            const VertexId c = mesh.origin(TriMesh::prev(h));
+            if (a == v || b == v || c == v || a == w || b == w || c == w) continue;
+            const auto hit = intersect(Ray{from, to - from}, mesh.position(a), mesh.position(b),
+                                       mesh.position(c));
+            if (hit && hit->t <= 1.0) ++found;
+        }
+    }
+    return found;
 }
 
 bool has_the_faces_of(const TriMesh& mesh, const TriMesh& base) {

@@ -1,6 +1,7 @@
 // Small meshes from OBJ text, real ones from the models folder, and figures of any.
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -24,6 +25,9 @@ double area(const TriMesh& mesh);
 
 // The edge between two vertices; the mesh has it.
 EdgeId edge_between(const TriMesh& mesh, std::uint32_t v, std::uint32_t w);
+
+// Edges that pass through a face they share no corner with, and those faces: how many pairs.
+std::size_t crossings(const TriMesh& mesh);
 
 // Whether `mesh` has the faces, corners and positions of `base`, in the same slots, and no others.
 bool has_the_faces_of(const TriMesh& mesh, const TriMesh& base);

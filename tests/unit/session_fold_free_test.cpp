@@ -1,13 +1,12 @@
 // Fold-free drags of a whole object: where they end, what they refine, how they are recorded.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <iostream>
 #include <numbers>
 
 #include "command/json.h"
-#include "geometry/ray.h"
-#include "mesh/face_tree.h"
 #include "session/session.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
@@ -79,30 +78,6 @@ TEST(FoldFreeSession, FoldsNoVertexAndHitsItsTargetInAllDirections) {
     EXPECT_EQ(session.statistics().last.steps, 1u);
 }
 
-// Edges that pass through a face they share no corner with.
-std::size_t crossings(const TriMesh& mesh, const Vec3& about, double within) {
-    const FaceTree tree(mesh);
-    std::size_t found = 0;
-    for (const EdgeId e : test::live_edges(mesh)) {
-        const VertexId v = mesh.origin(mesh.half_edge(e)), w = mesh.target(mesh.half_edge(e));
-        const Vec3 from = mesh.position(v), to = mesh.position(w);
-        if (glm::distance(from, about) > within) continue;
-        Box box;
-        box.include(from);
-        box.include(to);
-        for (const FaceId f : tree.faces_meeting(box, mesh)) {
-            const HalfEdgeId h = TriMesh::half_edge(f, 0);
-            const VertexId a = mesh.origin(h), b = mesh.target(h);
-            const VertexId c = mesh.origin(TriMesh::prev(h));
-            if (a == v || b == v || c == v || a == w || b == w || c == w) continue;
-            const auto hit = intersect(Ray{from, to - from}, mesh.position(a), mesh.position(b),
-                                       mesh.position(c));
-            if (hit && hit->t <= 1.0) ++found;
-        }
-    }
-    return found;
-}
-
 TEST(FoldFreeSession, LeavesNoTrianglesThatCutThroughEachOther) {
     for (const int resolution : {2, 3, 4}) {
         for (const Vec3& direction : {Vec3{0, 0, 1}, Vec3{0, 0, -0.6}, Vec3{1, 0, 0.3}}) {
@@ -110,7 +85,7 @@ TEST(FoldFreeSession, LeavesNoTrianglesThatCutThroughEachOther) {
             const Vec3 to = kFront + 1.5 * direction;
             expect_done(session, fold_free(to));
             EXPECT_EQ(session.statistics().folded_vertices, 0u);
-            EXPECT_EQ(crossings(session.mesh(), to, 2.0), 0u) << resolution;
+            EXPECT_EQ(test::crossings(session.mesh()), 0u) << resolution;
         }
     }
 }
@@ -130,7 +105,7 @@ TEST(FoldFreeSession, CutsNoFlatTrianglesThatWereLongBetweenItsSteps) {
                 Drag{.moves = {{from, {0, 0.97, 0}}},
                      .fold_free = true,
                      .via = {from + 2.0 * radius * Vec3{std::cos(angle), 0, std::sin(angle)}}});
-            EXPECT_EQ(crossings(session.mesh(), from, 3.0), 0u) << radius << ", " << angle;
+            EXPECT_EQ(test::crossings(session.mesh()), 0u) << radius << ", " << angle;
             expect_done(session, Undo{});
         }
     }
@@ -149,7 +124,52 @@ TEST(FoldFreeSession, RefinesWhatIsLongBetweenItsSteps) {
     EXPECT_GT(with_steps, session.statistics().faces);
     expect_done(session, Undo{});
     expect_done(session, drag);
-    EXPECT_EQ(crossings(session.mesh(), {0, 0, 1.01}, 2.0), 0u);
+    EXPECT_EQ(test::crossings(session.mesh()), 0u);
+}
+
+// Drags as a hand's are: out, round and elsewhere, where sheets come to lie close to each other.
+Drag wandering_drag(test::Random& random, int waypoints, bool goes_home) {
+    Drag drag = fold_free(kFront);
+    for (int i = 0; i < waypoints; ++i) {
+        drag.via.push_back((i == 0 ? kFront : drag.via.back()) +
+                           (i == 0 ? 1.2 : 1.0) * random.direction());
+    }
+    drag.moves.front().to =
+        goes_home ? kFront + 0.05 * random.direction() : drag.via.back() + random.direction();
+    return drag;
+}
+
+// Refined by angle and length alone most of them end with triangles that cut.
+TEST(FoldFreeSession, LeavesNoTrianglesThatCutThroughEachOtherAfterAWanderingDrag) {
+    const std::uint64_t count = static_cast<std::uint64_t>(test::case_count(4));
+    for (const int waypoints : {0, 1, 2}) {
+        for (std::uint64_t seed = 1; seed <= count; ++seed) {
+            test::Random random(seed);
+            Session session = sphere(2 + static_cast<int>(seed % 3), 0.4 + 0.1 * double(seed % 4));
+            // Finer than the finest that sheets here are pressed to.
+            expect_done(session, Adapt{.floor = Setting::of(1e-6)});
+            expect_done(session, wandering_drag(random, std::max(1, waypoints), waypoints == 0));
+            const Statistics statistics = session.statistics();
+            EXPECT_EQ(test::crossings(session.mesh()), 0u) << waypoints << ", seed " << seed;
+            EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
+            EXPECT_EQ(statistics.needing_refinement, 0u) << waypoints << ", seed " << seed;
+            EXPECT_FALSE(statistics.floor_hit);
+            // And so it stays.
+            expect_done(session, command::Readapt{});
+            EXPECT_EQ(session.statistics().last.splits, 0u) << waypoints << ", seed " << seed;
+            EXPECT_EQ(test::crossings(session.mesh()), 0u) << waypoints << ", seed " << seed;
+        }
+    }
+}
+
+TEST(FoldFreeSession, SaysWhereTheFloorLeavesTrianglesThatCut) {
+    test::Random random(4);
+    Session session = sphere(3, 0.4);
+    expect_done(session, Adapt{.floor = Setting::of(0.05)});
+    expect_done(session, wandering_drag(random, 2, false));
+    EXPECT_GT(test::crossings(session.mesh()), 0u);
+    EXPECT_NE(session.remark().find("lower the floor"), std::string::npos) << session.remark();
+    EXPECT_TRUE(session.statistics().floor_hit);
 }
 
 TEST(FoldFreeSession, RecordsTheWayOfTheHandSoThatAScriptGivesTheSameBytes) {
@@ -162,13 +182,16 @@ TEST(FoldFreeSession, RecordsTheWayOfTheHandSoThatAScriptGivesTheSameBytes) {
                 expect_done(*session, command::Cage{command::Cage::Fit{{4, 4, 4}}});
             }
         }
+        for (Session* session : {&hand, &script}) {  // the bytes matter here, not the refinement
+            expect_done(*session, Adapt{.floor = Setting::of(0.01)});
+        }
         const TriMesh before = hand.mesh();
         const std::vector<Vec3> pins{{0.2, 0, 0.95}};
         ASSERT_FALSE(hand.begin_drag(
             std::vector{kFront}, round % 2 == 0 ? std::vector<Vec3>{} : pins, {.fold_free = true}));
         Vec3 at = kFront;
         // A cage ends, and against its border everything is pressed flat.
-        const double speed = is_cage ? 0.15 : 1.0;
+        const double speed = is_cage ? 0.1 : 1.0;
         const Vec3 velocity = 0.06 * speed * random.direction();
         for (int frame = 0; frame < 25; ++frame) {
             at += velocity + 0.05 * speed * random.direction();

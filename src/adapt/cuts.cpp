@@ -1,0 +1,204 @@
+#include "adapt/cuts.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "geometry/piercing.h"
+
+namespace pectin {
+namespace {
+
+// What is this near at rest, in lengths of the edge, touches: boundaries that lie along each other
+// without sharing vertices, up to rounding.
+constexpr double kTouchingShare = 1e-9;
+// Of the faces: when more were edited, a new tree is better than one that was kept up.
+constexpr std::size_t kRenewedShare = 8;
+
+using Corners = std::array<VertexId, 3>;
+
+Corners corners_of(const TriMesh& mesh, FaceId f) {
+    const HalfEdgeId h = TriMesh::half_edge(f, 0);
+    return {mesh.origin(h), mesh.target(h), mesh.origin(TriMesh::prev(h))};
+}
+
+bool has(const Corners& corners, VertexId v) {
+    return corners[0] == v || corners[1] == v || corners[2] == v;
+}
+
+// Those that are live, each once, in order.
+std::vector<FaceId> live(const TriMesh& mesh, std::vector<FaceId> faces) {
+    std::erase_if(faces,
+                  [&](FaceId f) { return index(f) >= mesh.face_slots() || !mesh.is_live(f); });
+    std::sort(faces.begin(), faces.end());
+    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    return faces;
+}
+
+Box box_of(const TriMesh& mesh, const Corners& face) {
+    Box box;
+    for (VertexId v : face) box.include(mesh.position(v));
+    return box;
+}
+
+bool were_apart(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
+    const Vec3 &from = active.rest_position(p), &to = active.rest_position(q);
+    const double touching = kTouchingShare * glm::distance(from, to);
+    return squared_distance(from, to, active.rest_position(face[0]), active.rest_position(face[1]),
+                            active.rest_position(face[2])) > touching * touching;
+}
+
+bool passes_through(const TriMesh& mesh, VertexId p, VertexId q, const Corners& face) {
+    return !has(face, p) && !has(face, q) &&
+           pierces(mesh.position(p), mesh.position(q), mesh.position(face[0]),
+                   mesh.position(face[1]), mesh.position(face[2]));
+}
+
+// Whether all of g's corners lie strictly on one side of f's plane.
+bool is_on_one_side(const TriMesh& mesh, const Corners& f, const Corners& g) {
+    const Vec3& at = mesh.position(f[0]);
+    const Vec3 normal = glm::cross(mesh.position(f[1]) - at, mesh.position(f[2]) - at);
+    double least = 0.0, greatest = 0.0;
+    bool is_first = true;
+    for (VertexId v : g) {
+        // A corner in common lies in the plane, however it is rounded.
+        const double height = has(f, v) ? 0.0 : glm::dot(normal, mesh.position(v) - at);
+        least = is_first ? height : std::min(least, height);
+        greatest = is_first ? height : std::max(greatest, height);
+        is_first = false;
+    }
+    return least >= 0.0 || greatest <= 0.0;
+}
+
+bool may_cut(const TriMesh& mesh, const Corners& f, const Corners& g) {
+    return !is_on_one_side(mesh, f, g) && !is_on_one_side(mesh, g, f);
+}
+
+template <typename Visit>
+void for_each_edge(FaceId f, Visit visit) {
+    for (int corner = 0; corner < 3; ++corner) visit(TriMesh::half_edge(f, corner));
+}
+
+}  // namespace
+
+FaceTree& Cuts::tree() {
+    const auto edited = active_.edited_faces();
+    if (!tree_ || kRenewedShare * (edited.size() - told_) > active_.faces().size()) {
+        tree_.emplace(active_.mesh(), live(active_.mesh(), active_.faces()));
+    } else {
+        tree_->update(edited.subspan(told_), active_.mesh());
+    }
+    told_ = edited.size();
+    return *tree_;
+}
+
+const std::vector<Cut>& Cuts::find() {
+    const TriMesh& mesh = active_.mesh();
+    if (!has_looked_) {
+        for (const auto& [f, g] : tree().near_pairs(mesh)) add_pair(f, g);
+        has_looked_ = true;
+    } else {
+        const std::vector<FaceId> changed = changed_faces();
+        const FaceTree& faces = tree();
+        cuts_.clear();
+        for (FaceId f : changed) {
+            near_.clear();
+            faces.append_near(box_of(mesh, corners_of(mesh, f)), mesh, near_);
+            for (FaceId g : near_) {
+                if (f != g) add_pair(f, g);
+            }
+        }
+    }
+    std::sort(cuts_.begin(), cuts_.end());
+    cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
+    return cuts_;
+}
+
+// Edited since, or in a cut.
+std::vector<FaceId> Cuts::changed_faces() const {
+    const TriMesh& mesh = active_.mesh();
+    const auto edited = active_.edited_faces().subspan(told_);
+    std::vector<FaceId> faces(edited.begin(), edited.end());
+    for (const Cut& cut : cuts_) faces.push_back(cut.face);
+    return live(mesh, std::move(faces));
+}
+
+void Cuts::add_pair(FaceId f, FaceId g) {
+    const TriMesh& mesh = active_.mesh();
+    const Corners of_f = corners_of(mesh, f), of_g = corners_of(mesh, g);
+    ++pairs_;
+    if (!may_cut(mesh, of_f, of_g)) return;
+    const auto add = [&](FaceId through, const Corners& face) {
+        return [&, through](HalfEdgeId h) {
+            const VertexId p = mesh.origin(h), q = mesh.target(h);
+            if (passes_through(mesh, p, q, face) && were_apart(active_, p, q, face)) {
+                cuts_.push_back({mesh.edge(h), through});
+            }
+        };
+    };
+    for_each_edge(f, add(g, of_g));
+    for_each_edge(g, add(f, of_f));
+}
+
+bool Cuts::would_cut(const Star& star) {
+    bool any = false;
+    active_.mesh().for_each_sheet(star, [&](const Star& sheet) {
+        any = any || face_would_cut(sheet.b, sheet.c, sheet.a, star.m) ||
+              (!sheet.on_boundary() && face_would_cut(sheet.b, sheet.c, sheet.d, star.m));
+    });
+    return any;
+}
+
+// The restored face bca, of which bc is new, against all but the star's faces. What touched those
+// at rest is not parted by keeping m.
+bool Cuts::face_would_cut(VertexId b, VertexId c, VertexId a, VertexId m) {
+    const TriMesh& mesh = active_.mesh();
+    const Corners restored{b, c, a}, first{b, m, a}, second{m, c, a};
+    near_.clear();
+    tree().append_near(box_of(mesh, restored), mesh, near_);
+    for (FaceId g : near_) {
+        const Corners face = corners_of(mesh, g);
+        if (has(face, m) || !may_cut(mesh, restored, face)) continue;
+        if (passes_through(mesh, b, c, face) && were_apart(active_, b, m, face) &&
+            were_apart(active_, m, c, face)) {
+            return true;
+        }
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const VertexId p = face[corner], q = face[(corner + 1) % 3];
+            if (passes_through(mesh, p, q, restored) && were_apart(active_, p, q, first) &&
+                were_apart(active_, p, q, second)) {
+                return true;
+            }
+        }
+    }
+    return false;
+}
+
+std::vector<EdgeId> edges_to_mend(const ActiveSet& active, const Embedding& embedding,
+                                  const Criteria& criteria, std::span<const Cut> cuts) {
+    const TriMesh& mesh = active.mesh();
+    const auto bulge = [&](EdgeId e) {
+        if (criteria.is_below_floor(mesh, e)) return 0.0;
+        const VertexId b = mesh.origin(mesh.half_edge(e)), c = mesh.target(mesh.half_edge(e));
+        const Vec3 rest = 0.5 * active.rest_position(b) + 0.5 * active.rest_position(c);
+        return glm::distance(embedding.image(rest),
+                             0.5 * mesh.position(b) + 0.5 * mesh.position(c));
+    };
+    std::vector<EdgeId> edges;
+    for (const Cut& cut : cuts) {
+        EdgeId farthest = cut.edge;
+        double greatest = bulge(cut.edge);
+        for_each_edge(cut.face, [&](HalfEdgeId h) {
+            const double of_edge = bulge(mesh.edge(h));
+            if (!(of_edge > greatest)) return;
+            greatest = of_edge;
+            farthest = mesh.edge(h);
+        });
+        edges.push_back(mesh.leader(farthest));
+    }
+    std::sort(edges.begin(), edges.end());
+    edges.erase(std::unique(edges.begin(), edges.end()), edges.end());
+    return edges;
+}
+
+}  // namespace pectin
