@@ -9,8 +9,9 @@
 namespace pectin {
 namespace {
 
-// Entries at a time: what stays in the innermost cache.
-constexpr std::uint32_t kBlock = 256;
+// Entries at a time: all that both passes read and write of them stays in the innermost cache, so
+// that normals find the weights there, with room to spare for what the machine fetches ahead.
+constexpr std::uint32_t kBlock = 64;
 
 // Whether these are first, first + 1, first + 2, …; none is past the last id.
 template <typename Id>
@@ -23,74 +24,104 @@ bool run_on(std::span<const Id> ids) {
     return differences == 0 && static_cast<std::uint32_t>(ids.back()) != 0xffffffffu;
 }
 
-// Calls work(first, count) for blocks of [first, end), on all threads.
-template <typename Work>
-void for_blocks(std::uint32_t first, std::uint32_t end, const Work& work) {
-    for_pieces(first, end, [&](std::uint32_t from, std::uint32_t to) {
-        for (std::uint32_t i = from; i < to; i += kBlock) work(i, std::min(kBlock, to - i));
-    });
+// The block of [0, entries) that begins at `first`, which may be past the end.
+std::uint32_t count_at(std::uint32_t first, std::uint32_t entries) {
+    return first < entries ? std::min(kBlock, entries - first) : 0;
 }
+
+// The vertices and wedges of an active set, as one drag moves them.
+class DeformPass {
+  public:
+    DeformPass(ActiveSet& active, std::span<const Vec3> starts, std::span<const Vec3f> normals,
+               std::span<const DragWeight> weights, const Vec3& d)
+        : active_(active),
+          mesh_(active.mesh()),
+          starts_(starts),
+          normals_(normals),
+          weights_(weights),
+          d_(d),
+          is_first_(starts.data() == active.rest_positions().data()) {}
+
+    void move_vertices(std::uint32_t first, std::uint32_t count) {
+        const std::span<const VertexId> ids = active_.vertices().subspan(first, count);
+        if (first + count <= active_.influenced_at_begin() && run_on(ids)) {
+            displace_and_mark(first, mesh_.positions(ids.front(), count),
+                              mesh_.deformed_marks(ids.front(), count));
+            return;
+        }
+        std::array<Vec3, kBlock> to;
+        std::array<std::uint8_t, kBlock> moved;
+        displace_and_mark(first, std::span(to).first(count), std::span(moved).first(count));
+        for (std::uint32_t k = 0; k < count; ++k) {
+            if (!exists(ids[k]) || !active_.is_influenced_at(first + k)) continue;
+            mesh_.set_position(ids[k], to[k]);
+            mesh_.set_deformed(ids[k], moved[k] != 0);
+        }
+    }
+
+    void turn_wedges(std::uint32_t first, std::uint32_t count) {
+        const std::span<const std::uint32_t> owners = active_.wedge_owners().subspan(first, count);
+        if (run_on(owners)) {
+            turn_wedges(first, weights_.subspan(owners.front(), count));
+            return;
+        }
+        std::array<DragWeight, kBlock> gathered;
+        for (std::uint32_t k = 0; k < count; ++k) gathered[k] = weights_[owners[k]];
+        turn_wedges(first, std::span(gathered).first(count));
+    }
+
+  private:
+    void displace_and_mark(std::uint32_t first, std::span<Vec3> to,
+                           std::span<std::uint8_t> moved) const {
+        const std::size_t count = to.size();
+        const bool all_move =
+            displace(starts_.subspan(first, count), weights_.subspan(first, count), d_, to);
+        if (all_move && is_first_) {
+            std::fill(moved.begin(), moved.end(), std::uint8_t{1});
+        } else {
+            mark_moved(active_.rest_positions().subspan(first, count), to,
+                       active_.were_deformed().subspan(first, count), moved);
+        }
+    }
+
+    void turn_wedges(std::uint32_t first, std::span<const DragWeight> of_owners) {
+        const auto count = static_cast<std::uint32_t>(of_owners.size());
+        const std::span<const WedgeId> ids = active_.wedges().subspan(first, count);
+        const std::span<const Vec3f> from = normals_.subspan(first, count);
+        if (first + count <= active_.influenced_wedges_at_begin() && run_on(ids)) {
+            turn(from, of_owners, d_, mesh_.normals(ids.front(), count));
+            return;
+        }
+        std::array<Vec3f, kBlock> to;
+        turn(from, of_owners, d_, std::span(to).first(count));
+        for (std::uint32_t k = 0; k < count; ++k) {
+            if (exists(ids[k]) && active_.is_influenced_at(active_.wedge_owner(first + k))) {
+                mesh_.set_normal(ids[k], to[k]);
+            }
+        }
+    }
+
+    ActiveSet& active_;
+    TriMesh& mesh_;
+    std::span<const Vec3> starts_;
+    std::span<const Vec3f> normals_;
+    std::span<const DragWeight> weights_;
+    Vec3 d_;
+    bool is_first_;  // else a drag may bring back what one before it has moved
+};
 
 }  // namespace
 
-void deform_vertices(ActiveSet& active, std::span<const Vec3> starts,
-                     std::span<const DragWeight> weights, const Vec3& d, std::uint32_t first,
-                     std::uint32_t end) {
-    TriMesh& mesh = active.mesh();
-    // Elsewhere a drag may bring back what one before it has moved.
-    const bool is_first = starts.data() == active.rest_positions().data();
-    for_blocks(first, end, [&](std::uint32_t from, std::uint32_t count) {
-        const std::span<const VertexId> ids = active.vertices().subspan(from, count);
-        const bool all = from + count <= active.influenced_at_begin() && run_on(ids);
-        std::array<Vec3, kBlock> positions;
-        std::array<std::uint8_t, kBlock> marks;
-        const std::span<Vec3> to =
-            all ? mesh.positions(ids.front(), count) : std::span(positions).first(count);
-        const std::span<std::uint8_t> moved =
-            all ? mesh.deformed_marks(ids.front(), count) : std::span(marks).first(count);
-        const bool all_move =
-            displace(starts.subspan(from, count), weights.subspan(from, count), d, to);
-        if (all_move && is_first) {
-            std::fill(moved.begin(), moved.end(), std::uint8_t{1});
-        } else {
-            mark_moved(active.rest_positions().subspan(from, count), to,
-                       active.were_deformed().subspan(from, count), moved);
-        }
-        if (all) return;
-        for (std::uint32_t k = 0; k < count; ++k) {
-            if (!exists(ids[k]) || !active.is_influenced_at(from + k)) continue;
-            mesh.set_position(ids[k], to[k]);
-            mesh.set_deformed(ids[k], moved[k] != 0);
-        }
-    });
-}
-
-void deform_wedges(ActiveSet& active, std::span<const Vec3f> starts,
-                   std::span<const DragWeight> weights, const Vec3& d, std::uint32_t first,
-                   std::uint32_t end) {
-    TriMesh& mesh = active.mesh();
-    for_blocks(first, end, [&](std::uint32_t from, std::uint32_t count) {
-        const std::span<const WedgeId> ids = active.wedges().subspan(from, count);
-        const std::span<const std::uint32_t> owners = active.wedge_owners().subspan(from, count);
-        const auto turn_block = [&](std::span<const DragWeight> of_owners) {
-            const bool all = from + count <= active.influenced_wedges_at_begin() && run_on(ids);
-            std::array<Vec3f, kBlock> normals;
-            const std::span<Vec3f> to =
-                all ? mesh.normals(ids.front(), count) : std::span(normals).first(count);
-            turn(starts.subspan(from, count), of_owners, d, to);
-            if (all) return;
-            for (std::uint32_t k = 0; k < count; ++k) {
-                if (exists(ids[k]) && active.is_influenced_at(owners[k])) {
-                    mesh.set_normal(ids[k], to[k]);
-                }
-            }
-        };
-        if (run_on(owners)) {
-            turn_block(weights.subspan(owners.front(), count));
-        } else {
-            std::array<DragWeight, kBlock> gathered;
-            for (std::uint32_t k = 0; k < count; ++k) gathered[k] = weights[owners[k]];
-            turn_block(std::span(gathered).first(count));
+void deform(ActiveSet& active, std::span<const Vec3> starts, std::span<const Vec3f> normals,
+            std::span<const DragWeight> weights, const Vec3& d) {
+    DeformPass pass(active, starts, normals, weights, d);
+    const std::uint32_t vertices = active.vertex_entries(), wedges = active.wedge_entries();
+    for_pieces(0, std::max(vertices, wedges), [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; i += kBlock) {
+            const std::uint32_t most = end - i;
+            if (const auto count = std::min(most, count_at(i, vertices)))
+                pass.move_vertices(i, count);
+            if (const auto count = std::min(most, count_at(i, wedges))) pass.turn_wedges(i, count);
         }
     });
 }

@@ -1,7 +1,6 @@
-// The passes of a frame over an active set where one drag acts: positions, then normals.
+// The pass of a frame over an active set where one drag acts: positions and normals.
 #pragma once
 
-#include <cstdint>
 #include <span>
 
 #include "ffd/drag_field.h"
@@ -9,17 +8,13 @@
 
 namespace pectin {
 
-// Entries [first, end) of the active set from where the drag finds them. starts, weights: of all
-// vertex entries. Removed vertices and those that are not influenced stay as they are. On all
-// threads; the same as displaced() and covariant_normal() entry by entry, to the bit.
-// Cost: O(end - first), streaming where ids and entries run alike.
-void deform_vertices(ActiveSet& active, std::span<const Vec3> starts,
-                     std::span<const DragWeight> weights, const Vec3& d, std::uint32_t first,
-                     std::uint32_t end);
-
-// starts: of all wedge entries; weights: of all vertex entries.
-void deform_wedges(ActiveSet& active, std::span<const Vec3f> starts,
-                   std::span<const DragWeight> weights, const Vec3& d, std::uint32_t first,
-                   std::uint32_t end);
+// All of an active set, from where the drag finds it. starts, weights: of all vertex entries;
+// normals: of all wedge entries. Removed elements and those that are not influenced stay as they
+// are. On all threads; the same as displaced() and covariant_normal() entry by entry, to the bit.
+// Vertices and wedges go block by block in turn: where they lie alike, as they do on a smooth
+// surface, weights are read from memory once. Cost: O(entries), streaming where ids and entries run
+// alike.
+void deform(ActiveSet& active, std::span<const Vec3> starts, std::span<const Vec3f> normals,
+            std::span<const DragWeight> weights, const Vec3& d);
 
 }  // namespace pectin

@@ -143,10 +143,8 @@ void Embedding::deform() {
         return;
     }
     if (moves() == 1) {
-        const Vec3& d = last_drag()->displacements.front();
-        pectin::deform_vertices(active_, start_positions(), weights_, d, 0,
-                                active_.vertex_entries());
-        pectin::deform_wedges(active_, start_normals(), weights_, d, 0, active_.wedge_entries());
+        pectin::deform(active_, start_positions(), start_normals(), weights_,
+                       last_drag()->displacements.front());
         return;
     }
     for_pieces(0, active_.vertex_entries(),
