@@ -24,27 +24,45 @@ bool run_on(std::span<const Id> ids) {
     return differences == 0 && static_cast<std::uint32_t>(ids.back()) != 0xffffffffu;
 }
 
-// The block of [0, entries) that begins at `first`, which may be past the end.
-std::uint32_t count_at(std::uint32_t first, std::uint32_t entries) {
-    return first < entries ? std::min(kBlock, entries - first) : 0;
+// Bits of lasting_runs.
+constexpr std::uint8_t kVerticesRun = 1, kWedgesRun = 2;
+
+// The vertices of a block, whatever edits come: base vertices are never removed.
+bool vertices_stay(const ActiveSet& active, std::uint32_t first) {
+    if (first + kBlock > active.influenced_at_begin()) return false;
+    const std::span<const VertexId> ids = active.vertices().subspan(first, kBlock);
+    return run_on(ids) && active.mesh().is_base(ids.back());
+}
+
+// Nor are their wedges.
+bool wedges_stay(const ActiveSet& active, std::uint32_t first) {
+    if (first + kBlock > active.influenced_wedges_at_begin()) return false;
+    const std::span<const std::uint32_t> owners = active.wedge_owners().subspan(first, kBlock);
+    return run_on(active.wedges().subspan(first, kBlock)) && run_on(owners) &&
+           std::ranges::all_of(owners, [&](std::uint32_t owner) {
+               return active.mesh().is_base(active.vertex(owner));
+           });
 }
 
 // The vertices and wedges of an active set, as one drag moves them.
 class DeformPass {
   public:
     DeformPass(ActiveSet& active, std::span<const Vec3> starts, std::span<const Vec3f> normals,
-               std::span<const DragWeight> weights, const Vec3& d)
+               std::span<const DragWeight> weights, std::span<const std::uint8_t> runs,
+               const Vec3& d)
         : active_(active),
           mesh_(active.mesh()),
           starts_(starts),
           normals_(normals),
           weights_(weights),
+          runs_(runs),
           d_(d),
           is_first_(starts.data() == active.rest_positions().data()) {}
 
     void move_vertices(std::uint32_t first, std::uint32_t count) {
         const std::span<const VertexId> ids = active_.vertices().subspan(first, count);
-        if (first + count <= active_.influenced_at_begin() && run_on(ids)) {
+        if (stays(first, count, kVerticesRun) ||
+            (first + count <= active_.influenced_at_begin() && run_on(ids))) {
             displace_and_mark(first, mesh_.positions(ids.front(), count),
                               mesh_.deformed_marks(ids.front(), count));
             return;
@@ -61,7 +79,7 @@ class DeformPass {
 
     void turn_wedges(std::uint32_t first, std::uint32_t count) {
         const std::span<const std::uint32_t> owners = active_.wedge_owners().subspan(first, count);
-        if (run_on(owners)) {
+        if (stays(first, count, kWedgesRun) || run_on(owners)) {
             turn_wedges(first, weights_.subspan(owners.front(), count));
             return;
         }
@@ -71,6 +89,11 @@ class DeformPass {
     }
 
   private:
+    bool stays(std::uint32_t first, std::uint32_t count, std::uint8_t run) const {
+        return count == kBlock && first / kBlock < runs_.size() &&
+               (runs_[first / kBlock] & run) != 0;
+    }
+
     void displace_and_mark(std::uint32_t first, std::span<Vec3> to,
                            std::span<std::uint8_t> moved) const {
         const std::size_t count = to.size();
@@ -88,7 +111,8 @@ class DeformPass {
         const auto count = static_cast<std::uint32_t>(of_owners.size());
         const std::span<const WedgeId> ids = active_.wedges().subspan(first, count);
         const std::span<const Vec3f> from = normals_.subspan(first, count);
-        if (first + count <= active_.influenced_wedges_at_begin() && run_on(ids)) {
+        if (stays(first, count, kWedgesRun) ||
+            (first + count <= active_.influenced_wedges_at_begin() && run_on(ids))) {
             turn(from, of_owners, d_, mesh_.normals(ids.front(), count));
             return;
         }
@@ -106,22 +130,36 @@ class DeformPass {
     std::span<const Vec3> starts_;
     std::span<const Vec3f> normals_;
     std::span<const DragWeight> weights_;
+    std::span<const std::uint8_t> runs_;
     Vec3 d_;
     bool is_first_;  // else a drag may bring back what one before it has moved
 };
 
 }  // namespace
 
+std::vector<std::uint8_t> lasting_runs(const ActiveSet& active) {
+    const std::uint32_t most =
+        std::max(active.influenced_at_begin(), active.influenced_wedges_at_begin());
+    std::vector<std::uint8_t> runs(most / kBlock);
+    for (std::uint32_t block = 0; block < runs.size(); ++block) {
+        const int vertices = vertices_stay(active, block * kBlock) ? kVerticesRun : 0;
+        const int wedges = wedges_stay(active, block * kBlock) ? kWedgesRun : 0;
+        runs[block] = static_cast<std::uint8_t>(vertices | wedges);
+    }
+    return runs;
+}
+
 void deform(ActiveSet& active, std::span<const Vec3> starts, std::span<const Vec3f> normals,
-            std::span<const DragWeight> weights, const Vec3& d) {
-    DeformPass pass(active, starts, normals, weights, d);
+            std::span<const DragWeight> weights, std::span<const std::uint8_t> runs,
+            const Vec3& d) {
+    DeformPass pass(active, starts, normals, weights, runs, d);
     const std::uint32_t vertices = active.vertex_entries(), wedges = active.wedge_entries();
     for_pieces(0, std::max(vertices, wedges), [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t i = first; i < end; i += kBlock) {
-            const std::uint32_t most = end - i;
-            if (const auto count = std::min(most, count_at(i, vertices)))
-                pass.move_vertices(i, count);
-            if (const auto count = std::min(most, count_at(i, wedges))) pass.turn_wedges(i, count);
+        for (std::uint32_t i = first; i < end;) {
+            const std::uint32_t next = std::min(end, i / kBlock * kBlock + kBlock);
+            if (i < vertices) pass.move_vertices(i, std::min(next, vertices) - i);
+            if (i < wedges) pass.turn_wedges(i, std::min(next, wedges) - i);
+            i = next;
         }
     });
 }

@@ -26,6 +26,7 @@ void Embedding::embed() {
     const auto* field =
         warp_.steps.empty() ? nullptr : std::get_if<LatticeField>(&warp_.steps.back());
     evaluator_ = field ? std::optional<LatticeEvaluator>(*field) : std::nullopt;
+    if (!stages_.empty() && moves() == 1) runs_ = lasting_runs(active_);
     resize();
     for (std::uint32_t w = 0; w < normals_.size(); ++w) normals_[w] = active_.rest_normal_at(w);
     std::vector<DragWeight> all;
@@ -143,7 +144,7 @@ void Embedding::deform() {
         return;
     }
     if (moves() == 1) {
-        pectin::deform(active_, start_positions(), start_normals(), weights_,
+        pectin::deform(active_, start_positions(), start_normals(), weights_, runs_,
                        last_drag()->displacements.front());
         return;
     }
@@ -250,7 +251,7 @@ double Embedding::longest_edge_bound() const {
 std::size_t Embedding::memory_bytes() const {
     std::size_t bytes = normals_.capacity() * sizeof(Vec3f) +
                         weights_.capacity() * sizeof(DragWeight) + has_folded_.capacity() +
-                        (evaluator_ ? evaluator_->memory_bytes() : 0);
+                        runs_.capacity() + (evaluator_ ? evaluator_->memory_bytes() : 0);
     for (const Stage& stage : stages_) bytes += stage.positions.capacity() * sizeof(Vec3);
     return bytes;
 }
