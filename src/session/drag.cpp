@@ -232,7 +232,10 @@ void Session::State::show_frame(std::span<const Vec3> displacements) {
     in_hand->gesture->frame(displacements);
     // Corners of new faces may lie where nothing moves: they are shown with their faces.
     show(in_hand->gesture->take_edited_faces());
-    if (!dirty.everything) in_hand->gesture->append_moved_wedges(dirty.wedges);
+    if (dirty.everything) return;
+    // At least one a vertex; what was named before has its room already.
+    if (dirty.wedges.empty()) dirty.wedges.reserve(in_hand->gesture->influenced_vertices());
+    in_hand->gesture->append_moved_wedges(dirty.wedges);
 }
 
 // Cancels where nothing moves: such a gesture does nothing.

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cassert>
+#include <functional>
 #include <utility>
 
 #include "session/session_state.h"
@@ -178,11 +179,13 @@ DirtyElements Session::take_dirty() {
     DirtyElements taken = std::exchange(state_->dirty, {});
     // Slots that were cut off since have nothing to show.
     const auto tidy = [](auto& ids, auto end) {
-        // A frame names what it moves in order, and what it inserted after that.
-        const auto unsorted = std::is_sorted_until(ids.begin(), ids.end());
-        std::sort(unsorted, ids.end());
-        std::inplace_merge(ids.begin(), unsorted, ids.end());
-        ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        // A frame names what it moves in order, each once, and what it inserted after that.
+        const auto last = std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>());
+        if (last != ids.end()) {
+            std::sort(last + 1, ids.end());
+            std::inplace_merge(ids.begin(), last + 1, ids.end());
+            ids.erase(std::unique(ids.begin(), ids.end()), ids.end());
+        }
         ids.erase(std::lower_bound(ids.begin(), ids.end(), end), ids.end());
     };
     tidy(taken.wedges, WedgeId{state_->mesh->wedge_slots()});
