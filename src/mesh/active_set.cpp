@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/array_bytes.h"
+#include "mesh/sort_ids.h"
 
 namespace pectin {
 namespace {
@@ -59,21 +60,21 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
             add_edge(h.edge, false);
         }
     }
-    std::sort(edges_.begin(), edges_.end());
+    sort_ids(edges_);
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
         edge_states_[index(edges_[i])].entry = i;
         one_look_[i] = one_look_is_enough(edges_[i]) ? 1 : 0;
         longest_square_ = std::max(longest_square_, mesh_.squared_length(edges_[i]));
     }
 
-    std::sort(corners.begin(), corners.end());
+    sort_ids(corners);
     const auto first_still = std::stable_partition(corners.begin(), corners.end(), [&](VertexId v) {
         return zone_.contains_strictly(mesh_.position(v));
     });
     influenced_ = static_cast<std::uint32_t>(first_still - corners.begin());
     for (VertexId v : corners) add_vertex(v, mesh_.position(v), mesh_.is_deformed(v));
 
-    std::sort(wedges.begin(), wedges.end());
+    sort_ids(wedges);
     const auto owner = [&](WedgeId w) { return vertex_entry_[wedge_entry_[index(w)]]; };
     const auto first_still_wedge = std::stable_partition(
         wedges.begin(), wedges.end(), [&](WedgeId w) { return owner(w) < influenced_; });

@@ -1,0 +1,39 @@
+// Ids of elements, sorted digit by digit: comparing some ten thousand in no order costs several
+// times as much, since the machine guesses half of the outcomes wrong.
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <utility>
+#include <vector>
+
+#include "mesh/ids.h"
+
+namespace pectin {
+
+// Cost: O(n) time and memory, for ids below 2^22 two passes.
+template <typename Id>
+void sort_ids(std::vector<Id>& ids) {
+    constexpr std::size_t kFew = 512;  // counting digits costs as much as sorting these
+    constexpr std::uint32_t kDigitBits = 11, kDigits = 1u << kDigitBits;
+    if (std::is_sorted(ids.begin(), ids.end())) return;
+    if (ids.size() < kFew) {
+        std::sort(ids.begin(), ids.end());
+        return;
+    }
+    const std::uint32_t greatest = index(*std::max_element(ids.begin(), ids.end()));
+    std::vector<Id> sorted(ids.size());
+    for (std::uint32_t shift = 0; shift < 32 && greatest >> shift != 0; shift += kDigitBits) {
+        const auto digit = [&](Id id) { return index(id) >> shift & (kDigits - 1); };
+        std::array<std::uint32_t, kDigits> place{};
+        for (const Id id : ids) ++place[digit(id)];
+        std::uint32_t begin = 0;
+        for (std::uint32_t& p : place) begin += std::exchange(p, begin);
+        for (const Id id : ids) sorted[place[digit(id)]++] = id;
+        ids.swap(sorted);
+    }
+}
+
+}  // namespace pectin
