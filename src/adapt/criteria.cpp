@@ -72,6 +72,7 @@ Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
       zones_(std::move(zones)),
       scope_(std::move(scope)),
       between_(between),
+      least_square_(square(2.0 * limits.floor)),
       refine_divergence_(one_minus_cosine(limits.theta_max)),
       thin_divergence_(one_minus_cosine(limits.theta_min)),
       fine_difference_(static_cast<float>(2.0 * kRoundedDown * refine_divergence_)) {
@@ -125,10 +126,6 @@ bool Criteria::needs_refinement(const ActiveSet& active, EdgeId e) const {
               (between_ && between_->is_long_between_steps(v, b, c, limits_.l_max));
     });
     return any;
-}
-
-bool Criteria::is_below_floor(const TriMesh& mesh, EdgeId e) const {
-    return mesh.squared_length(e) < square(2.0 * limits_.floor);
 }
 
 bool Criteria::may_unsplit(const ActiveSet& active, const Star& star) const {

@@ -61,7 +61,10 @@ class Criteria {
     // in one face.
     bool looks_fine(const TriMesh& mesh, EdgeId e, bool may_be_long) const;
     // Whether its halves would be shorter than the floor.
-    bool is_below_floor(const TriMesh& mesh, EdgeId e) const;
+    bool is_below_floor(const TriMesh& mesh, EdgeId e) const {
+        return is_below_floor(mesh.squared_length(e));
+    }
+    bool is_below_floor(double squared_length) const { return squared_length < least_square_; }
 
     // --- Decimation
     bool may_unsplit(const ActiveSet& active, const Star& star) const;
@@ -92,6 +95,7 @@ class Criteria {
     std::vector<Box> zones_;
     std::optional<std::vector<Box>> scope_;
     const Embedding* between_ = nullptr;
+    double least_square_ = 0.0;  // of the length of an edge that may be split
     double refine_divergence_ = kOff, thin_divergence_ = kOff;
     float fine_difference_ = std::numeric_limits<float>::infinity();  // |n1 - n2|^2, rounded down
     double fine_length_ = kOff;  // squared; below 0 if the steps of a warp have to be asked

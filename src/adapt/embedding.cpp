@@ -188,25 +188,28 @@ void Embedding::deform_wedges(std::uint32_t first, std::uint32_t end) {
 void Embedding::place(const ActiveSet::Inserted& inserted) {
     const std::uint32_t entry = inserted.vertex_entry;
     if (stages_.empty()) return;
-    resize();
+    if (weights_.size() != active_.vertex_entries() * moves() || stages_.size() > 1) resize();
+    if (stages_.size() > 1) bring_to_last_step(inserted);
+    if (!active_.is_influenced_at(entry)) return;
+    embed_entry(entry);
+    deform_vertices(entry, entry + 1);
+    for (std::uint32_t w : inserted.wedge_entries) deform_wedges(w, w + 1);
+}
+
+void Embedding::bring_to_last_step(const ActiveSet::Inserted& inserted) {
+    const std::uint32_t entry = inserted.vertex_entry;
     const std::span<const std::uint32_t> wedges(inserted.wedge_entries);
-    if (stages_.size() > 1) {
-        for (std::uint32_t w : wedges) normals_[w] = active_.rest_normal_at(w);
-    }
-    const bool moves = active_.is_influenced_at(entry);
+    for (std::uint32_t w : wedges) normals_[w] = active_.rest_normal_at(w);
+    const bool is_influenced = active_.is_influenced_at(entry);
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
         const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
         scratch_.assign(drag ? drag->displacements.size() : 0, {});
-        if (moves) {
+        if (is_influenced) {
             weigh(step, entry, scratch_);
             for (std::uint32_t w : wedges) turn(step, w, scratch_);
         }
         advance(step, entry, scratch_);
     }
-    if (!moves) return;
-    embed_entry(entry);
-    deform_vertices(entry, entry + 1);
-    for (std::uint32_t w : wedges) deform_wedges(w, w + 1);
 }
 
 Vec3 Embedding::image(const Vec3& rest) const {

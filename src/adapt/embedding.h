@@ -62,6 +62,7 @@ class Embedding {
     void weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> weights) const;
     void advance(std::size_t step, std::uint32_t entry, std::span<const DragWeight> weights);
     void turn(std::size_t step, std::uint32_t wedge, std::span<const DragWeight> weights);
+    void bring_to_last_step(const ActiveSet::Inserted& inserted);
 
     // --- The last step, every frame.
     void embed_entry(std::uint32_t entry);

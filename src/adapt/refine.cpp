@@ -53,9 +53,10 @@ class Refiner {
             const auto next = queue_.pop();
             if (!next) break;
             // An edge split since, for the sake of another, waits again as its shorter half.
-            if (octave(next->edge) != next->octave) continue;
+            const double length = active_.mesh().squared_length(next->edge);
+            if (RefinementQueue::octave_of(length) != next->octave) continue;
             if (!criteria_.needs_refinement(active_, next->edge)) continue;
-            if (!is_below_floor(next->edge)) split_with_propagation(next->edge);
+            if (!is_below_floor(length)) split_with_propagation(next->edge);
         }
     }
 
@@ -84,8 +85,8 @@ class Refiner {
             if (!is_first(e)) return;
             if (is_along_cut(e)) {
                 push_if_needed(e);
-            } else if (!is_below_floor(e)) {
-                queue_.push(e, octave(e));
+            } else {
+                push(e);
             }
         });
     }
@@ -102,18 +103,22 @@ class Refiner {
     }
 
     void push_if_needed(EdgeId e) {
-        if (!criteria_.needs_refinement(active_, e) || is_below_floor(e)) return;
-        queue_.push(e, octave(e));
+        if (criteria_.needs_refinement(active_, e)) push(e);
+    }
+    // Of an edge that a split has made or halved, most of which look fine.
+    void push_new_if_needed(EdgeId e) {
+        if (active_.is_one_look(e) && criteria_.looks_fine(active_.mesh(), e, true)) return;
+        push_if_needed(e);
+    }
+    void push(EdgeId e) {
+        const double length = active_.mesh().squared_length(e);
+        if (!is_below_floor(length)) queue_.push(e, RefinementQueue::octave_of(length));
     }
 
-    bool is_below_floor(EdgeId e) {
-        const bool below = criteria_.is_below_floor(active_.mesh(), e);
+    bool is_below_floor(double squared_length) {
+        const bool below = criteria_.is_below_floor(squared_length);
         result_.floor_hit |= below;
         return below;
-    }
-
-    std::size_t octave(EdgeId e) const {
-        return RefinementQueue::octave_of(active_.mesh().squared_length(e));
     }
 
     // Splits what has to go before e, then e.
@@ -244,7 +249,7 @@ class Refiner {
         const ActiveSet::Inserted inserted = active_.split(e);
         embedding_.place(inserted);
         ++result_.splits;
-        for (EdgeId round : inserted.edges) push_if_needed(round);
+        for (EdgeId round : inserted.edges) push_new_if_needed(round);
         return true;
     }
 

@@ -38,13 +38,12 @@ Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3
     return sum > 0.0 ? a + vb / sum * ab + vc / sum * ac : a;
 }
 
-bool triangle_meets_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& box) {
+bool sides_meet_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& box) {
     Box bounds;
     bounds.include(a);
     bounds.include(b);
     bounds.include(c);
     if (!bounds.meets(box)) return false;
-    if (box.contains(bounds)) return true;
 
     const Vec3 centre = box.centre();
     const Vec3 half = 0.5 * box.extent();

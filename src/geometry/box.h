@@ -33,6 +33,10 @@ struct Box {
         return min.x <= other.min.x && other.max.x <= max.x && min.y <= other.min.y &&
                other.max.y <= max.y && min.z <= other.min.z && other.max.z <= max.z;
     }
+    bool contains(const Vec3& p) const {
+        return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y && min.z <= p.z &&
+               p.z <= max.z;
+    }
     // Strictly inside: the border of the influenced zone does not move, so it is outside.
     bool contains_strictly(const Vec3& p) const {
         return min.x < p.x && p.x < max.x && min.y < p.y && p.y < max.y && min.z < p.z &&
@@ -50,9 +54,14 @@ struct Box {
 // Detection, 2005, section 5.1.5).
 Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
-// Whether the closed triangle abc and the closed box have a point in common.
-// Separating axes: 3 of the box, the triangle's normal, 9 cross products (Akenine-Möller,
+// Whether the closed triangle abc and the closed box have a point in common, where no corner is in
+// the box. Separating axes: 3 of the box, the triangle's normal, 9 cross products (Akenine-Möller,
 // Fast 3D Triangle-Box Overlap Testing, 2001).
-bool triangle_meets_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& box);
+bool sides_meet_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& box);
+
+// Whether the closed triangle abc and the closed box have a point in common.
+inline bool triangle_meets_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& box) {
+    return box.contains(a) || box.contains(b) || box.contains(c) || sides_meet_box(a, b, c, box);
+}
 
 }  // namespace pectin

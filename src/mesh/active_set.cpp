@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "mesh/array_bytes.h"
+#include "mesh/midpoint_normal.h"
 #include "mesh/sort_ids.h"
 
 namespace pectin {
@@ -12,7 +13,7 @@ namespace {
 
 template <typename T, typename Id>
 T& grown(std::vector<T>& values, Id id, T fill) {
-    if (index(id) >= values.size()) values.resize(index(id) + index(id) / 2 + 1, fill);
+    if (index(id) >= values.size()) values.resize(index(id) + std::size_t{1}, fill);
     return values[index(id)];
 }
 
@@ -150,14 +151,12 @@ void ActiveSet::drop_edge(EdgeId e) {
     if (entry < edges_.size()) edge_states_[index(edges_[entry])].entry = entry;
 }
 
-float ActiveSet::rest_length(EdgeId e) {
+float ActiveSet::measure(EdgeId e) {
     EdgeState& state = grown(edge_states_, e, EdgeState{});
-    if (state.rest_length == kUnmeasured) {
-        const HalfEdgeId h = mesh_.half_edge(e);
-        state.rest_length = static_cast<float>(
-            glm::distance(rest_position(mesh_.origin(h)), rest_position(mesh_.target(h))));
-        if (state.entry == kNoEntry) measured_edges_.push_back(e);
-    }
+    const HalfEdgeId h = mesh_.half_edge(e);
+    state.rest_length = static_cast<float>(
+        glm::distance(rest_position(mesh_.origin(h)), rest_position(mesh_.target(h))));
+    if (state.entry == kNoEntry) measured_edges_.push_back(e);
     return state.rest_length;
 }
 
@@ -173,8 +172,10 @@ ActiveSet::Inserted ActiveSet::split(EdgeId e) {
     mesh_.set_position(s.m, rest);
     inserted.vertex_entry = add_vertex(s.m, rest, mesh_.is_deformed(s.m));
     inserted_wedges_.clear();
-    inserted_edges_.assign({s.bm, s.mc});
-    mesh_.for_each_sheet(*mesh_.removable(s.m), [&](const Star& star) {
+    inserted_edges_.clear();
+    inserted_edges_.push_back(s.bm);
+    inserted_edges_.push_back(s.mc);
+    mesh_.for_each_sheet(mesh_.star_of(s), [&](const Star& star) {
         insert_sheet(star, inserted.vertex_entry, half_length);
     });
     inserted.wedge_entries = inserted_wedges_;
@@ -184,40 +185,47 @@ ActiveSet::Inserted ActiveSet::split(EdgeId e) {
 
 // The rest state of what a split has made in one sheet.
 void ActiveSet::insert_sheet(const Star& star, std::uint32_t vertex_entry, float half_length) {
-    const Vec3 a = rest_position(star.a), b = rest_position(star.b), c = rest_position(star.c);
-    const Vec3& m = rest_positions_[vertex_entry];
-    const bool on_crease = !one_look_is_enough(mesh_.edge(star.bm));
-    const auto measure = [this](EdgeId e, float length, bool one_look = true) {
-        add_edge(e, one_look).rest_length = length;
-        note_length(length);
-    };
-    const EdgeId am = mesh_.edge(TriMesh::prev(star.mc));
-    measure(mesh_.edge(star.bm), half_length, !on_crease);
-    measure(mesh_.edge(star.mc), half_length, !on_crease);
-    measure(am, static_cast<float>(glm::distance(a, m)));
-    inserted_edges_.push_back(am);
+    const bool is_smooth = one_look_is_enough(mesh_.edge(star.bm));
+    for (HalfEdgeId h : {star.bm, star.mc}) {
+        add_edge(mesh_.edge(h), is_smooth).rest_length = half_length;
+    }
+    note_length(half_length);
+    insert_spoke(TriMesh::prev(star.mc), star.a, vertex_entry);
     faces_.push_back(TriMesh::face(star.mc));
     const WedgeId left = mesh_.wedge(star.mc);
-    insert_side(left, mesh_.wedge(star.bm), mesh_.wedge(TriMesh::next(star.mc)),
-                glm::cross(c - b, a - b), vertex_entry);
+    insert_side(left, mesh_.wedge(star.bm), mesh_.wedge(TriMesh::next(star.mc)), vertex_entry,
+                [&] { return rest_area_normal(star.b, star.c, star.a); });
     if (star.on_boundary()) return;
 
-    const Vec3 d = rest_position(star.d);
-    const EdgeId dm = mesh_.edge(TriMesh::prev(star.mb));
-    measure(dm, static_cast<float>(glm::distance(d, m)));
-    inserted_edges_.push_back(dm);
+    insert_spoke(TriMesh::prev(star.mb), star.d, vertex_entry);
     faces_.push_back(TriMesh::face(star.cm));
     const WedgeId right = mesh_.wedge(star.mb);
     if (right == left) return;
-    insert_side(right, mesh_.wedge(TriMesh::next(star.mb)), mesh_.wedge(star.cm),
-                glm::cross(d - b, c - b), vertex_entry);
+    insert_side(right, mesh_.wedge(TriMesh::next(star.mb)), mesh_.wedge(star.cm), vertex_entry,
+                [&] { return rest_area_normal(star.b, star.d, star.c); });
 }
 
-void ActiveSet::insert_side(WedgeId m, WedgeId b, WedgeId c, const Vec3& area_normal,
-                            std::uint32_t owner) {
+// am or dm.
+void ActiveSet::insert_spoke(HalfEdgeId h, VertexId apex, std::uint32_t vertex_entry) {
+    const EdgeId e = mesh_.edge(h);
+    const auto length = static_cast<float>(
+        glm::distance(rest_position(apex), rest_positions_[vertex_entry]));
+    add_edge(e, true).rest_length = length;
+    note_length(length);
+    inserted_edges_.push_back(e);
+}
+
+template <typename AreaNormal>
+void ActiveSet::insert_side(WedgeId m, WedgeId b, WedgeId c, std::uint32_t owner,
+                            const AreaNormal& area_normal) {
     const Vec3f normal = midpoint_normal(rest_normal(b), rest_normal(c), area_normal);
     mesh_.set_normal(m, normal);
     inserted_wedges_.push_back(add_wedge(m, normal, owner));
+}
+
+Vec3 ActiveSet::rest_area_normal(VertexId p, VertexId q, VertexId r) const {
+    const Vec3 from = rest_position(p);
+    return glm::cross(rest_position(q) - from, rest_position(r) - from);
 }
 
 void ActiveSet::unsplit(const Star& star) {

@@ -72,6 +72,12 @@ class ActiveSet {
     // Of each: 1 where one side says all about its end normals, since the other shares both wedges
     // or there is none; so it stays for all its pieces. 0 on creases and along cuts.
     std::span<const std::uint8_t> one_look_edges() const { return one_look_; }
+    bool is_one_look(EdgeId e) const {
+        const std::uint32_t entry = index(e) < edge_states_.size()
+                                        ? edge_states_[index(e)].entry
+                                        : kNoEntry;
+        return entry != kNoEntry && one_look_[entry] != 0;
+    }
     // A byte for each of them, for a pass to write and read; lost with the next edit.
     std::span<std::uint8_t> scratch_of_edges() {
         scratch_.resize(edges_.size());
@@ -101,7 +107,13 @@ class ActiveSet {
     }
     // Rounded to float and remembered, so that an edge has one rest length for a gesture; the
     // halves of a split have exactly half of it.
-    float rest_length(EdgeId e);
+    float rest_length(EdgeId e) {
+        if (index(e) < edge_states_.size()) {
+            const float known = edge_states_[index(e)].rest_length;
+            if (known != kUnmeasured) return known;
+        }
+        return measure(e);
+    }
     // No active edge is longer at rest, nor has any been in this gesture. O(1).
     double longest_at_rest() const { return std::sqrt(longest_square_); }
 
@@ -143,7 +155,12 @@ class ActiveSet {
     std::uint32_t add_vertex(VertexId v, const Vec3& rest, bool was_deformed);
     std::uint32_t add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner);
     void insert_sheet(const Star& star, std::uint32_t vertex_entry, float half_length);
-    void insert_side(WedgeId m, WedgeId b, WedgeId c, const Vec3& area_normal, std::uint32_t owner);
+    void insert_spoke(HalfEdgeId h, VertexId apex, std::uint32_t vertex_entry);
+    template <typename AreaNormal>
+    void insert_side(WedgeId m, WedgeId b, WedgeId c, std::uint32_t owner,
+                     const AreaNormal& area_normal);
+    Vec3 rest_area_normal(VertexId p, VertexId q, VertexId r) const;
+    float measure(EdgeId e);
     void drop_sheet(const Star& star);
     void drop_wedge(WedgeId w);
     EdgeState& add_edge(EdgeId e, bool one_look);

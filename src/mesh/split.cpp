@@ -1,46 +1,69 @@
-// Splitting an edge at its midpoint and undoing that exactly.
+// Splitting an edge at its midpoint.
 // Source: Gain & Dodgson 1999, section 4, figure 3.
 #include <algorithm>
 #include <cassert>
 #include <limits>
 
+#include "mesh/midpoint_normal.h"
 #include "mesh/tri_mesh.h"
 
 namespace pectin {
 namespace {
 
-// Below this the sum of two unit normals says nothing of a direction: its ends oppose each other
-// (by more than 174 degrees), and the face normal is added.
-constexpr double kShortNormalSum = 0.1;
+constexpr std::size_t kMostCounted = std::numeric_limits<std::uint32_t>::max();
 
 }  // namespace
 
-Vec3f midpoint_normal(const Vec3f& nb, const Vec3f& nc, const Vec3& area_normal) {
-    Vec3 sum = Vec3{nb} + Vec3{nc};
-    double squared = glm::dot(sum, sum);
-    if (squared < kShortNormalSum * kShortNormalSum) {
-        const double area = glm::length(area_normal);
-        if (area > 0.0) sum += area_normal / area;
-        squared = glm::dot(sum, sum);
+VertexId TriMesh::allocate_vertex() {
+    if (!free_vertices_.empty()) {
+        const VertexId v = free_vertices_.back();
+        free_vertices_.pop_back();
+        return v;
     }
-    return squared > 0.0 ? Vec3f{sum / std::sqrt(squared)} : Vec3f{0.0f};
+    positions_.emplace_back(0.0);
+    vertex_half_edges_.push_back(kNone<HalfEdgeId>);
+    vertex_levels_.push_back(0);
+    deformed_.push_back(0);
+    if (has_colors()) colors_.emplace_back(0.0f);
+    return VertexId{vertex_slots() - 1};
 }
 
-// Gives half-edge `from` the slot `to`; whatever names it follows. Its origin, wedge and edge go
-// along, its own face is the caller's business.
-void TriMesh::move_half_edge(HalfEdgeId from, HalfEdgeId to) {
-    HalfEdge& moved = half_edges_[index(to)];
-    moved = half_edges_[index(from)];
-    if (exists(moved.twin)) half_edges_[index(moved.twin)].twin = to;
-    HalfEdgeId& of_vertex = vertex_half_edges_[index(moved.origin)];
-    if (of_vertex == from) of_vertex = to;
-    HalfEdgeId& of_edge = edge_half_edges_[index(moved.edge)];
-    if (of_edge == from) of_edge = to;
+WedgeId TriMesh::allocate_wedge() {
+    if (!free_wedges_.empty()) {
+        const WedgeId w = free_wedges_.back();
+        free_wedges_.pop_back();
+        return w;
+    }
+    normals_.emplace_back(0.0f);
+    if (has_uvs()) uvs_.emplace_back(0.0f);
+    return WedgeId{wedge_slots() - 1};
 }
 
-void TriMesh::link(HalfEdgeId h, HalfEdgeId twin) {
-    half_edges_[index(h)].twin = twin;
-    half_edges_[index(twin)].twin = h;
+EdgeId TriMesh::allocate_edge() {
+    if (!free_edges_.empty()) {
+        const EdgeId e = free_edges_.back();
+        free_edges_.pop_back();
+        return e;
+    }
+    edge_half_edges_.push_back(kNone<HalfEdgeId>);
+    edge_levels_.push_back(0);
+    const EdgeId e{edge_slots() - 1};
+    if (!siblings_.empty()) siblings_.push_back(e);
+    return e;
+}
+
+FaceId TriMesh::allocate_face(FaceId base) {
+    FaceId f;
+    if (!free_faces_.empty()) {
+        f = free_faces_.back();
+        free_faces_.pop_back();
+    } else {
+        for (int corner = 0; corner < 3; ++corner) half_edges_.push_back(HalfEdge{});
+        face_bases_.push_back(kNone<FaceId>);
+        f = FaceId{face_slots() - 1};
+    }
+    face_bases_[index(f)] = base;
+    return f;
 }
 
 EdgeId TriMesh::leader(EdgeId e) const {
@@ -64,12 +87,14 @@ Split TriMesh::split(EdgeId e) {
     const Split s = insert_midpoint(e);
     positions_[index(s.m)] = 0.5 * position(s.b) + 0.5 * position(s.c);
     const auto set_normal = [this](WedgeId m, HalfEdgeId from_b, HalfEdgeId from_c, VertexId apex) {
-        const Vec3& b = position(origin(from_b));
-        const Vec3 area_normal = glm::cross(position(origin(from_c)) - b, position(apex) - b);
+        const auto area_normal = [&] {
+            const Vec3& b = position(origin(from_b));
+            return glm::cross(position(origin(from_c)) - b, position(apex) - b);
+        };
         normals_[index(m)] =
             midpoint_normal(normal(wedge(from_b)), normal(wedge(from_c)), area_normal);
     };
-    for_each_sheet(*star_from(half_edge(s.m)), [&](const Star& star) {
+    for_each_sheet(star_of(s), [&](const Star& star) {
         set_normal(wedge(star.mc), star.bm, next(star.mc), star.a);
         if (star.on_boundary() || wedge(star.mb) == wedge(star.mc)) return;
         set_normal(wedge(star.mb), star.cm, next(star.mb), star.d);
@@ -106,24 +131,49 @@ Split TriMesh::insert_midpoint(EdgeId e) {
 
 // For the most a split adds, before it changes anything: without the memory nothing has happened.
 void TriMesh::make_room(EdgeId e) {
+    const bool along_cut = sibling(e) != e;
+    if (!along_cut && room_.splits > 0) {
+        --room_.splits;
+        return;
+    }
     std::size_t sides = 0;
     for_each_side(e, [&](HalfEdgeId) { ++sides; });
-    const auto room = [](auto& slots, std::size_t added) {
+    reserve_for(std::max<std::size_t>(sides, 2));
+    room_.splits = along_cut ? 0 : room_.splits - 1;
+}
+
+// Room for at least a split with so many sides, and notes how many with two there are then.
+void TriMesh::reserve_for(std::size_t sides) {
+    std::size_t splits = kMostCounted;
+    const auto room = [&](auto& slots, std::size_t a_side) {
+        const std::size_t added = a_side * sides;
         if (slots.capacity() - slots.size() < added) slots.reserve(2 * slots.size() + added);
+        splits = std::min(splits, (slots.capacity() - slots.size()) / (2 * a_side));
     };
     room(positions_, 1);
     room(vertex_half_edges_, 1);
     room(vertex_levels_, 1);
     room(deformed_, 1);
     if (has_colors()) room(colors_, 1);
-    room(normals_, sides);
-    if (has_uvs()) room(uvs_, sides);
-    const std::size_t edges = 2 * sides;
-    room(edge_half_edges_, edges);
-    room(edge_levels_, edges);
-    if (!siblings_.empty()) room(siblings_, edges);
-    room(half_edges_, 3 * sides);
-    room(face_bases_, sides);
+    room(normals_, 1);
+    if (has_uvs()) room(uvs_, 1);
+    room(edge_half_edges_, 2);
+    room(edge_levels_, 2);
+    if (!siblings_.empty()) room(siblings_, 2);
+    room(half_edges_, 3);
+    room(face_bases_, 1);
+    room_.splits = static_cast<std::uint32_t>(splits);
+}
+
+Star TriMesh::star_of(const Split& s) const {
+    Star star{.m = s.m, .a = s.a, .b = s.b, .c = s.c, .d = s.d};
+    star.mc = half_edge(s.face3, 0);
+    star.bm = half_edge(s.bm);
+    if (s.right) {
+        star.mb = twin(star.bm);
+        star.cm = half_edge(s.face4, 0);
+    }
+    return star;
 }
 
 Split TriMesh::insert_into_sheet(EdgeId e, VertexId m) {
@@ -222,107 +272,6 @@ void TriMesh::connect_right(const Split& s) {
     edge_half_edges_[index(s.dm)] = dm;
     link(bc, mb);
     link(half_edge(s.mc), cm);
-}
-
-std::optional<Star> TriMesh::removable(VertexId m) const {
-    if (is_base(m) || !is_live(m)) return std::nullopt;
-    const std::optional<Star> star = star_from(half_edge(m));
-    if (!star || !star->on_boundary()) return star;
-    const EdgeId first = edge(star->mc);
-    for (EdgeId e = sibling(first); e != first; e = sibling(e)) {
-        if (!sheet(m, e)) return std::nullopt;
-    }
-    return star;
-}
-
-// The star that has m->c in its face 3, if it is closed with four edges, or has three and lies on
-// the boundary, and all neighbours are at m's level or lower.
-std::optional<Star> TriMesh::star_from(HalfEdgeId mc) const {
-    Star star;
-    star.m = origin(mc);
-    star.mc = mc;
-    const HalfEdgeId am = prev(mc), ma = twin(am);
-    if (!exists(ma)) return std::nullopt;
-    star.bm = prev(ma);
-    star.a = origin(am);
-    star.b = origin(star.bm);
-    star.c = target(mc);
-    std::uint16_t highest = std::max({level(star.a), level(star.b), level(star.c)});
-    star.mb = twin(star.bm);
-    star.cm = twin(mc);
-    if (exists(star.mb) != exists(star.cm)) return std::nullopt;
-    if (exists(star.mb)) {
-        const HalfEdgeId dm = prev(star.mb);
-        // A fourth edge closes the star; with a fifth, md lies in another face than cm.
-        if (twin(dm) != next(star.cm)) return std::nullopt;
-        star.d = origin(dm);
-        highest = std::max(highest, level(star.d));
-    }
-    if (highest > level(star.m)) return std::nullopt;
-    return star;
-}
-
-// The star in the sheet that has this boundary edge at m: its m->c, or its b->m where the sheet
-// runs the other way.
-std::optional<Star> TriMesh::sheet(VertexId m, EdgeId along_cut) const {
-    const HalfEdgeId h = half_edge(along_cut);
-    if (origin(h) == m) return star_from(h);
-    const HalfEdgeId am = twin(next(h));
-    return exists(am) ? star_from(next(am)) : std::nullopt;
-}
-
-// The reverse of insert_midpoint, statement by statement.
-EdgeId TriMesh::unsplit(const Star& star) {
-    if (star.on_boundary() && sibling(edge(star.mc)) != edge(star.mc)) unsplit_siblings(star);
-    const EdgeId e = unsplit_sheet(star);
-    release(star.m);
-    return e;
-}
-
-void TriMesh::unsplit_siblings(const Star& leader) {
-    std::vector<Star> sheets;
-    for_each_sheet(leader, [&](const Star& star) { sheets.push_back(star); });
-    for (std::size_t i = sheets.size(); i-- > 0;) {
-        const EdgeId e = edge(sheets[i].bm);
-        assert(e >= edge(leader.bm));
-        siblings_[index(e)] = edge(sheets[(i + 1) % sheets.size()].bm);
-        if (i > 0) unsplit_sheet(sheets[i]);
-    }
-}
-
-EdgeId TriMesh::unsplit_sheet(const Star& star) {
-    const HalfEdgeId bc = star.bm, ma = next(bc);
-    const FaceId face3 = face(star.mc);
-    const HalfEdgeId ca = next(star.mc);
-    const EdgeId e = edge(bc), mc_edge = edge(star.mc), am_edge = edge(ma);
-    const WedgeId left_m = wedge(star.mc);
-    assert(ca == half_edge(face3, 1) && level(am_edge) == level(star.m));
-
-    if (!star.on_boundary()) {
-        const HalfEdgeId mb = star.mb, dm = prev(mb);
-        const FaceId face4 = face(star.cm);
-        const EdgeId dm_edge = edge(dm);
-        const WedgeId right_m = wedge(mb);
-        assert(star.cm == half_edge(face4, 0) && level(dm_edge) == level(star.m));
-        half_edges_[index(star.cm)].edge = e;
-        move_half_edge(half_edge(face4, 2), dm);
-        move_half_edge(star.cm, mb);
-        link(bc, mb);
-        move_half_edge(ca, ma);
-        release(face4);
-        release(face3);
-        release(dm_edge);
-        release(am_edge);
-        release(mc_edge);
-        if (right_m != left_m) release(right_m);
-    } else {
-        move_half_edge(ca, ma);
-        release(face3);
-        release(am_edge);
-        release(mc_edge);
-    }
-    release(left_m);
-    return e;
 }
 
 }  // namespace pectin

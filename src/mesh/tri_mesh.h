@@ -32,6 +32,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "geometry/box.h"
@@ -223,6 +224,8 @@ class TriMesh {
         const EdgeId first = edge(star.mc);
         for (EdgeId e = sibling(first); e != first; e = sibling(e)) visit(*sheet(star.m, e));
     }
+    // The same of what an edge's split has just made: its leader's sheet.
+    Star star_of(const Split& split) const;
     // The exact inverse of the split that made star.m: same ids, same bytes. Returns bc, the leader
     // of its siblings. Precondition: star is what removable(m) says.
     EdgeId unsplit(const Star& star);
@@ -251,6 +254,23 @@ class TriMesh {
         bool operator==(const BaseFace&) const = default;
     };
 
+    // How many two-sided splits find all arrays large enough, at least. The arrays of a copy are as
+    // large as they have to be.
+    struct Room {
+        std::uint32_t splits = 0;
+        Room() = default;
+        Room(const Room&) {}
+        Room& operator=(const Room&) {
+            splits = 0;
+            return *this;
+        }
+        Room(Room&& other) noexcept : splits(std::exchange(other.splits, 0)) {}
+        Room& operator=(Room&& other) noexcept {
+            splits = std::exchange(other.splits, 0);
+            return *this;
+        }
+    };
+
     VertexId allocate_vertex();
     WedgeId allocate_wedge();
     EdgeId allocate_edge();
@@ -263,6 +283,7 @@ class TriMesh {
     void move_half_edge(HalfEdgeId from, HalfEdgeId to);
     void link(HalfEdgeId h, HalfEdgeId twin);
     void make_room(EdgeId e);
+    void reserve_for(std::size_t sides);
     Split insert_into_sheet(EdgeId e, VertexId m);
     Split allocate_sheet(EdgeId e, VertexId m);
     void connect_left(const Split& split);
@@ -294,6 +315,7 @@ class TriMesh {
     std::vector<WedgeId> free_wedges_;
     std::vector<EdgeId> free_edges_;
     std::vector<FaceId> free_faces_;
+    Room room_;
 };
 
 // A mesh of which everything is base: vertices in the order that a save would give them, faces too,
@@ -305,9 +327,21 @@ struct Baked {
         edges;  // n_edge_slots of the mesh it was made from: what they became, or none
 };
 
-// The rule for a midpoint's normal on one side: normalise(nb + nc), with the side's face normal
-// added where that sum is shorter than 0.1 (ends that oppose each other); 0 if all vanish.
-// `area_normal`: any positive multiple of the face normal, or 0.
-Vec3f midpoint_normal(const Vec3f& nb, const Vec3f& nc, const Vec3& area_normal);
+// Gives half-edge `from` the slot `to`; whatever names it follows. Its origin, wedge and edge go
+// along, its own face is the caller's business.
+inline void TriMesh::move_half_edge(HalfEdgeId from, HalfEdgeId to) {
+    HalfEdge& moved = half_edges_[index(to)];
+    moved = half_edges_[index(from)];
+    if (exists(moved.twin)) half_edges_[index(moved.twin)].twin = to;
+    HalfEdgeId& of_vertex = vertex_half_edges_[index(moved.origin)];
+    if (of_vertex == from) of_vertex = to;
+    HalfEdgeId& of_edge = edge_half_edges_[index(moved.edge)];
+    if (of_edge == from) of_edge = to;
+}
+
+inline void TriMesh::link(HalfEdgeId h, HalfEdgeId twin) {
+    half_edges_[index(h)].twin = twin;
+    half_edges_[index(twin)].twin = h;
+}
 
 }  // namespace pectin

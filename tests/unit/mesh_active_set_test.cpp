@@ -8,6 +8,7 @@
 
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
+#include "mesh/midpoint_normal.h"
 #include "mesh/shapes.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"

@@ -9,6 +9,7 @@
 
 #include "mesh/build_mesh.h"
 #include "mesh/mesh_change.h"
+#include "mesh/midpoint_normal.h"
 #include "support/mesh_figures.h"
 
 namespace pectin {

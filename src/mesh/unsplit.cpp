@@ -1,0 +1,142 @@
+// Undoing the split of an edge exactly.
+// Source: Gain & Dodgson 1999, section 4, figure 3.
+#include <algorithm>
+#include <cassert>
+
+#include "mesh/tri_mesh.h"
+
+namespace pectin {
+
+// Released slots are cleared, so that a slot's bytes do not depend on what it once held.
+void TriMesh::release(VertexId v) {
+    positions_[index(v)] = Vec3{0.0};
+    vertex_half_edges_[index(v)] = kNone<HalfEdgeId>;
+    vertex_levels_[index(v)] = 0;
+    deformed_[index(v)] = 0;
+    if (has_colors()) colors_[index(v)] = Vec3f{0.0f};
+    free_vertices_.push_back(v);
+}
+
+void TriMesh::release(WedgeId w) {
+    normals_[index(w)] = Vec3f{0.0f};
+    if (has_uvs()) uvs_[index(w)] = Vec2f{0.0f};
+    free_wedges_.push_back(w);
+}
+
+void TriMesh::release(EdgeId e) {
+    edge_half_edges_[index(e)] = kNone<HalfEdgeId>;
+    edge_levels_[index(e)] = 0;
+    if (!siblings_.empty()) siblings_[index(e)] = e;
+    free_edges_.push_back(e);
+}
+
+void TriMesh::release(FaceId f) {
+    for (int corner = 0; corner < 3; ++corner) {
+        half_edges_[index(half_edge(f, corner))] = HalfEdge{};
+    }
+    face_bases_[index(f)] = kNone<FaceId>;
+    free_faces_.push_back(f);
+}
+
+std::optional<Star> TriMesh::removable(VertexId m) const {
+    if (is_base(m) || !is_live(m)) return std::nullopt;
+    const std::optional<Star> star = star_from(half_edge(m));
+    if (!star || !star->on_boundary()) return star;
+    const EdgeId first = edge(star->mc);
+    for (EdgeId e = sibling(first); e != first; e = sibling(e)) {
+        if (!sheet(m, e)) return std::nullopt;
+    }
+    return star;
+}
+
+// The star that has m->c in its face 3, if it is closed with four edges, or has three and lies on
+// the boundary, and all neighbours are at m's level or lower.
+std::optional<Star> TriMesh::star_from(HalfEdgeId mc) const {
+    Star star;
+    star.m = origin(mc);
+    star.mc = mc;
+    const HalfEdgeId am = prev(mc), ma = twin(am);
+    if (!exists(ma)) return std::nullopt;
+    star.bm = prev(ma);
+    star.a = origin(am);
+    star.b = origin(star.bm);
+    star.c = target(mc);
+    std::uint16_t highest = std::max({level(star.a), level(star.b), level(star.c)});
+    star.mb = twin(star.bm);
+    star.cm = twin(mc);
+    if (exists(star.mb) != exists(star.cm)) return std::nullopt;
+    if (exists(star.mb)) {
+        const HalfEdgeId dm = prev(star.mb);
+        // A fourth edge closes the star; with a fifth, md lies in another face than cm.
+        if (twin(dm) != next(star.cm)) return std::nullopt;
+        star.d = origin(dm);
+        highest = std::max(highest, level(star.d));
+    }
+    if (highest > level(star.m)) return std::nullopt;
+    return star;
+}
+
+// The star in the sheet that has this boundary edge at m: its m->c, or its b->m where the sheet
+// runs the other way.
+std::optional<Star> TriMesh::sheet(VertexId m, EdgeId along_cut) const {
+    const HalfEdgeId h = half_edge(along_cut);
+    if (origin(h) == m) return star_from(h);
+    const HalfEdgeId am = twin(next(h));
+    return exists(am) ? star_from(next(am)) : std::nullopt;
+}
+
+// The reverse of insert_midpoint, statement by statement.
+EdgeId TriMesh::unsplit(const Star& star) {
+    if (star.on_boundary() && sibling(edge(star.mc)) != edge(star.mc)) unsplit_siblings(star);
+    const EdgeId e = unsplit_sheet(star);
+    release(star.m);
+    return e;
+}
+
+void TriMesh::unsplit_siblings(const Star& leader) {
+    std::vector<Star> sheets;
+    for_each_sheet(leader, [&](const Star& star) { sheets.push_back(star); });
+    for (std::size_t i = sheets.size(); i-- > 0;) {
+        const EdgeId e = edge(sheets[i].bm);
+        assert(e >= edge(leader.bm));
+        siblings_[index(e)] = edge(sheets[(i + 1) % sheets.size()].bm);
+        if (i > 0) unsplit_sheet(sheets[i]);
+    }
+}
+
+EdgeId TriMesh::unsplit_sheet(const Star& star) {
+    const HalfEdgeId bc = star.bm, ma = next(bc);
+    const FaceId face3 = face(star.mc);
+    const HalfEdgeId ca = next(star.mc);
+    const EdgeId e = edge(bc), mc_edge = edge(star.mc), am_edge = edge(ma);
+    const WedgeId left_m = wedge(star.mc);
+    assert(ca == half_edge(face3, 1) && level(am_edge) == level(star.m));
+
+    if (!star.on_boundary()) {
+        const HalfEdgeId mb = star.mb, dm = prev(mb);
+        const FaceId face4 = face(star.cm);
+        const EdgeId dm_edge = edge(dm);
+        const WedgeId right_m = wedge(mb);
+        assert(star.cm == half_edge(face4, 0) && level(dm_edge) == level(star.m));
+        half_edges_[index(star.cm)].edge = e;
+        move_half_edge(half_edge(face4, 2), dm);
+        move_half_edge(star.cm, mb);
+        link(bc, mb);
+        move_half_edge(ca, ma);
+        release(face4);
+        release(face3);
+        release(dm_edge);
+        release(am_edge);
+        release(mc_edge);
+        if (right_m != left_m) release(right_m);
+    } else {
+        move_half_edge(ca, ma);
+        release(face3);
+        release(am_edge);
+        release(mc_edge);
+    }
+    release(left_m);
+    return e;
+}
+
+}  // namespace pectin
