@@ -61,21 +61,21 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
             add_edge(h.edge, false);
         }
     }
-    sort_ids(edges_);
+    sort_ids(std::span(edges_));
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
         edge_states_[index(edges_[i])].entry = i;
         one_look_[i] = one_look_is_enough(edges_[i]) ? 1 : 0;
         longest_square_ = std::max(longest_square_, mesh_.squared_length(edges_[i]));
     }
 
-    sort_ids(corners);
+    sort_ids(std::span(corners));
     const auto first_still = std::stable_partition(corners.begin(), corners.end(), [&](VertexId v) {
         return zone_.contains_strictly(mesh_.position(v));
     });
     influenced_ = static_cast<std::uint32_t>(first_still - corners.begin());
     for (VertexId v : corners) add_vertex(v, mesh_.position(v), mesh_.is_deformed(v));
 
-    sort_ids(wedges);
+    sort_ids(std::span(wedges));
     const auto owner = [&](WedgeId w) { return vertex_entry_[wedge_entry_[index(w)]]; };
     const auto first_still_wedge = std::stable_partition(
         wedges.begin(), wedges.end(), [&](WedgeId w) { return owner(w) < influenced_; });

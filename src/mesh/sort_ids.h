@@ -6,6 +6,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -15,7 +16,7 @@ namespace pectin {
 
 // Cost: O(n) time and memory, for ids below 2^22 two passes.
 template <typename Id>
-void sort_ids(std::vector<Id>& ids) {
+void sort_ids(std::span<Id> ids) {
     constexpr std::size_t kFew = 512;  // counting digits costs as much as sorting these
     constexpr std::uint32_t kDigitBits = 11, kDigits = 1u << kDigitBits;
     if (std::is_sorted(ids.begin(), ids.end())) return;
@@ -24,16 +25,18 @@ void sort_ids(std::vector<Id>& ids) {
         return;
     }
     const std::uint32_t greatest = index(*std::max_element(ids.begin(), ids.end()));
-    std::vector<Id> sorted(ids.size());
+    std::vector<Id> other(ids.size());
+    std::span<Id> from = ids, to = other;
     for (std::uint32_t shift = 0; shift < 32 && greatest >> shift != 0; shift += kDigitBits) {
         const auto digit = [&](Id id) { return index(id) >> shift & (kDigits - 1); };
         std::array<std::uint32_t, kDigits> place{};
-        for (const Id id : ids) ++place[digit(id)];
+        for (const Id id : from) ++place[digit(id)];
         std::uint32_t begin = 0;
         for (std::uint32_t& p : place) begin += std::exchange(p, begin);
-        for (const Id id : ids) sorted[place[digit(id)]++] = id;
-        ids.swap(sorted);
+        for (const Id id : from) to[place[digit(id)]++] = id;
+        std::swap(from, to);
     }
+    if (from.data() != ids.data()) std::copy(from.begin(), from.end(), ids.begin());
 }
 
 }  // namespace pectin

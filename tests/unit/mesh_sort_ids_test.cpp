@@ -22,9 +22,9 @@ TEST(SortIds, OrdersAsComparingThemDoes) {
             if (count > 0) ids.front() = EdgeId{most};
             std::vector<EdgeId> expected = ids;
             std::sort(expected.begin(), expected.end());
-            sort_ids(ids);
+            sort_ids(std::span(ids));
             EXPECT_EQ(ids, expected) << count << " ids up to " << most << ", seed " << kSeed;
-            sort_ids(ids);
+            sort_ids(std::span(ids));
             EXPECT_EQ(ids, expected);
         }
     }
