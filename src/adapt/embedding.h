@@ -11,6 +11,7 @@
 #include "ffd/lattice_evaluator.h"
 #include "ffd/warp.h"
 #include "mesh/active_set.h"
+#include "mesh/growing_array.h"
 
 namespace pectin {
 
@@ -75,10 +76,10 @@ class Embedding {
 
     ActiveSet& active_;
     const Warp& warp_;
-    std::vector<Stage> stages_;        // one a step
-    std::vector<Vec3f> normals_;       // of the wedge entries before the last step, if several
-    std::vector<DragWeight> weights_;  // of a drag as last step: vertex entries x moves
-    std::vector<std::uint8_t> runs_;   // of blocks of entries where one drag acts
+    std::vector<Stage> stages_;         // one a step
+    std::vector<Vec3f> normals_;        // of the wedge entries before the last step, if several
+    GrowingArray<DragWeight> weights_;  // of a drag as last step: vertex entries x moves
+    std::vector<std::uint8_t> runs_;    // of blocks of entries where one drag acts
     std::optional<LatticeEvaluator> evaluator_;  // of a lattice field as last step
     std::vector<std::uint8_t> has_folded_;       // vertex entries, in a step before the last
     std::vector<DragWeight> scratch_;

@@ -12,7 +12,7 @@ namespace pectin {
 namespace {
 
 template <typename T, typename Id>
-T& grown(std::vector<T>& values, Id id, T fill) {
+T& grown(GrowingArray<T>& values, Id id, T fill) {
     if (index(id) >= values.size()) values.resize(index(id) + std::size_t{1}, fill);
     return values[index(id)];
 }
@@ -25,7 +25,8 @@ void ActiveSet::begin(std::span<const FaceId> faces, const Box& zone) {
     zone_ = zone;
     slots_at_begin_ = mesh_.slot_counts();
     fit_to_mesh();
-    faces_.assign(faces.begin(), faces.end());
+    faces_.clear();
+    faces_.append(faces);
     original_faces_ = faces_.size();
     collect(faces);
     original_vertices_ = vertex_entries();
@@ -89,9 +90,9 @@ std::uint32_t ActiveSet::add_vertex(VertexId v, const Vec3& rest, bool was_defor
         entry = free_vertex_entries_.back();
         free_vertex_entries_.pop_back();
     } else {
-        vertices_.emplace_back();
-        rest_positions_.emplace_back();
-        was_deformed_.emplace_back();
+        vertices_.push_back({});
+        rest_positions_.push_back({});
+        was_deformed_.push_back({});
     }
     vertices_[entry] = v;
     rest_positions_[entry] = rest;
@@ -106,9 +107,9 @@ std::uint32_t ActiveSet::add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t o
         entry = free_wedge_entries_.back();
         free_wedge_entries_.pop_back();
     } else {
-        wedges_.emplace_back();
-        rest_normals_.emplace_back();
-        wedge_owners_.emplace_back();
+        wedges_.push_back({});
+        rest_normals_.push_back({});
+        wedge_owners_.push_back({});
     }
     wedges_[entry] = w;
     rest_normals_[entry] = rest;
@@ -208,8 +209,8 @@ void ActiveSet::insert_sheet(const Star& star, std::uint32_t vertex_entry, float
 // am or dm.
 void ActiveSet::insert_spoke(HalfEdgeId h, VertexId apex, std::uint32_t vertex_entry) {
     const EdgeId e = mesh_.edge(h);
-    const auto length = static_cast<float>(
-        glm::distance(rest_position(apex), rest_positions_[vertex_entry]));
+    const auto length =
+        static_cast<float>(glm::distance(rest_position(apex), rest_positions_[vertex_entry]));
     add_edge(e, true).rest_length = length;
     note_length(length);
     inserted_edges_.push_back(e);
@@ -322,7 +323,7 @@ MeshChange ActiveSet::finish() {
     MeshChange change;
     change.slots_before = slots_at_begin_;
     record_states(change);
-    change.edits = edits_;
+    change.edits.assign(edits_.begin(), edits_.end());
     for (std::size_t i = 0; i < faces_.size(); ++i) {
         if (i >= original_faces_ || has_changed(faces_[i])) change.faces.push_back(faces_[i]);
     }

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "geometry/box.h"
+#include "mesh/growing_array.h"
 #include "mesh/mesh_change.h"
 #include "mesh/tri_mesh.h"
 
@@ -73,9 +74,8 @@ class ActiveSet {
     // or there is none; so it stays for all its pieces. 0 on creases and along cuts.
     std::span<const std::uint8_t> one_look_edges() const { return one_look_; }
     bool is_one_look(EdgeId e) const {
-        const std::uint32_t entry = index(e) < edge_states_.size()
-                                        ? edge_states_[index(e)].entry
-                                        : kNoEntry;
+        const std::uint32_t entry =
+            index(e) < edge_states_.size() ? edge_states_[index(e)].entry : kNoEntry;
         return entry != kNoEntry && one_look_[entry] != 0;
     }
     // A byte for each of them, for a pass to write and read; lost with the next edit.
@@ -85,7 +85,7 @@ class ActiveSet {
     }
 
     // The active faces as they were at begin, then every slot that an edit made, cut or freed.
-    const std::vector<FaceId>& faces() const { return faces_; }
+    std::span<const FaceId> faces() const { return faces_; }
     std::span<const FaceId> edited_faces() const {
         return std::span(faces_).subspan(original_faces_);
     }
@@ -147,7 +147,7 @@ class ActiveSet {
     };
 
     template <typename Id>
-    static std::uint32_t slot(const std::vector<std::uint32_t>& entries, Id id) {
+    static std::uint32_t slot(const GrowingArray<std::uint32_t>& entries, Id id) {
         return index(id) < entries.size() ? entries[index(id)] : kNoEntry;
     }
     void fit_to_mesh();
@@ -179,34 +179,34 @@ class ActiveSet {
     std::uint32_t influenced_ = 0, influenced_wedges_ = 0;
     std::uint32_t original_vertices_ = 0, original_wedges_ = 0, original_edges_ = 0;
 
-    std::vector<FaceId> faces_;  // at begin, then those that splits made
+    GrowingArray<FaceId> faces_;  // at begin, then those that splits made
     std::size_t original_faces_ = 0;
-    std::vector<VertexId> vertices_;          // entries
-    std::vector<VertexId> original_ids_;      // entries at begin, whatever became of them
-    std::vector<Vec3> rest_positions_;        // entries, world
-    std::vector<std::uint8_t> was_deformed_;  // entries
-    std::vector<WedgeId> wedges_;             // entries
-    std::vector<WedgeId> original_wedge_ids_;
-    std::vector<Vec3f> rest_normals_;
-    std::vector<std::uint32_t> wedge_owners_;  // vertex entries
+    GrowingArray<VertexId> vertices_;          // entries
+    GrowingArray<VertexId> original_ids_;      // entries at begin, whatever became of them
+    GrowingArray<Vec3> rest_positions_;        // entries, world
+    GrowingArray<std::uint8_t> was_deformed_;  // entries
+    GrowingArray<WedgeId> wedges_;             // entries
+    GrowingArray<WedgeId> original_wedge_ids_;
+    GrowingArray<Vec3f> rest_normals_;
+    GrowingArray<std::uint32_t> wedge_owners_;  // vertex entries
     // A removed vertex may have a wedge on the side where no face is active: as it was.
     std::vector<WedgeId> lost_wedges_;
     std::vector<Vec3f> lost_normals_;
-    std::vector<EdgeId> edges_;
-    std::vector<std::uint8_t> one_look_;  // of edges_
-    std::vector<std::uint8_t> scratch_;
-    std::vector<EdgeId> measured_edges_;  // not in edges_, but their rest length is remembered
-    std::vector<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone
-    std::vector<std::uint32_t> inserted_wedges_;                           // of the last split
-    std::vector<EdgeId> inserted_edges_;
+    GrowingArray<EdgeId> edges_;
+    GrowingArray<std::uint8_t> one_look_;  // of edges_
+    GrowingArray<std::uint8_t> scratch_;
+    GrowingArray<EdgeId> measured_edges_;  // not in edges_, but their rest length is remembered
+    GrowingArray<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone
+    GrowingArray<std::uint32_t> inserted_wedges_;                           // of the last split
+    GrowingArray<EdgeId> inserted_edges_;
 
-    std::vector<TopologyEdit> edits_;
+    GrowingArray<TopologyEdit> edits_;
     std::uint64_t splits_ = 0;
     double longest_square_ = 0.0;
 
     // As large as the mesh; as initialised but for what the gesture has touched.
-    std::vector<std::uint32_t> vertex_entry_, wedge_entry_;
-    std::vector<EdgeState> edge_states_;
+    GrowingArray<std::uint32_t> vertex_entry_, wedge_entry_;
+    GrowingArray<EdgeState> edge_states_;
 };
 
 }  // namespace pectin

@@ -28,8 +28,9 @@ class Renumbering {
 
 // values[old] for each old id that has a new one, at the new one.
 template <typename T, typename Id>
-std::vector<T> gathered(const std::vector<T>& values, const Renumbering<Id>& ids) {
-    std::vector<T> result(values.empty() ? 0 : ids.count());
+GrowingArray<T> gathered(const GrowingArray<T>& values, const Renumbering<Id>& ids) {
+    GrowingArray<T> result;
+    result.resize(values.empty() ? 0 : ids.count());
     for (std::uint32_t i = 0; i < values.size(); ++i) {
         if (exists(ids[Id{i}])) result[index(ids[Id{i}])] = values[i];
     }

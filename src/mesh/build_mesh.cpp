@@ -7,9 +7,21 @@
 #include <utility>
 
 #include "mesh/corner_wedges.h"
+#include "mesh/growing_array.h"
 #include "mesh/triangulate.h"
 
 namespace pectin {
+namespace {
+
+// The values as an array that grows; they are given up.
+template <typename T>
+GrowingArray<T> taken(std::vector<T>& values) {
+    GrowingArray<T> result(values);
+    values = {};
+    return result;
+}
+
+}  // namespace
 
 class MeshBuilder {
   public:
@@ -64,8 +76,8 @@ class MeshBuilder {
 };
 
 void MeshBuilder::take_input() {
-    mesh_.positions_ = std::move(input_.positions);
-    mesh_.colors_ = std::move(input_.colors);
+    mesh_.positions_ = taken(input_.positions);
+    mesh_.colors_ = taken(input_.colors);
     mesh_.form_.parts = std::move(input_.parts);
     mesh_.form_.material_libraries = std::move(input_.material_libraries);
     mesh_.base_vertices_ = static_cast<std::uint32_t>(mesh_.positions_.size());
@@ -242,8 +254,8 @@ void MeshBuilder::make_wedges() {
     for (std::size_t h = 0; h < mesh_.half_edges_.size(); ++h) {
         mesh_.half_edges_[h].wedge = wedges.of_half_edge[h];
     }
-    mesh_.normals_ = std::move(wedges.normals);
-    mesh_.uvs_ = std::move(wedges.uvs);
+    mesh_.normals_ = taken(wedges.normals);
+    mesh_.uvs_ = taken(wedges.uvs);
 }
 
 void MeshBuilder::keep_elements() {

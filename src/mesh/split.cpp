@@ -20,11 +20,11 @@ VertexId TriMesh::allocate_vertex() {
         free_vertices_.pop_back();
         return v;
     }
-    positions_.emplace_back(0.0);
+    positions_.push_back(Vec3{0.0});
     vertex_half_edges_.push_back(kNone<HalfEdgeId>);
     vertex_levels_.push_back(0);
     deformed_.push_back(0);
-    if (has_colors()) colors_.emplace_back(0.0f);
+    if (has_colors()) colors_.push_back(Vec3f{0.0f});
     return VertexId{vertex_slots() - 1};
 }
 
@@ -34,8 +34,8 @@ WedgeId TriMesh::allocate_wedge() {
         free_wedges_.pop_back();
         return w;
     }
-    normals_.emplace_back(0.0f);
-    if (has_uvs()) uvs_.emplace_back(0.0f);
+    normals_.push_back(Vec3f{0.0f});
+    if (has_uvs()) uvs_.push_back(Vec2f{0.0f});
     return WedgeId{wedge_slots() - 1};
 }
 

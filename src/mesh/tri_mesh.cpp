@@ -12,11 +12,11 @@ namespace {
 // Drops the ids past `count`. They lie below all others: slots are only added while the free
 // list is empty.
 template <typename Id>
-void drop_past(std::vector<Id>& free, std::uint32_t count) {
-    const auto kept =
+void drop_past(GrowingArray<Id>& free, std::uint32_t count) {
+    auto* const kept =
         std::find_if(free.begin(), free.end(), [count](Id id) { return index(id) < count; });
     assert(std::none_of(kept, free.end(), [count](Id id) { return index(id) >= count; }));
-    free.erase(free.begin(), kept);
+    free.resize(static_cast<std::size_t>(std::move(kept, free.end(), free.begin()) - free.begin()));
 }
 
 }  // namespace

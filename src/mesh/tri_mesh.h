@@ -37,6 +37,7 @@
 
 #include "geometry/box.h"
 #include "geometry/vec.h"
+#include "mesh/growing_array.h"
 #include "mesh/ids.h"
 #include "mesh/input_form.h"
 
@@ -295,26 +296,26 @@ class TriMesh {
     EdgeId unsplit_sheet(const Star& star);
     void unsplit_siblings(const Star& leader);
 
-    std::vector<Vec3> positions_;                // n_vertex_slots, world
-    std::vector<HalfEdgeId> vertex_half_edges_;  // n_vertex_slots
-    std::vector<std::uint16_t> vertex_levels_;   // n_vertex_slots
-    std::vector<std::uint8_t> deformed_;         // n_vertex_slots
-    std::vector<Vec3f> colors_;                  // n_vertex_slots, or empty
-    std::vector<Vec3f> normals_;                 // n_wedge_slots
-    std::vector<Vec2f> uvs_;                     // n_wedge_slots, or empty
-    std::vector<HalfEdgeId> edge_half_edges_;    // n_edge_slots
-    std::vector<std::uint16_t> edge_levels_;     // n_edge_slots
-    std::vector<EdgeId> siblings_;               // n_edge_slots, or empty where nothing is cut
-    std::vector<HalfEdge> half_edges_;           // 3 n_face_slots
-    std::vector<FaceId> face_bases_;             // n_face_slots
-    std::vector<BaseFace> base_faces_;           // n_base_faces
+    GrowingArray<Vec3> positions_;                // n_vertex_slots, world
+    GrowingArray<HalfEdgeId> vertex_half_edges_;  // n_vertex_slots
+    GrowingArray<std::uint16_t> vertex_levels_;   // n_vertex_slots
+    GrowingArray<std::uint8_t> deformed_;         // n_vertex_slots
+    GrowingArray<Vec3f> colors_;                  // n_vertex_slots, or empty
+    GrowingArray<Vec3f> normals_;                 // n_wedge_slots
+    GrowingArray<Vec2f> uvs_;                     // n_wedge_slots, or empty
+    GrowingArray<HalfEdgeId> edge_half_edges_;    // n_edge_slots
+    GrowingArray<std::uint16_t> edge_levels_;     // n_edge_slots
+    GrowingArray<EdgeId> siblings_;               // n_edge_slots, or empty where nothing is cut
+    GrowingArray<HalfEdge> half_edges_;           // 3 n_face_slots
+    GrowingArray<FaceId> face_bases_;             // n_face_slots
+    std::vector<BaseFace> base_faces_;            // n_base_faces
     InputForm form_;
     std::uint32_t base_vertices_ = 0;
 
-    std::vector<VertexId> free_vertices_;
-    std::vector<WedgeId> free_wedges_;
-    std::vector<EdgeId> free_edges_;
-    std::vector<FaceId> free_faces_;
+    GrowingArray<VertexId> free_vertices_;
+    GrowingArray<WedgeId> free_wedges_;
+    GrowingArray<EdgeId> free_edges_;
+    GrowingArray<FaceId> free_faces_;
     Room room_;
 };
 

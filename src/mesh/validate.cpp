@@ -152,7 +152,7 @@ class TriMesh::Validator {
 
     // The free list names exactly the slots that are not live, each once, and they are cleared.
     template <typename Id, typename IsLive>
-    void check_free(const std::vector<Id>& free, std::uint32_t slots, const char* what,
+    void check_free(const GrowingArray<Id>& free, std::uint32_t slots, const char* what,
                     IsLive is_live) {
         std::vector<bool> listed(slots, false);
         for (Id id : free) {

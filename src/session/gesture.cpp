@@ -80,7 +80,7 @@ MeshChange Gesture::commit(std::span<const Vec3> displacements) {
 }
 
 std::vector<FaceId> Gesture::cancel() {
-    std::vector<FaceId> faces = active_.faces();
+    std::vector<FaceId> faces(active_.faces().begin(), active_.faces().end());
     faces.insert(faces.end(), rolled_back_faces_.begin(), rolled_back_faces_.end());
     active_.roll_back();
     active_.finish();

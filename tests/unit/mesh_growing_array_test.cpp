@@ -1,0 +1,66 @@
+#include "mesh/growing_array.h"
+
+#include <gtest/gtest.h>
+
+#include <cstdint>
+#include <limits>
+#include <new>
+#include <utility>
+#include <vector>
+
+namespace pectin {
+namespace {
+
+GrowingArray<int> counted(int count) {
+    GrowingArray<int> array;
+    for (int i = 0; i < count; ++i) array.push_back(i);
+    return array;
+}
+
+TEST(GrowingArray, KeepsWhatItHoldsWhileItGrows) {
+    // Past the size from which the allocator moves a block by its pages.
+    GrowingArray<int> array;
+    for (int i = 0; i < 1'000'000; ++i) array.push_back(i);
+    for (int i = 0; i < 1'000'000; ++i) ASSERT_EQ(array[static_cast<std::size_t>(i)], i);
+}
+
+TEST(GrowingArray, FillsOnlyWhatAResizeAdds) {
+    GrowingArray<int> array = counted(3);
+    array.resize(5, 7);
+    EXPECT_EQ(std::vector<int>(array.begin(), array.end()), (std::vector{0, 1, 2, 7, 7}));
+    array.resize(1);
+    array.resize(3, 9);
+    EXPECT_EQ(std::vector<int>(array.begin(), array.end()), (std::vector{0, 9, 9}));
+}
+
+TEST(GrowingArray, ACopyIsAsLargeAsItHasToBeAndItsOwn) {
+    GrowingArray<int> array = counted(5);
+    array.reserve(100);
+    GrowingArray<int> copy = array;
+    EXPECT_EQ(copy.capacity(), 5u);
+    EXPECT_EQ(copy, array);
+    copy[2] = 17;
+    EXPECT_EQ(array[2], 2);
+    EXPECT_FALSE(copy == array);
+}
+
+TEST(GrowingArray, IsEmptyOnceMovedFrom) {
+    GrowingArray<int> array = counted(4);
+    const GrowingArray<int> taken = std::move(array);
+    EXPECT_EQ(taken.size(), 4u);
+    EXPECT_TRUE(array.empty());  // NOLINT(bugprone-use-after-move)
+    EXPECT_EQ(array.capacity(), 0u);
+}
+
+TEST(GrowingArray, StaysAsItWasWhereThereIsNoMemory) {
+    GrowingArray<std::uint64_t> array;
+    array.push_back(42);
+    EXPECT_THROW(array.reserve(std::numeric_limits<std::size_t>::max() / 16), std::bad_alloc);
+    // So many that their bytes would wrap round to few.
+    EXPECT_THROW(array.reserve(std::numeric_limits<std::size_t>::max() / 8 + 2), std::bad_alloc);
+    ASSERT_EQ(array.size(), 1u);
+    EXPECT_EQ(array[0], 42u);
+}
+
+}  // namespace
+}  // namespace pectin
