@@ -162,7 +162,8 @@ float ActiveSet::measure(EdgeId e) {
 }
 
 ActiveSet::Inserted ActiveSet::split(EdgeId e) {
-    const float half_length = 0.5f * rest_length(e);
+    const float length = rest_length(e), half_length = 0.5f * length;
+    note_length(length);  // of its halves, too, and of what an unsplit restores
     mesh_.for_each_side(e, [this](HalfEdgeId h) { faces_.push_back(TriMesh::face(h)); });
 
     Inserted inserted;
@@ -190,7 +191,6 @@ void ActiveSet::insert_sheet(const Star& star, std::uint32_t vertex_entry, float
     for (HalfEdgeId h : {star.bm, star.mc}) {
         add_edge(mesh_.edge(h), is_smooth).rest_length = half_length;
     }
-    note_length(half_length);
     insert_spoke(TriMesh::prev(star.mc), star.a, vertex_entry);
     faces_.push_back(TriMesh::face(star.mc));
     const WedgeId left = mesh_.wedge(star.mc);
@@ -233,14 +233,15 @@ void ActiveSet::unsplit(const Star& star) {
     mesh_.for_each_sheet(star, [this](const Star& sheet) { drop_sheet(sheet); });
     std::uint32_t& entry = vertex_entry_[index(star.m)];
     vertices_[entry] = kNone<VertexId>;
-    if (entry >= original_vertices_) free_vertex_entries_.push_back(entry);
+    const bool was_inserted = entry >= original_vertices_;
+    if (was_inserted) free_vertex_entries_.push_back(entry);
     entry = kNoEntry;
     const EdgeId bc = mesh_.unsplit(star);
     edits_.push_back(TopologyEdit::unsplit(bc));
-    mesh_.for_each_side(bc, [this](HalfEdgeId h) {
+    mesh_.for_each_side(bc, [&](HalfEdgeId h) {
         const EdgeId e = mesh_.edge(h);
         add_edge(e, one_look_is_enough(e)).rest_length = kUnmeasured;
-        note_length(rest_length(e));
+        if (!was_inserted) note_length(rest_length(e));  // else its split has
     });
 }
 
