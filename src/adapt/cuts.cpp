@@ -84,7 +84,8 @@ void for_each_edge(FaceId f, Visit visit) {
 FaceTree& Cuts::tree() {
     const auto edited = active_.edited_faces();
     if (!tree_ || kRenewedShare * (edited.size() - told_) > active_.faces().size()) {
-        tree_.emplace(active_.mesh(), live(active_.mesh(), active_.faces()));
+        tree_.emplace(active_.mesh(),
+                      live(active_.mesh(), {active_.faces().begin(), active_.faces().end()}));
     } else {
         tree_->update(edited.subspan(told_), active_.mesh());
     }

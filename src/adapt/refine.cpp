@@ -40,7 +40,8 @@ class Refiner {
         for (EdgeId e : edges) lengths.push_back(active_.rest_length(e));
         for (std::size_t i = 0; i < edges.size() && !result_.budget_hit; ++i) {
             // One split since, for the sake of another, is its shorter half now.
-            if (active_.rest_length(edges[i]) != lengths[i] || is_below_floor(edges[i])) continue;
+            if (active_.rest_length(edges[i]) != lengths[i]) continue;
+            if (is_below_floor(active_.mesh().squared_length(edges[i]))) continue;
             split_with_propagation(edges[i]);
         }
         split_queued();
