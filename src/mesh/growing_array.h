@@ -69,10 +69,11 @@ class GrowingArray {
         size_ = size;
     }
     void assign(std::size_t size, T value) {
+        reserve(size);
         clear();
         resize(size, value);
     }
-    void append(std::span<const T> values) {
+    void append(std::span<const T> values) {  // none of its own
         if (values.empty()) return;
         if (size_ + values.size() > capacity_) grow_to(size_ + values.size());
         std::memcpy(static_cast<void*>(data_ + size_), values.data(), values.size_bytes());

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdint>
+#include <cstdlib>
 #include <limits>
 #include <new>
 #include <utility>
@@ -55,7 +56,9 @@ TEST(GrowingArray, IsEmptyOnceMovedFrom) {
 TEST(GrowingArray, StaysAsItWasWhereThereIsNoMemory) {
     GrowingArray<std::uint64_t> array;
     array.push_back(42);
-    EXPECT_THROW(array.reserve(std::numeric_limits<std::size_t>::max() / 16), std::bad_alloc);
+    if (!std::getenv("PECTIN_TEST_SANITIZED")) {  // their allocator ends the program instead
+        EXPECT_THROW(array.reserve(std::numeric_limits<std::size_t>::max() / 16), std::bad_alloc);
+    }
     // So many that their bytes would wrap round to few.
     EXPECT_THROW(array.reserve(std::numeric_limits<std::size_t>::max() / 8 + 2), std::bad_alloc);
     ASSERT_EQ(array.size(), 1u);
