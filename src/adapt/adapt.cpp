@@ -30,9 +30,6 @@ Adaptation timed(Refine refine, Thin thin) {
 
 // More rounds halve an edge more often than numbers have digits.
 constexpr int kMostRounds = 64;
-// Where all is pressed into one sheet nearly every face is near nearly every other; a second's
-// worth or two of them are looked at.
-constexpr std::uint64_t kMostPairs = 40'000'000;
 
 void add(Refinement& result, const Refinement& more) {
     result.splits += more.splits;
@@ -45,10 +42,11 @@ Refinement refine_without_cuts(ActiveSet& active, Embedding& embedding, const Cr
     Refinement result = refine(active, embedding, criteria);
     if (embedding.is_at_rest()) return result;
     Cuts cuts(active);
-    for (int round = 0; round < kMostRounds && !result.budget_hit; ++round) {
+    for (int round = 0;; ++round) {
         const std::vector<Cut>& found = cuts.find();
         result.cuts = found.size();
-        if (found.empty() || cuts.pairs() > kMostPairs) break;
+        if (found.empty() || cuts.is_exhausted() || result.budget_hit || round == kMostRounds)
+            break;
         const Refinement more = refine_at(active, embedding, criteria,
                                           edges_to_mend(active, embedding, criteria, found));
         add(result, more);
@@ -65,13 +63,14 @@ Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criter
 }
 
 Adaptation adapt_without_cuts(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
-    return timed([&] { return refine_without_cuts(active, embedding, criteria); },
-                 [&] {
-                     if (criteria.limits().flatness == kOff) return decimate(active, criteria);
-                     Cuts cuts(active);
-                     auto r = decimate(active, criteria, &cuts);
-                     return r;
-                 });
+    const bool is_guarded = criteria.limits().flatness != kOff;
+    Adaptation result = timed([&] { return refine_without_cuts(active, embedding, criteria); },
+                              [&] {
+                                  Cuts cuts(active);
+                                  return decimate(active, criteria, is_guarded ? &cuts : nullptr);
+                              });
+    if (!is_guarded && !embedding.is_at_rest()) result.refinement.cuts = Cuts(active).find().size();
+    return result;
 }
 
 Assessment assess(const ActiveSet& active, const Criteria& criteria,

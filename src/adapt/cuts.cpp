@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <unordered_map>
 
 #include "geometry/piercing.h"
 
@@ -54,18 +55,16 @@ bool passes_through(const TriMesh& mesh, VertexId p, VertexId q, const Corners& 
                    mesh.position(face[1]), mesh.position(face[2]));
 }
 
-// Whether all of g's corners lie strictly on one side of f's plane.
+// Whether all of g's corners lie on one side of f's plane, or on it.
 bool is_on_one_side(const TriMesh& mesh, const Corners& f, const Corners& g) {
     const Vec3& at = mesh.position(f[0]);
     const Vec3 normal = glm::cross(mesh.position(f[1]) - at, mesh.position(f[2]) - at);
     double least = 0.0, greatest = 0.0;
-    bool is_first = true;
     for (VertexId v : g) {
         // A corner in common lies in the plane, however it is rounded.
         const double height = has(f, v) ? 0.0 : glm::dot(normal, mesh.position(v) - at);
-        least = is_first ? height : std::min(least, height);
-        greatest = is_first ? height : std::max(greatest, height);
-        is_first = false;
+        least = std::min(least, height);
+        greatest = std::max(greatest, height);
     }
     return least >= 0.0 || greatest <= 0.0;
 }
@@ -96,13 +95,17 @@ FaceTree& Cuts::tree() {
 const std::vector<Cut>& Cuts::find() {
     const TriMesh& mesh = active_.mesh();
     if (!has_looked_) {
-        for (const auto& [f, g] : tree().near_pairs(mesh)) add_pair(f, g);
+        tree().for_near_pairs(mesh, [this](FaceId f, FaceId g) {
+            add_pair(f, g);
+            return !is_exhausted();
+        });
         has_looked_ = true;
     } else {
         const std::vector<FaceId> changed = changed_faces();
         const FaceTree& faces = tree();
         cuts_.clear();
         for (FaceId f : changed) {
+            if (is_exhausted()) break;
             near_.clear();
             faces.append_near(box_of(mesh, corners_of(mesh, f)), mesh, near_);
             for (FaceId g : near_) {
@@ -178,12 +181,14 @@ bool Cuts::face_would_cut(VertexId b, VertexId c, VertexId a, VertexId m) {
 std::vector<EdgeId> edges_to_mend(const ActiveSet& active, const Embedding& embedding,
                                   const Criteria& criteria, std::span<const Cut> cuts) {
     const TriMesh& mesh = active.mesh();
+    std::unordered_map<std::uint32_t, double> bulges;  // an edge may be in many cuts
     const auto bulge = [&](EdgeId e) {
-        if (criteria.is_below_floor(mesh, e)) return 0.0;
+        const auto [known, is_new] = bulges.try_emplace(index(e), 0.0);
+        if (!is_new || criteria.is_below_floor(mesh, e)) return known->second;
         const VertexId b = mesh.origin(mesh.half_edge(e)), c = mesh.target(mesh.half_edge(e));
         const Vec3 rest = 0.5 * active.rest_position(b) + 0.5 * active.rest_position(c);
-        return glm::distance(embedding.image(rest),
-                             0.5 * mesh.position(b) + 0.5 * mesh.position(c));
+        return known->second = glm::distance(embedding.image(rest),
+                                             0.5 * mesh.position(b) + 0.5 * mesh.position(c));
     };
     std::vector<EdgeId> edges;
     for (const Cut& cut : cuts) {

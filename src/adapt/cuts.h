@@ -3,9 +3,9 @@
 // A warp that folds nothing keeps apart what is apart. The triangles between the images of their
 // corners need not: where sheets come nearer to each other than a triangle bulges, one cuts through
 // the other for want of samples. An edge *cuts* a face if it passes through it, shares no corner
-// with it, and was apart from it at rest. The bulge goes with the square of an edge's length, the
-// distance of the sheets does not go, so that refinement mends every cut; what touched at rest is
-// left alone, as no refinement parts it.
+// with it, and was apart from it at rest. The bulge shrinks with the square of an edge's length
+// while the exact sheets stay as far apart as they are, so refinement mends every cut; what touched
+// at rest is left alone, as no refinement parts it.
 // Source: the want of samples is that of Gain & Dodgson 1999, section 4; that the exact images stay
 // apart, Gain & Dodgson 2001, section 3.
 #pragma once
@@ -35,18 +35,22 @@ class Cuts {
   public:
     explicit Cuts(const ActiveSet& active) : active_(active) {}
 
-    // Every cut between active faces, in order. Cost: the first time O(n log n) and what is near;
-    // then only what was edited since, or was cut before, is looked at again.
+    // Every cut between active faces, in order, or those found until it is exhausted. Cost: the
+    // first time O(n log n) and what is near; then only what was edited since, or was cut before,
+    // is looked at again.
     const std::vector<Cut>& find();
 
     // Whether the faces that would take the place of the star cut others, or those them.
     // Cost: O(log n) and what is near, once more for each edit since; the first time O(n log n).
     bool would_cut(const Star& star);
 
-    // Pairs of faces looked at by find() so far: what it has cost, the same on every machine.
-    std::uint64_t pairs() const { return pairs_; }
+    // Whether find() has looked at as many pairs of faces as it may, over all its calls. Where all
+    // is pressed into one sheet nearly every face is near nearly every other.
+    bool is_exhausted() const { return pairs_ >= kMostPairs; }
 
   private:
+    static constexpr std::uint64_t kMostPairs = 40'000'000;  // some seconds
+
     FaceTree& tree();  // of the faces as they are now
     std::vector<FaceId> changed_faces() const;
     void add_pair(FaceId f, FaceId g);
@@ -54,7 +58,7 @@ class Cuts {
 
     const ActiveSet& active_;
     std::optional<FaceTree> tree_;
-    std::size_t told_ = 0;  // of the active set's edited faces the tree knows these
+    std::size_t told_ = 0;  // how many of the active set's edited faces the tree knows
     std::vector<Cut> cuts_;
     bool has_looked_ = false;
     std::uint64_t pairs_ = 0;

@@ -23,8 +23,8 @@ struct Decimation {
 // all its neighbours), so neither the order within a level matters nor can removing one change
 // what another of its level or above sees: one pass is enough.
 //
-// cuts: none goes whose restored faces would cut; where removing others may have made room, it is
-// tried again. Kept up to date.
+// cuts: none goes whose restored faces would cut. That does depend on the order; where removing
+// others may have made room, it is tried again.
 // Cost: O(active vertices), with cuts times O(log n) for those that could go.
 Decimation decimate(ActiveSet& active, const Criteria& criteria, Cuts* cuts = nullptr);
 

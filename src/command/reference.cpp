@@ -42,10 +42,11 @@ std::vector<CommandReference> make_reference() {
          "drags points; the object follows",
          {{"moves",
            "[{\"from\": [x, y, z], \"to\": [x, y, z]}, ...]; with twist {\"axis\": [x, y, z], "
-           "\"degrees\": number}, scale (1)"},
+           "\"degrees\": up to 3600 either way}, scale (1; 0.001 to 1000)"},
           {"pins", "[[x, y, z], ...]: points that stay"},
           {"connected", "true: only the surface that hangs together with the points (false)"},
-          {"fold_free", "true: in steps, none of which folds space (false)"},
+          {"fold_free",
+           "true: in steps, none of which folds space, and leaving no triangles that cut (false)"},
           {"via", "[[x, y, z], ...]: waypoints of the first move"}}},
         {"control",
          "moves control points of the cage",

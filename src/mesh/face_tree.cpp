@@ -162,10 +162,10 @@ void FaceTree::append_near(const Box& box, const TriMesh& mesh, std::vector<Face
     }
 }
 
-std::vector<std::pair<FaceId, FaceId>> FaceTree::near_pairs(const TriMesh& mesh) const {
-    std::vector<std::pair<FaceId, FaceId>> answer;
+void FaceTree::for_near_pairs(const TriMesh& mesh,
+                              const std::function<bool(FaceId, FaceId)>& visit) const {
     std::array<std::array<Box, kLeafFaces>, 2> boxes;
-    const auto pair_leaves = [&](const Leaf& left, const Leaf& right) {
+    const auto visit_leaves = [&](const Leaf& left, const Leaf& right) {
         for (std::uint32_t i = 0; i < left.count; ++i) boxes[0][i] = face_box(left.faces[i], mesh);
         for (std::uint32_t j = 0; j < right.count; ++j) {
             boxes[1][j] = face_box(right.faces[j], mesh);
@@ -173,9 +173,10 @@ std::vector<std::pair<FaceId, FaceId>> FaceTree::near_pairs(const TriMesh& mesh)
         for (std::uint32_t i = 0; i < left.count; ++i) {
             for (std::uint32_t j = &left == &right ? i + 1 : 0; j < right.count; ++j) {
                 if (!boxes[0][i].meets(boxes[1][j])) continue;
-                answer.emplace_back(left.faces[i], right.faces[j]);
+                if (!visit(left.faces[i], right.faces[j])) return false;
             }
         }
+        return true;
     };
     std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
     while (!stack.empty()) {
@@ -184,7 +185,7 @@ std::vector<std::pair<FaceId, FaceId>> FaceTree::near_pairs(const TriMesh& mesh)
         const Node &left = nodes_[x], &right = nodes_[y];
         if (left.box.is_empty() || right.box.is_empty() || !left.box.meets(right.box)) continue;
         if (left.is_leaf() && right.is_leaf()) {
-            pair_leaves(leaves_[left.leaf], leaves_[right.leaf]);
+            if (!visit_leaves(leaves_[left.leaf], leaves_[right.leaf])) return;
         } else if (x == y) {
             stack.insert(
                 stack.end(),
@@ -196,7 +197,6 @@ std::vector<std::pair<FaceId, FaceId>> FaceTree::near_pairs(const TriMesh& mesh)
             stack.insert(stack.end(), {{x, right.left}, {x, right.right}});
         }
     }
-    return answer;
 }
 
 std::optional<FaceHit> FaceTree::first_hit(const Ray& ray, const TriMesh& mesh) const {

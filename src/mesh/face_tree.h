@@ -3,9 +3,9 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <span>
-#include <utility>
 #include <vector>
 
 #include "geometry/box.h"
@@ -22,7 +22,7 @@ struct FaceHit {
 
 // Leaves hold up to kLeafFaces faces. Built by median cuts; kept up by refitting what changed,
 // and built anew once the mesh has grown to twice the size it was built for. Answers are sorted
-// by id, so they do not depend on the tree's own history.
+// by id, so they do not depend on the tree's own history, but for those in the tree's order.
 class FaceTree {
   public:
     explicit FaceTree(const TriMesh& mesh);  // O(n log n)
@@ -36,8 +36,10 @@ class FaceTree {
 
     // Its faces whose boxes meet `box`, appended, in the tree's order. Cost: O(answer + log n).
     void append_near(const Box& box, const TriMesh& mesh, std::vector<FaceId>& faces) const;
-    // Every two of its faces whose boxes meet, each pair once. Cost: O(answer + n).
-    std::vector<std::pair<FaceId, FaceId>> near_pairs(const TriMesh& mesh) const;
+    // visit(f, g): every two of its faces whose boxes meet, each pair once, in the tree's order,
+    // until it returns false. Cost: O(visits + n).
+    void for_near_pairs(const TriMesh& mesh,
+                        const std::function<bool(FaceId, FaceId)>& visit) const;
 
     // The live face that the ray meets first, of those at one distance the one with the lowest id.
     // Cost: O(log n) for a ray that meets little.

@@ -47,6 +47,14 @@ std::vector<GripMotion> last_motions(const command::Drag& drag) {
     return motions;
 }
 
+std::string remark_on_cuts(std::uint64_t cuts) {
+    if (cuts == 0) return {};
+    return "triangles still cut through each other in " + std::to_string(cuts) +
+           (cuts == 1 ? " place" : " places") +
+           ", where the jelly is pressed thinner than floor and budget let them follow; lower the "
+           "floor, raise the budget, or undo and drag less far";
+}
+
 }  // namespace
 
 DragPlan Session::State::plan_of(const command::Drag& drag) const {
@@ -254,11 +262,7 @@ void Session::State::commit(std::span<const Vec3> displacements, bool is_nothing
     // Other parts reach into the zones, too, but were not refined there.
     if (in_hand->drag.connected) zones_in_use.clear();
     note(in_hand->gesture->last_frame());
-    if (const std::uint64_t cuts = in_hand->gesture->last_frame().cuts; cuts > 0) {
-        remark = "in " + std::to_string(cuts) +
-                 " places triangles cut through each other: there the jelly is pressed thinner "
-                 "than they may be refined; lower the floor, or undo and drag less far";
-    }
+    remark = remark_on_cuts(in_hand->gesture->last_frame().cuts);
     folded = in_hand->gesture->folded_vertices();
     Command command = in_hand->is_control() ? Command{in_hand->control} : Command{in_hand->drag};
     in_hand.reset();

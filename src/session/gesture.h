@@ -50,8 +50,8 @@ class Gesture {
     // among them.
     std::vector<FaceId> take_edited_faces();
     // The live wedges that the last frame has placed. Cost: O(active set).
-    std::size_t memory_bytes() const { return embedding_.memory_bytes(); }
     void append_moved_wedges(std::vector<WedgeId>& wedges) const;
+    std::size_t memory_bytes() const { return embedding_.memory_bytes(); }
 
     const Warp& warp() const { return warp_; }
     const Frame& last_frame() const { return last_; }

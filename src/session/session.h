@@ -64,8 +64,8 @@ class Session {
     void adopt(LoadedModel model);
     // For save_model, and what follows it; the save command does both by itself.
     const std::vector<std::string>& material_folders() const;
-    // What the last command has to tell though it is done: what was found in the input, or what was
-    // not copied along. Mostly empty.
+    // What the last command or drag has to tell though it is done: what was found in the input,
+    // what was not copied along, where triangles cut each other. Mostly empty.
     const std::string& remark() const;
     void note_saved(const std::string& path);
 

@@ -78,10 +78,11 @@ TEST(FaceTree, PairsTheFacesItWasMadeOfWhereTheirBoxesMeet) {
             }
             ASSERT_EQ(near, met) << "seed " << seed;
         }
-        std::vector<std::pair<FaceId, FaceId>> pairs = tree.near_pairs(mesh);
-        for (auto& [f, g] : pairs) {
-            if (g < f) std::swap(f, g);
-        }
+        std::vector<std::pair<FaceId, FaceId>> pairs;
+        tree.for_near_pairs(mesh, [&](FaceId f, FaceId g) {
+            pairs.emplace_back(std::min(f, g), std::max(f, g));
+            return true;
+        });
         std::sort(pairs.begin(), pairs.end());
         ASSERT_EQ(pairs, expected) << "seed " << seed;
     }

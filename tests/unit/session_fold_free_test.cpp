@@ -170,6 +170,15 @@ TEST(FoldFreeSession, SaysWhereTheFloorLeavesTrianglesThatCut) {
     EXPECT_GT(test::crossings(session.mesh()), 0u);
     EXPECT_NE(session.remark().find("lower the floor"), std::string::npos) << session.remark();
     EXPECT_TRUE(session.statistics().floor_hit);
+    // So it does at the budget, and where nothing is kept for its place.
+    expect_done(session, Undo{});
+    expect_done(session, Adapt{.floor = Setting::automatic(), .budget = 1300});
+    expect_done(session, wandering_drag(random, 2, false));
+    EXPECT_EQ(session.remark().empty(), test::crossings(session.mesh()) == 0);
+    expect_done(session, Undo{});
+    expect_done(session, Adapt{.theta_max = Setting::off(), .budget = 4'000'000});
+    expect_done(session, wandering_drag(random, 2, false));
+    EXPECT_EQ(session.remark().empty(), test::crossings(session.mesh()) == 0);
 }
 
 TEST(FoldFreeSession, RecordsTheWayOfTheHandSoThatAScriptGivesTheSameBytes) {
