@@ -2,12 +2,17 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <new>
+#include <span>
 #include <utility>
 #include <vector>
+
+#include "mesh/memory_ahead.h"
 
 namespace pectin {
 namespace {
@@ -63,6 +68,51 @@ TEST(GrowingArray, StaysAsItWasWhereThereIsNoMemory) {
     EXPECT_THROW(array.reserve(std::numeric_limits<std::size_t>::max() / 8 + 2), std::bad_alloc);
     ASSERT_EQ(array.size(), 1u);
     EXPECT_EQ(array[0], 42u);
+}
+
+TEST(GrowingArray, KeepsWhatItHoldsFromAFewBytesToMany) {
+    GrowingArray<std::uint64_t> array;
+    for (std::size_t capacity = 1; capacity < 1'000'000; capacity *= 3) {
+        array.reserve(capacity);
+        EXPECT_EQ(array.capacity(), capacity);
+        while (array.size() < capacity) array.push_back(array.size());
+        const GrowingArray<std::uint64_t> copy = array;
+        for (std::size_t i = 0; i < copy.size(); ++i) ASSERT_EQ(copy[i], i);
+    }
+}
+
+TEST(GrowingArray, SaysWhatRoomItHasPastTheNextElements) {
+    GrowingArray<int> array = counted(10);
+    array.reserve(100);
+    const std::span<std::byte> room = array.room(5, 20);
+    EXPECT_EQ(static_cast<void*>(room.data()), static_cast<void*>(array.data() + 15));
+    EXPECT_EQ(room.size(), 20 * sizeof(int));
+    EXPECT_EQ(array.room(80, 20).size(), 10 * sizeof(int));
+    EXPECT_TRUE(array.room(200, 20).empty());
+}
+
+TEST(MemoryAhead, WritesNothingButWhatIsNobodysYet) {
+    GrowingArray<std::uint8_t> array;
+    array.resize(20'000, 7);
+    MemoryAhead ahead;
+    const auto add = [&](std::size_t first, std::size_t count) {
+        ahead.start_again();
+        ahead.add(std::as_writable_bytes(std::span(array.data() + first, count)));
+    };
+    const auto touched = [&](std::size_t first, std::size_t count) {
+        return std::count(array.data() + first, array.data() + first + count, std::uint8_t{0});
+    };
+    add(4000, 9000);
+    ahead.touch();
+    EXPECT_EQ(touched(0, 4000), 0);
+    EXPECT_EQ(touched(4000, 9000), 3);  // one a page
+    EXPECT_EQ(touched(13'000, 7000), 0);
+    std::fill(array.begin(), array.end(), std::uint8_t{7});
+    add(6000, 10'000);  // up to 13000 it has been
+    ahead.touch();
+    EXPECT_EQ(touched(0, 13'000), 0);
+    EXPECT_EQ(touched(13'000, 3000), 1);
+    EXPECT_EQ(touched(16'000, 4000), 0);
 }
 
 }  // namespace
