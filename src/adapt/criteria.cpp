@@ -118,6 +118,7 @@ bool Criteria::needs_refinement(const ActiveSet& active, EdgeId e) const {
     if (zones_.empty() || limits_.l_max == kOff) return false;
     const bool is_long = mesh.squared_length(e) > square(limits_.l_max);
     if (!is_long && !between_) return false;
+    if (is_long && lies_in_zone(active, h)) return true;
     bool any = false;
     mesh.for_each_side(e, [&](HalfEdgeId side) {
         const VertexId v = mesh.origin(TriMesh::prev(side));
@@ -220,16 +221,25 @@ bool Criteria::is_flat(const TriMesh& mesh, const Star& star) const {
 
 bool Criteria::star_meets_scope(const ActiveSet& active, const Star& star) const {
     if (!scope_) return true;
+    const Vec3& m = active.rest_position(star.m);
+    if (std::any_of(scope_->begin(), scope_->end(), [&](const Box& box) { return box.contains(m); }))
+        return true;
     const auto meets = [&](VertexId p, VertexId q) {
         return std::any_of(scope_->begin(), scope_->end(), [&](const Box& box) {
-            return triangle_meets_box(active.rest_position(star.m), active.rest_position(p),
-                                      active.rest_position(q), box);
+            return triangle_meets_box(m, active.rest_position(p), active.rest_position(q), box);
         });
     };
     return !in_all_sheets(active, star, [&](const Star& sheet) {
         return !meets(sheet.c, sheet.a) && !meets(sheet.a, sheet.b) &&
                (sheet.on_boundary() || (!meets(sheet.b, sheet.d) && !meets(sheet.d, sheet.c)));
     });
+}
+
+// Whether its first end does, and so all its faces.
+bool Criteria::lies_in_zone(const ActiveSet& active, HalfEdgeId h) const {
+    const Vec3& end = active.rest_position(active.mesh().origin(h));
+    return std::any_of(zones_.begin(), zones_.end(),
+                       [&](const Box& box) { return box.contains(end); });
 }
 
 bool Criteria::meets_zone(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const {

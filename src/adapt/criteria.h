@@ -89,6 +89,7 @@ class Criteria {
     bool merged_edge_is_fine(const ActiveSet& active, const Star& star) const;
     bool restored_faces_fit(const ActiveSet& active, const Star& star) const;
     bool is_flat(const TriMesh& mesh, const Star& star) const;
+    bool lies_in_zone(const ActiveSet& active, HalfEdgeId h) const;
     bool meets_zone(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const;
 
     AdaptLimits limits_;

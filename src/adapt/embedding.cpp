@@ -14,6 +14,16 @@ namespace {
 constexpr double kShareRounding = 2.0 * std::numeric_limits<float>::epsilon();
 constexpr double kCoordinateRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
+// visit(each wedge entry of the sheets).
+template <typename Visit>
+void for_each_wedge(std::span<const ActiveSet::Inserted> sheets, Visit visit) {
+    for (const ActiveSet::Inserted& sheet : sheets) {
+        for (std::uint32_t w : sheet.wedge_entries) {
+            if (w != ActiveSet::kNoEntry) visit(w);
+        }
+    }
+}
+
 }  // namespace
 
 void Embedding::embed() {
@@ -185,30 +195,79 @@ void Embedding::deform_wedges(std::uint32_t first, std::uint32_t end) {
     }
 }
 
-void Embedding::place(const ActiveSet::Inserted& inserted) {
-    const std::uint32_t entry = inserted.vertex_entry;
+void Embedding::reserve_splits(std::uint32_t count) {
     if (stages_.empty()) return;
-    if (weights_.size() != active_.vertex_entries() * moves() || stages_.size() > 1) resize();
-    if (stages_.size() > 1) bring_to_last_step(inserted);
+    const std::size_t added = count * moves();
+    if (weights_.capacity() - weights_.size() < added) {
+        weights_.reserve(2 * weights_.size() + added);
+    }
+}
+
+void Embedding::add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead) {
+    if (!stages_.empty()) ahead.add(weights_.room(after * moves(), count * moves()));
+}
+
+void Embedding::place(std::span<const ActiveSet::Inserted> inserted) {
+    if (stages_.empty()) return;
+    resize();
+    const auto count = static_cast<std::uint32_t>(inserted.size());
+    const auto place_piece = [&](std::uint32_t first, std::uint32_t end) {
+        std::vector<DragWeight> scratch;
+        for (std::uint32_t i = first; i < end; ++i) {
+            if (!inserted[i].is_first_sheet) continue;  // has gone with the first
+            std::uint32_t next = i + 1;
+            while (next < count && !inserted[next].is_first_sheet) ++next;
+            place_vertex(inserted.subspan(i, next - i), scratch);
+        }
+    };
+    for_pieces(0, count, place_piece, kPieceOfSplits);
+}
+
+void Embedding::place_vertex(std::span<const ActiveSet::Inserted> sheets,
+                             std::vector<DragWeight>& scratch) {
+    const std::uint32_t entry = sheets.front().vertex_entry;
+    if (stages_.size() == 1 && moves() == 1) {
+        if (active_.is_influenced_at(entry)) place_by_one_drag(sheets);
+        return;
+    }
+    if (stages_.size() > 1) bring_to_last_step(sheets, scratch);
     if (!active_.is_influenced_at(entry)) return;
     embed_entry(entry);
     deform_vertices(entry, entry + 1);
-    for (std::uint32_t w : inserted.wedge_entries) deform_wedges(w, w + 1);
+    for_each_wedge(sheets, [&](std::uint32_t w) { deform_wedges(w, w + 1); });
 }
 
-void Embedding::bring_to_last_step(const ActiveSet::Inserted& inserted) {
-    const std::uint32_t entry = inserted.vertex_entry;
-    const std::span<const std::uint32_t> wedges(inserted.wedge_entries);
-    for (std::uint32_t w : wedges) normals_[w] = active_.rest_normal_at(w);
+// The usual case, all at once.
+void Embedding::place_by_one_drag(std::span<const ActiveSet::Inserted> sheets) {
+    const std::uint32_t entry = sheets.front().vertex_entry;
+    const DragStep& drag = *last_drag();
+    const Vec3& rest = active_.rest_position_at(entry);
+    const Vec3& d = drag.displacements.front();
+    DragWeight& weight = weights_[entry];
+    drag.weights(rest, {&weight, 1});
+    TriMesh& mesh = active_.mesh();
+    const VertexId v = active_.vertex(entry);
+    const Vec3 position = displaced(rest, weight, d);
+    mesh.set_position(v, position);
+    mesh.set_deformed(v, active_.was_deformed_at(entry) || position != rest);
+    for_each_wedge(sheets, [&](std::uint32_t w) {
+        mesh.set_normal(active_.wedge(w), covariant_normal(active_.rest_normal_at(w), weight, d));
+    });
+}
+
+void Embedding::bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
+                                   std::vector<DragWeight>& scratch) {
+    const std::uint32_t entry = sheets.front().vertex_entry;
+    for_each_wedge(sheets, [&](std::uint32_t w) { normals_[w] = active_.rest_normal_at(w); });
     const bool is_influenced = active_.is_influenced_at(entry);
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
         const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
-        scratch_.assign(drag ? drag->displacements.size() : 0, {});
+        scratch.assign(drag ? drag->displacements.size() : 0, {});
         if (is_influenced) {
-            weigh(step, entry, scratch_);
-            for (std::uint32_t w : wedges) turn(step, w, scratch_);
+            weigh(step, entry, scratch);
+            for_each_wedge(sheets, [&](std::uint32_t w) { turn(step, w, scratch); });
         }
-        advance(step, entry, scratch_);
+        advance(step, entry, scratch);
     }
 }
 

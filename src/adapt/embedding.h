@@ -27,8 +27,12 @@ class Embedding {
     // Positions, wedge normals and deformed marks of all influenced vertices from their rest
     // state, by the warp's present displacements. Cost: O(influenced), streaming.
     void deform();
-    // Weights, position and normals of a vertex that a split has just inserted.
-    void place(const ActiveSet::Inserted& inserted);
+    // As in the active set, of what its splits add here.
+    void reserve_splits(std::uint32_t count);
+    void add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead);
+    // Weights, positions and normals of what splits have just inserted. On all threads. A vertex
+    // has as many of these as there are sheets, one after another.
+    void place(std::span<const ActiveSet::Inserted> inserted);
 
     // Where the warp takes a point, by its present displacements.
     Vec3 image(const Vec3& rest) const;
@@ -63,9 +67,13 @@ class Embedding {
     void weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> weights) const;
     void advance(std::size_t step, std::uint32_t entry, std::span<const DragWeight> weights);
     void turn(std::size_t step, std::uint32_t wedge, std::span<const DragWeight> weights);
-    void bring_to_last_step(const ActiveSet::Inserted& inserted);
+    void place_by_one_drag(std::span<const ActiveSet::Inserted> sheets);
+    void bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
+                            std::vector<DragWeight>& scratch);
 
     // --- The last step, every frame.
+    void place_vertex(std::span<const ActiveSet::Inserted> sheets,
+                      std::vector<DragWeight>& scratch);
     void embed_entry(std::uint32_t entry);
     void deform_vertices(std::uint32_t first, std::uint32_t last);
     void deform_wedges(std::uint32_t first, std::uint32_t last);
@@ -82,7 +90,6 @@ class Embedding {
     std::vector<std::uint8_t> runs_;    // of blocks of entries where one drag acts
     std::optional<LatticeEvaluator> evaluator_;  // of a lattice field as last step
     std::vector<std::uint8_t> has_folded_;       // vertex entries, in a step before the last
-    std::vector<DragWeight> scratch_;
 };
 
 }  // namespace pectin

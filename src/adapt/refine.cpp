@@ -1,33 +1,33 @@
 #include "adapt/refine.h"
 
 #include <algorithm>
-#include <cmath>
+#include <array>
 #include <cstring>
+#include <utility>
 
 #include "adapt/parallel.h"
+#include "adapt/propagation.h"
 #include "adapt/refinement_queue.h"
 #include "mesh/first_of_siblings.h"
 
 namespace pectin {
 namespace {
 
-// An edge that the floor keeps from being split (where the warp crushes it) is not waited for,
-// however long it is at rest. Splitting beside it thins triangles at rest; they may become this
-// thin, as twice the area over the square of the longest edge, and no thinner. That their shape
-// stays bounded is what makes refinement end: without it, splits beside one crushed edge go on for
-// ever. An equilateral triangle has 0.87, and each such split halves it.
-constexpr double kThinnestBesideBlocked = 1.0 / 512.0;
-
-// An end of an edge is the image of the other if it is off by no more than this share of the edge.
-constexpr double kSameImage = 1e-6;
-// Tells apart the middles of edges that are equally long: no two of a regular mesh, and no rounding
-// of their coordinates, come out even in a direction without any regularity.
-constexpr Vec3 kGenericDirection{0.7390851332151607, 0.4142135623730951, 0.5671432904097838};
+// Edges that are split before those round the new vertices are looked at. Their surroundings stay in
+// the cache; of 32 to 8192, 1024 was fastest.
+constexpr std::size_t kBatch = 1024;
+// A smaller batch has its memory before another thread has come to it.
+constexpr std::size_t kWorthReadying = 256;
+// Splits that room is made for at a time: a batch with what goes before its edges.
+constexpr std::uint32_t kRoom = 2 * kBatch;
 
 class Refiner {
   public:
     Refiner(ActiveSet& active, Embedding& embedding, const Criteria& criteria)
-        : active_(active), embedding_(embedding), criteria_(criteria) {}
+        : active_(active),
+          embedding_(embedding),
+          criteria_(criteria),
+          propagation_(active, criteria.limits(), [this](EdgeId e) { return may_split(e); }) {}
 
     Refinement run() {
         push_all_needed();
@@ -36,29 +36,100 @@ class Refiner {
     }
 
     Refinement run_at(std::span<const EdgeId> edges) {
-        std::vector<float> lengths;
-        for (EdgeId e : edges) lengths.push_back(active_.rest_length(e));
-        for (std::size_t i = 0; i < edges.size() && !result_.budget_hit; ++i) {
-            // One split since, for the sake of another, is its shorter half now.
-            if (active_.rest_length(edges[i]) != lengths[i]) continue;
-            if (is_below_floor(active_.mesh().squared_length(edges[i]))) continue;
-            split_with_propagation(edges[i]);
+        for (EdgeId e : edges) {
+            const bool below = criteria_.is_below_floor(active_.mesh(), e);
+            result_.floor_hit |= below;
+            if (!below) batch_.push_back({e, faces_at(e)});
         }
+        split_batch();
         split_queued();
         return result_;
     }
 
   private:
+    // The end of an edge and the corners of its faces that lie across it. Splits of the edge or of
+    // its faces change them.
+    struct FacesAt {
+        VertexId end = kNone<VertexId>;
+        std::array<VertexId, 2> across{kNone<VertexId>, kNone<VertexId>};
+        bool operator==(const FacesAt&) const = default;
+    };
+    // An edge as the batch found it. Without an end it need not be split any more.
+    struct Waiting {
+        EdgeId edge;
+        FacesAt faces;
+        bool is_longest = false;  // of these faces
+    };
+    // Of the edges round an inserted vertex, what the queue is to know.
+    static constexpr std::uint16_t kFine = 0xffff, kBelowFloor = 0xfffe;
+    using Octaves = std::array<std::uint16_t, 4>;
+
     void split_queued() {
         while (!result_.budget_hit) {
-            const auto next = queue_.pop();
-            if (!next) break;
-            // An edge split since, for the sake of another, waits again as its shorter half.
-            const double length = active_.mesh().squared_length(next->edge);
-            if (RefinementQueue::octave_of(length) != next->octave) continue;
-            if (!criteria_.needs_refinement(active_, next->edge)) continue;
-            if (!is_below_floor(length)) split_with_propagation(next->edge);
+            const RefinementQueue::Entries next = queue_.take(kBatch);
+            if (next.edges.empty()) break;
+            look_again(next);
+            split_batch();
         }
+    }
+
+    // Some have been split since, or lie outside the zone now.
+    void look_again(const RefinementQueue::Entries& next) {
+        batch_.resize(next.edges.size());
+        const auto count = static_cast<std::uint32_t>(batch_.size());
+        const auto look = [&](std::uint32_t first, std::uint32_t end) {
+            for (std::uint32_t i = first; i < end; ++i) {
+                const EdgeId e = next.edges[i];
+                batch_[i] = {e, {}};
+                const double length = active_.mesh().squared_length(e);
+                if (RefinementQueue::octave_of(length) != next.octave) continue;
+                if (criteria_.is_below_floor(length)) continue;  // a half, bent as long as the whole
+                if (!criteria_.needs_refinement(active_, e)) continue;
+                batch_[i] = {e, faces_at(e), propagation_.is_longest(e)};
+            }
+        };
+        for_pieces(0, count, look, kPieceOfSplits);
+    }
+
+    void split_batch() {
+        if (batch_.size() >= kWorthReadying) make_room();
+        for (const Waiting& next : batch_) {
+            if (result_.budget_hit) break;
+            split_waiting(next);
+        }
+        batch_.clear();
+        place_inserted();
+    }
+
+    void split_waiting(const Waiting& next) {
+        if (!exists(next.faces.end)) return;
+        const FacesAt now = faces_at(next.edge);
+        if (now.end != next.faces.end) return;  // its shorter half now: that has been looked at
+        if (next.is_longest && now == next.faces && active_.mesh().may_split(next.edge)) {
+            split(next.edge);
+        } else {
+            split_with_propagation(next.edge);
+        }
+    }
+
+    FacesAt faces_at(EdgeId e) const {
+        const TriMesh& mesh = active_.mesh();
+        const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
+        FacesAt faces{mesh.target(h), {mesh.origin(TriMesh::prev(h)), kNone<VertexId>}};
+        if (exists(twin)) faces.across[1] = mesh.origin(TriMesh::prev(twin));
+        return faces;
+    }
+
+    // For the splits to come, and has another thread take the memory of those after them.
+    void make_room() {
+        touching_.wait();
+        active_.reserve_splits(kRoom);
+        embedding_.reserve_splits(kRoom);
+        ahead_.start_again();
+        active_.add_room(kRoom, kRoom, ahead_);
+        embedding_.add_room(kRoom, kRoom, ahead_);
+        touching_.run([this] { ahead_.touch(); });
+        room_ = kRoom;
     }
 
     // Looks at the edges on all threads, then queues them in their order. Of those along one cut
@@ -85,7 +156,7 @@ class Refiner {
             const EdgeId e = edges[i];
             if (!is_first(e)) return;
             if (is_along_cut(e)) {
-                push_if_needed(e);
+                if (criteria_.needs_refinement(active_, e)) push(e);
             } else {
                 push(e);
             }
@@ -103,30 +174,25 @@ class Refiner {
         }
     }
 
-    void push_if_needed(EdgeId e) {
-        if (criteria_.needs_refinement(active_, e)) push(e);
+    void push(EdgeId e) { push(e, octave_of(e)); }
+    void push(EdgeId e, std::uint16_t octave) {
+        if (octave == kBelowFloor) {
+            result_.floor_hit = true;
+        } else {
+            queue_.push(e, octave);
+        }
     }
-    // Of an edge that a split has made or halved, most of which look fine.
-    void push_new_if_needed(EdgeId e) {
-        if (active_.is_one_look(e) && criteria_.looks_fine(active_.mesh(), e, true)) return;
-        push_if_needed(e);
-    }
-    void push(EdgeId e) {
+    std::uint16_t octave_of(EdgeId e) const {
         const double length = active_.mesh().squared_length(e);
-        if (!is_below_floor(length)) queue_.push(e, RefinementQueue::octave_of(length));
-    }
-
-    bool is_below_floor(double squared_length) {
-        const bool below = criteria_.is_below_floor(squared_length);
-        result_.floor_hit |= below;
-        return below;
+        if (criteria_.is_below_floor(length)) return kBelowFloor;
+        return static_cast<std::uint16_t>(RefinementQueue::octave_of(length));
     }
 
     // Splits what has to go before e, then e.
     void split_with_propagation(EdgeId e) {
         while (true) {
-            const EdgeId first = end_of_chain(e);
-            if (is_too_thin_beside_blocked(first)) {
+            const auto [first, leaves_sliver] = propagation_.chain(e);
+            if (leaves_sliver) {
                 active_.mesh().for_each_side(e, [this](HalfEdgeId h) { block(h); });
                 result_.floor_hit = true;
                 return;
@@ -135,129 +201,88 @@ class Refiner {
         }
     }
 
-    // From e to the longest neighbour more than rho times as long at rest, and on from there.
-    EdgeId end_of_chain(EdgeId e) {
-        while (true) {
-            const EdgeId longer = longest_neighbour(e);
-            if (longer == e) return e;
-            e = longer;
-        }
-    }
-
-    // The longest of the other edges of e's faces that may be split and is more than rho times as
-    // long; e itself if there is none.
-    EdgeId longest_neighbour(EdgeId e) {
-        if (criteria_.limits().symmetry) return first_neighbour(e);
-        double longest = criteria_.limits().propagation * rest_length(e);
-        EdgeId found = e;
-        for_each_neighbour(e, [&](EdgeId candidate) {
-            const double length = rest_length(candidate);
-            if (length > longest && may_split(candidate)) {
-                longest = length;
-                found = candidate;
-            }
-        });
-        return found;
-    }
-
-    // The same with ties broken by geometry instead of by who comes first, in an order that
-    // mirrored edges have in common. An edge between mirrored ends goes before all others: the
-    // triangles beside it would have to be cut by a diagonal, on one side or the other.
-    EdgeId first_neighbour(EdgeId e) {
-        EdgeId found = e;
-        for_each_neighbour(e, [&](EdgeId candidate) {
-            if (goes_before(candidate, found, found == e) && may_split(candidate)) {
-                found = candidate;
-            }
-        });
-        return found;
-    }
-    bool goes_before(EdgeId candidate, EdgeId e, bool by_propagation) {
-        const bool spans = is_between_images(candidate);
-        if (spans != is_between_images(e)) return spans;
-        const double length = rest_length(candidate), other = rest_length(e);
-        if (length != other) {
-            return length > (by_propagation ? criteria_.limits().propagation : 1.0) * other;
-        }
-        return folded_key(candidate) > folded_key(e);
-    }
-    bool is_between_images(EdgeId e) {
-        const HalfEdgeId h = active_.mesh().half_edge(e);
-        const Vec3& b = active_.rest_position(active_.mesh().origin(h));
-        const Vec3& c = active_.rest_position(active_.mesh().target(h));
-        return glm::distance(criteria_.limits().symmetry->image(b), c) <=
-               kSameImage * rest_length(e);
-    }
-    // Of an edge's middle, moved to the plane's positive side; different for different places.
-    double folded_key(EdgeId e) const {
-        const HalfEdgeId h = active_.mesh().half_edge(e);
-        const MirrorPlane& plane = *criteria_.limits().symmetry;
-        Vec3 middle = active_.rest_position(active_.mesh().origin(h)) +
-                      active_.rest_position(active_.mesh().target(h));
-        middle[plane.axis] = std::abs(middle[plane.axis] - 2.0 * plane.at);
-        return glm::dot(middle, kGenericDirection);
-    }
-
     // Once an edge, also where it has two sides.
     void block(HalfEdgeId h) {
         const EdgeId e = active_.mesh().edge(h);
         if (active_.mesh().half_edge(e) == h) result_.blocked.push_back(e);
     }
 
-    // Precondition: e ends its chain, so any edge more than rho times as long is blocked.
-    bool is_too_thin_beside_blocked(EdgeId e) {
-        bool any = false;
-        active_.mesh().for_each_side(e, [&](HalfEdgeId h) { any = any || thins_too_far(h); });
-        return any;
-    }
-
-    // Whether halving h's face across h leaves it too thin, beside an edge that is longer.
-    bool thins_too_far(HalfEdgeId h) {
-        const TriMesh& mesh = active_.mesh();
-        const double longest = std::max(rest_length(mesh.edge(TriMesh::next(h))),
-                                        rest_length(mesh.edge(TriMesh::prev(h))));
-        if (longest <= criteria_.limits().propagation * rest_length(mesh.edge(h))) return false;
-        const Vec3& a = active_.rest_position(mesh.origin(TriMesh::prev(h)));
-        const Vec3& b = active_.rest_position(mesh.origin(h));
-        const Vec3& c = active_.rest_position(mesh.target(h));
-        return 0.5 * glm::length(glm::cross(c - b, a - b)) <
-               kThinnestBesideBlocked * longest * longest;
-    }
-
-    template <typename Visit>
-    void for_each_neighbour(EdgeId e, Visit visit) const {
-        const TriMesh& mesh = active_.mesh();
-        mesh.for_each_side(e, [&](HalfEdgeId h) {
-            visit(mesh.edge(TriMesh::next(h)));
-            visit(mesh.edge(TriMesh::prev(h)));
-        });
-    }
-
-    double rest_length(EdgeId e) { return static_cast<double>(active_.rest_length(e)); }
-
-    bool may_split(EdgeId e) const {
+    // Goes by where its ends are.
+    bool may_split(EdgeId e) {
+        if (has_unplaced_end(e)) place_inserted();
         return !criteria_.is_below_floor(active_.mesh(), e) && active_.mesh().may_split(e);
+    }
+
+    bool has_unplaced_end(EdgeId e) const {
+        const auto is_unplaced = [this](VertexId v) {
+            const auto entry = active_.entry_of(v);
+            return entry && *entry < unplaced_.size() && unplaced_[*entry] != 0;
+        };
+        const HalfEdgeId h = active_.mesh().half_edge(e);
+        return is_unplaced(active_.mesh().origin(h)) || is_unplaced(active_.mesh().target(h));
     }
 
     bool split(EdgeId e) {
         const TriMesh& mesh = active_.mesh();
-        std::uint64_t added = 0;
+        std::uint32_t added = 0;
         mesh.for_each_side(e, [&](HalfEdgeId) { ++added; });
         if (mesh.face_count() + added > criteria_.limits().budget) {
             result_.budget_hit = true;
             return false;
         }
-        const ActiveSet::Inserted inserted = active_.split(e);
-        embedding_.place(inserted);
+        if (has_unplaced_end(e)) place_inserted();  // the midpoint inherits the mark of its ends
+        if (touching_.is_running() && room_ < added) make_room();
+        room_ -= std::min(room_, added);
+        active_.split(e, inserted_);
+        const std::size_t entry = inserted_.back().vertex_entry;
+        if (entry >= unplaced_.size()) unplaced_.resize(std::max(2 * entry, kBatch));
+        unplaced_[entry] = 1;
         ++result_.splits;
-        for (EdgeId round : inserted.edges) push_new_if_needed(round);
         return true;
+    }
+
+    // Where the warp takes what has been inserted, then which edges round it wait now.
+    void place_inserted() {
+        touching_.wait();
+        embedding_.place(inserted_);
+        octaves_.resize(inserted_.size());
+        const auto look = [this](std::uint32_t first, std::uint32_t end) {
+            for (std::uint32_t i = first; i < end; ++i) {
+                const ActiveSet::Inserted& made = inserted_[i];
+                for (std::size_t k = 0; k < made.edges.size(); ++k) {
+                    octaves_[i][k] = look_at_new(made.edges[k], k >= 2 || made.is_one_look);
+                }
+            }
+        };
+        for_pieces(0, static_cast<std::uint32_t>(inserted_.size()), look, kPieceOfSplits);
+        for (std::size_t i = 0; i < inserted_.size(); ++i) {
+            unplaced_[inserted_[i].vertex_entry] = 0;
+            for (std::size_t k = 0; k < inserted_[i].edges.size(); ++k) {
+                if (octaves_[i][k] != kFine) push(inserted_[i].edges[k], octaves_[i][k]);
+            }
+        }
+        inserted_.clear();
+    }
+
+    // Of an edge that a split has made or halved, most of which look fine.
+    std::uint16_t look_at_new(EdgeId e, bool is_one_look) const {
+        if (!exists(e)) return kFine;
+        if (is_one_look && criteria_.looks_fine(active_.mesh(), e, true)) return kFine;
+        return criteria_.needs_refinement(active_, e) ? octave_of(e) : kFine;
     }
 
     ActiveSet& active_;
     Embedding& embedding_;
     const Criteria& criteria_;
+    Propagation propagation_;
     RefinementQueue queue_;
+    std::vector<Waiting> batch_;
+    std::vector<ActiveSet::Inserted> inserted_;  // since the last place_inserted
+    std::vector<Octaves> octaves_;               // of these
+    std::vector<std::uint8_t> unplaced_;         // vertex entries: whether they are among these
+    MemoryAhead ahead_;
+    Meanwhile touching_;
+    std::uint32_t room_ = 0;  // while it is: how many sides of edges may be split
     Refinement result_;
 };
 

@@ -22,8 +22,10 @@ struct Refinement {
 };
 
 // A queue by decreasing deformed length (in octaves of its square, first come first served within
-// one): take an edge, look again whether it needs refinement, split it at its midpoint, test the
-// edges round the new vertex (Gain & Dodgson 1999, section 4).
+// one): take edges from it, look again whether they need refinement, split them at their midpoints,
+// test the edges round the new vertices (Gain & Dodgson 1999, section 4). That goes in batches, so
+// that looking, and placing what was inserted, is done on all threads and memory is walked through
+// once; an edge that a split makes waits for the next batch, also where it is longer.
 //
 // Before an edge is split, any edge of its two faces that is more than rho times as long at rest
 // is split first, repeatedly (longest-edge propagation, Rivara 1984); such chains end, since they

@@ -4,21 +4,21 @@
 #include <algorithm>
 #include <bit>
 #include <cstdint>
-#include <optional>
+#include <span>
 #include <vector>
 
 #include "mesh/ids.h"
 
 namespace pectin {
 
-// First come, first served within an octave. push: O(1). pop: O(1), but for empty octaves passed.
+// First come, first served within an octave. push: O(1). take: O(1), but for empty octaves passed.
 class RefinementQueue {
   public:
     static constexpr std::size_t kOctaves = 2048;  // the exponents of a double
 
-    struct Entry {
-        EdgeId edge;
-        std::size_t octave;
+    struct Entries {
+        std::span<const EdgeId> edges;
+        std::size_t octave = 0;
     };
 
     void push(EdgeId e, std::size_t octave) {
@@ -34,14 +34,16 @@ class RefinementQueue {
         longest_ = std::max(longest_, bucket);
     }
 
-    std::optional<Entry> pop() {
-        if (buckets_.empty()) return std::nullopt;
+    // The first in the longest octave, no more than `most`; none if none waits. Valid until the next
+    // push.
+    Entries take(std::size_t most) {
+        if (buckets_.empty()) return {};
         while (buckets_[longest_].is_empty()) {
             buckets_[longest_].clear();
-            if (longest_ == 0) return std::nullopt;
+            if (longest_ == 0) return {};
             --longest_;
         }
-        return Entry{buckets_[longest_].take(), lowest_ + longest_};
+        return Entries{buckets_[longest_].take(most), lowest_ + longest_};
     }
 
     static std::size_t octave_of(double squared_length) {
@@ -54,7 +56,11 @@ class RefinementQueue {
         std::size_t taken = 0;
 
         bool is_empty() const { return taken == edges.size(); }
-        EdgeId take() { return edges[taken++]; }
+        std::span<const EdgeId> take(std::size_t most) {
+            const std::size_t first = taken;
+            taken = std::min(edges.size(), first + most);
+            return std::span(edges).subspan(first, taken - first);
+        }
         void clear() {
             edges.clear();
             taken = 0;

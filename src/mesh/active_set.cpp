@@ -11,9 +11,11 @@
 namespace pectin {
 namespace {
 
+// Of an element that is there, or that a split has just added.
 template <typename T, typename Id>
 T& grown(GrowingArray<T>& values, Id id, T fill) {
-    if (index(id) >= values.size()) values.resize(index(id) + std::size_t{1}, fill);
+    if (index(id) == values.size()) values.push_into_room(fill);
+    assert(index(id) < values.size());
     return values[index(id)];
 }
 
@@ -24,6 +26,7 @@ void ActiveSet::begin(std::span<const FaceId> faces, const Box& zone) {
     begun_ = true;
     zone_ = zone;
     slots_at_begin_ = mesh_.slot_counts();
+    room_ = 0;
     fit_to_mesh();
     faces_.clear();
     faces_.append(faces);
@@ -74,6 +77,9 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
         return zone_.contains_strictly(mesh_.position(v));
     });
     influenced_ = static_cast<std::uint32_t>(first_still - corners.begin());
+    vertices_.reserve(corners.size());
+    rest_positions_.reserve(corners.size());
+    was_deformed_.reserve(corners.size());
     for (VertexId v : corners) add_vertex(v, mesh_.position(v), mesh_.is_deformed(v));
 
     sort_ids(std::span(wedges));
@@ -81,22 +87,25 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
     const auto first_still_wedge = std::stable_partition(
         wedges.begin(), wedges.end(), [&](WedgeId w) { return owner(w) < influenced_; });
     influenced_wedges_ = static_cast<std::uint32_t>(first_still_wedge - wedges.begin());
+    wedges_.reserve(wedges.size());
+    rest_normals_.reserve(wedges.size());
+    wedge_owners_.reserve(wedges.size());
     for (WedgeId w : wedges) add_wedge(w, mesh_.normal(w), owner(w));
 }
 
 std::uint32_t ActiveSet::add_vertex(VertexId v, const Vec3& rest, bool was_deformed) {
+    const std::uint8_t mark = was_deformed ? 1 : 0;
     std::uint32_t entry = vertex_entries();
     if (!free_vertex_entries_.empty()) {
-        entry = free_vertex_entries_.back();
-        free_vertex_entries_.pop_back();
+        entry = free_vertex_entries_.take_back();
+        vertices_[entry] = v;
+        rest_positions_[entry] = rest;
+        was_deformed_[entry] = mark;
     } else {
-        vertices_.push_back({});
-        rest_positions_.push_back({});
-        was_deformed_.push_back({});
+        vertices_.push_into_room(v);
+        rest_positions_.push_into_room(rest);
+        was_deformed_.push_into_room(mark);
     }
-    vertices_[entry] = v;
-    rest_positions_[entry] = rest;
-    was_deformed_[entry] = was_deformed ? 1 : 0;
     grown(vertex_entry_, v, kNoEntry) = entry;
     return entry;
 }
@@ -104,16 +113,15 @@ std::uint32_t ActiveSet::add_vertex(VertexId v, const Vec3& rest, bool was_defor
 std::uint32_t ActiveSet::add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner) {
     std::uint32_t entry = wedge_entries();
     if (!free_wedge_entries_.empty()) {
-        entry = free_wedge_entries_.back();
-        free_wedge_entries_.pop_back();
+        entry = free_wedge_entries_.take_back();
+        wedges_[entry] = w;
+        rest_normals_[entry] = rest;
+        wedge_owners_[entry] = owner;
     } else {
-        wedges_.push_back({});
-        rest_normals_.push_back({});
-        wedge_owners_.push_back({});
+        wedges_.push_into_room(w);
+        rest_normals_.push_into_room(rest);
+        wedge_owners_.push_into_room(owner);
     }
-    wedges_[entry] = w;
-    rest_normals_[entry] = rest;
-    wedge_owners_[entry] = owner;
     grown(wedge_entry_, w, kNoEntry) = entry;
     return entry;
 }
@@ -123,7 +131,12 @@ ActiveSet::EdgeState& ActiveSet::add_edge(EdgeId e, bool one_look) {
     if (state.entry == kNoEntry) {
         state.entry = static_cast<std::uint32_t>(edges_.size());
         edges_.push_back(e);
-        one_look_.push_back(one_look ? 1 : 0);
+        one_look_.push_back({});
+    }
+    const std::uint8_t look = one_look ? 1 : 0;
+    if (one_look_[state.entry] != look) {
+        if (state.entry < original_edges_) turned_looks_.push_back(state.entry);
+        one_look_[state.entry] = look;
     }
     return state;
 }
@@ -141,87 +154,124 @@ void ActiveSet::note_length(float rest_length) {
     longest_square_ = std::max(longest_square_, length * length);
 }
 
-// Edges of the beginning keep their place in the list, so that roll_back finds them.
-void ActiveSet::drop_edge(EdgeId e) {
-    const std::uint32_t entry = std::exchange(edge_states_[index(e)], EdgeState{}).entry;
-    if (entry == kNoEntry || entry < original_edges_) return;
-    edges_[entry] = edges_.back();
-    one_look_[entry] = one_look_.back();
-    edges_.pop_back();
-    one_look_.pop_back();
-    if (entry < edges_.size()) edge_states_[index(edges_[entry])].entry = entry;
+float ActiveSet::distance_at_rest(EdgeId e) const {
+    const HalfEdgeId h = mesh_.half_edge(e);
+    return static_cast<float>(
+        glm::distance(rest_position(mesh_.origin(h)), rest_position(mesh_.target(h))));
 }
 
 float ActiveSet::measure(EdgeId e) {
-    EdgeState& state = grown(edge_states_, e, EdgeState{});
-    const HalfEdgeId h = mesh_.half_edge(e);
-    state.rest_length = static_cast<float>(
-        glm::distance(rest_position(mesh_.origin(h)), rest_position(mesh_.target(h))));
+    if (index(e) >= edge_states_.size()) edge_states_.resize(index(e) + std::size_t{1});
+    EdgeState& state = edge_states_[index(e)];
+    state.rest_length = distance_at_rest(e);
     if (state.entry == kNoEntry) measured_edges_.push_back(e);
     return state.rest_length;
 }
 
-ActiveSet::Inserted ActiveSet::split(EdgeId e) {
+// visit(array, elements that a split adds to it at most in one sheet).
+template <typename Visit>
+void ActiveSet::for_each_array_of_splits(Visit visit) {
+    visit(vertices_, 1);
+    visit(rest_positions_, 1);
+    visit(was_deformed_, 1);
+    visit(vertex_entry_, 1);
+    visit(wedges_, 2);
+    visit(rest_normals_, 2);
+    visit(wedge_owners_, 2);
+    visit(wedge_entry_, 2);
+    visit(edges_, 4);
+    visit(one_look_, 4);
+    visit(edge_states_, 3);
+    visit(faces_, 4);
+    visit(edits_, 1);
+}
+
+void ActiveSet::reserve_splits(std::uint32_t count) {
+    mesh_.reserve_splits(count);
+    for_each_array_of_splits([&](auto& values, std::size_t a_split) {
+        const std::size_t added = a_split * count;
+        if (values.capacity() - values.size() < added) values.reserve(2 * values.size() + added);
+    });
+    room_ = count;
+}
+
+void ActiveSet::add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead) {
+    mesh_.add_room(after, count, ahead);
+    for_each_array_of_splits([&](auto& values, std::size_t a_split) {
+        ahead.add(values.room(a_split * after, a_split * count));
+    });
+}
+
+// Before anything is changed: without the memory nothing has happened.
+void ActiveSet::make_room(EdgeId e) {
+    std::uint32_t sheets = 1;
+    for (EdgeId s = mesh_.sibling(e); s != e; s = mesh_.sibling(s)) ++sheets;
+    if (room_ < sheets) reserve_splits(sheets);
+    room_ -= sheets;
+}
+
+Split ActiveSet::split(EdgeId e, std::vector<Inserted>& inserted) {
+    make_room(e);
     const float length = rest_length(e), half_length = 0.5f * length;
     note_length(length);  // of its halves, too, and of what an unsplit restores
-    mesh_.for_each_side(e, [this](HalfEdgeId h) { faces_.push_back(TriMesh::face(h)); });
 
-    Inserted inserted;
-    const Split& s = inserted.split = mesh_.insert_midpoint(e);
-    edits_.push_back(TopologyEdit::split(s.bm));
+    const Split s = mesh_.insert_midpoint(e);
+    edits_.push_into_room(TopologyEdit::split(s.bm));
     ++splits_;
     const Vec3 rest = 0.5 * rest_position(s.b) + 0.5 * rest_position(s.c);
     mesh_.set_position(s.m, rest);
-    inserted.vertex_entry = add_vertex(s.m, rest, mesh_.is_deformed(s.m));
-    inserted_wedges_.clear();
-    inserted_edges_.clear();
-    inserted_edges_.push_back(s.bm);
-    inserted_edges_.push_back(s.mc);
-    mesh_.for_each_sheet(mesh_.star_of(s), [&](const Star& star) {
-        insert_sheet(star, inserted.vertex_entry, half_length);
+    const std::uint32_t vertex_entry = add_vertex(s.m, rest, mesh_.is_deformed(s.m));
+    const std::size_t first = inserted.size();
+    mesh_.for_each_sheet(s, [&](const Split& sheet) {
+        inserted.emplace_back();
+        insert_sheet(sheet, vertex_entry, half_length, inserted.back());
     });
-    inserted.wedge_entries = inserted_wedges_;
-    inserted.edges = inserted_edges_;
-    return inserted;
+    for (std::size_t i = first + 1; i < inserted.size(); ++i) {
+        inserted[i].is_first_sheet = false;
+        inserted[i].edges[0] = inserted[i].edges[1] = kNone<EdgeId>;
+    }
+    return s;
 }
 
 // The rest state of what a split has made in one sheet.
-void ActiveSet::insert_sheet(const Star& star, std::uint32_t vertex_entry, float half_length) {
-    const bool is_smooth = one_look_is_enough(mesh_.edge(star.bm));
-    for (HalfEdgeId h : {star.bm, star.mc}) {
-        add_edge(mesh_.edge(h), is_smooth).rest_length = half_length;
-    }
-    insert_spoke(TriMesh::prev(star.mc), star.a, vertex_entry);
-    faces_.push_back(TriMesh::face(star.mc));
-    const WedgeId left = mesh_.wedge(star.mc);
-    insert_side(left, mesh_.wedge(star.bm), mesh_.wedge(TriMesh::next(star.mc)), vertex_entry,
-                [&] { return rest_area_normal(star.b, star.c, star.a); });
-    if (star.on_boundary()) return;
+void ActiveSet::insert_sheet(const Split& s, std::uint32_t vertex_entry, float half_length,
+                             Inserted& made) {
+    const bool is_smooth = s.right ? s.right->m == s.left.m : mesh_.sibling(s.bm) == s.bm;
+    add_edge(s.bm, is_smooth).rest_length = half_length;
+    add_edge(s.mc, is_smooth).rest_length = half_length;
+    insert_spoke(s.am, s.a, vertex_entry);
+    made.vertex_entry = vertex_entry;
+    made.is_one_look = is_smooth;
+    made.edges = {s.bm, s.mc, s.am, s.dm};
+    made.wedge_entries[0] = insert_side(
+        s.left, vertex_entry, [&] { return rest_area_normal(s.b, s.c, s.a); });
+    const HalfEdgeId bm = mesh_.half_edge(s.bm);
+    faces_.push_into_room(TriMesh::face(bm));
+    faces_.push_into_room(s.face3);
+    if (!s.right) return;
 
-    insert_spoke(TriMesh::prev(star.mb), star.d, vertex_entry);
-    faces_.push_back(TriMesh::face(star.cm));
-    const WedgeId right = mesh_.wedge(star.mb);
-    if (right == left) return;
-    insert_side(right, mesh_.wedge(TriMesh::next(star.mb)), mesh_.wedge(star.cm), vertex_entry,
-                [&] { return rest_area_normal(star.b, star.d, star.c); });
+    insert_spoke(s.dm, s.d, vertex_entry);
+    faces_.push_into_room(TriMesh::face(mesh_.twin(bm)));
+    faces_.push_into_room(s.face4);
+    if (is_smooth) return;
+    made.wedge_entries[1] = insert_side(
+        *s.right, vertex_entry, [&] { return rest_area_normal(s.b, s.d, s.c); });
 }
 
 // am or dm.
-void ActiveSet::insert_spoke(HalfEdgeId h, VertexId apex, std::uint32_t vertex_entry) {
-    const EdgeId e = mesh_.edge(h);
+void ActiveSet::insert_spoke(EdgeId e, VertexId apex, std::uint32_t vertex_entry) {
     const auto length =
         static_cast<float>(glm::distance(rest_position(apex), rest_positions_[vertex_entry]));
     add_edge(e, true).rest_length = length;
     note_length(length);
-    inserted_edges_.push_back(e);
 }
 
 template <typename AreaNormal>
-void ActiveSet::insert_side(WedgeId m, WedgeId b, WedgeId c, std::uint32_t owner,
-                            const AreaNormal& area_normal) {
-    const Vec3f normal = midpoint_normal(rest_normal(b), rest_normal(c), area_normal);
-    mesh_.set_normal(m, normal);
-    inserted_wedges_.push_back(add_wedge(m, normal, owner));
+std::uint32_t ActiveSet::insert_side(const Split::Side& side, std::uint32_t owner,
+                                     const AreaNormal& area_normal) {
+    const Vec3f normal = midpoint_normal(rest_normal(side.b), rest_normal(side.c), area_normal);
+    mesh_.set_normal(side.m, normal);
+    return add_wedge(side.m, normal, owner);
 }
 
 Vec3 ActiveSet::rest_area_normal(VertexId p, VertexId q, VertexId r) const {
@@ -230,6 +280,7 @@ Vec3 ActiveSet::rest_area_normal(VertexId p, VertexId q, VertexId r) const {
 }
 
 void ActiveSet::unsplit(const Star& star) {
+    room_ = 0;
     mesh_.for_each_sheet(star, [this](const Star& sheet) { drop_sheet(sheet); });
     std::uint32_t& entry = vertex_entry_[index(star.m)];
     vertices_[entry] = kNone<VertexId>;
@@ -240,7 +291,8 @@ void ActiveSet::unsplit(const Star& star) {
     edits_.push_back(TopologyEdit::unsplit(bc));
     mesh_.for_each_side(bc, [&](HalfEdgeId h) {
         const EdgeId e = mesh_.edge(h);
-        add_edge(e, one_look_is_enough(e)).rest_length = kUnmeasured;
+        if (edge_states_[index(e)].entry == kNoEntry) add_edge(e, one_look_is_enough(e));
+        edge_states_[index(e)].rest_length = kUnmeasured;
         if (!was_inserted) note_length(rest_length(e));  // else its split has
     });
 }
@@ -248,13 +300,10 @@ void ActiveSet::unsplit(const Star& star) {
 // Forgets what an unsplit takes from one sheet.
 void ActiveSet::drop_sheet(const Star& star) {
     for (HalfEdgeId h : {star.mc, star.bm}) faces_.push_back(TriMesh::face(h));
-    drop_edge(mesh_.edge(star.mc));
-    drop_edge(mesh_.edge(TriMesh::prev(star.mc)));
     const WedgeId left = mesh_.wedge(star.mc);
     drop_wedge(left);
     if (star.on_boundary()) return;
     for (HalfEdgeId h : {star.mb, star.cm}) faces_.push_back(TriMesh::face(h));
-    drop_edge(mesh_.edge(TriMesh::prev(star.mb)));
     const WedgeId right = mesh_.wedge(star.mb);
     if (right != left) drop_wedge(right);
 }
@@ -290,6 +339,8 @@ void ActiveSet::roll_back() {
         mesh_.set_normal(w, rest_normals_[i]);
     }
     for (std::uint32_t i = 0; i < original_edges_; ++i) edge_states_[index(edges_[i])].entry = i;
+    for (std::uint32_t entry : turned_looks_) one_look_[entry] ^= 1;
+    turned_looks_.clear();
 }
 
 // Cuts the entries back to those of the beginning.
@@ -408,6 +459,7 @@ void ActiveSet::forget() {
     drop_inserted();
     original_ids_.clear();
     original_wedge_ids_.clear();
+    turned_looks_.clear();
     influenced_ = influenced_wedges_ = 0;
     longest_square_ = 0.0;
     begun_ = false;
@@ -418,10 +470,9 @@ std::size_t ActiveSet::memory_bytes() const {
            capacity_bytes(rest_positions_) + capacity_bytes(was_deformed_) +
            capacity_bytes(wedges_) + capacity_bytes(original_wedge_ids_) +
            capacity_bytes(rest_normals_) + capacity_bytes(wedge_owners_) + capacity_bytes(edges_) +
-           capacity_bytes(one_look_) + capacity_bytes(scratch_) + capacity_bytes(measured_edges_) +
+           capacity_bytes(one_look_) + capacity_bytes(turned_looks_) + capacity_bytes(scratch_) + capacity_bytes(measured_edges_) +
            capacity_bytes(edits_) + capacity_bytes(lost_wedges_) + capacity_bytes(lost_normals_) +
            capacity_bytes(free_vertex_entries_) + capacity_bytes(free_wedge_entries_) +
-           capacity_bytes(inserted_wedges_) + capacity_bytes(inserted_edges_) +
            capacity_bytes(vertex_entry_) + capacity_bytes(wedge_entry_) +
            capacity_bytes(edge_states_);
 }

@@ -8,6 +8,7 @@
 // zone by id, the other corners of the active faces by id, then inserted ones as they come.
 #pragma once
 
+#include <array>
 #include <cmath>
 #include <cstddef>
 #include <cstdint>
@@ -26,6 +27,8 @@ namespace pectin {
 // touches. Holds a reference to the mesh; both stay where they are.
 class ActiveSet {
   public:
+    static constexpr std::uint32_t kNoEntry = 0xffffffffu;
+
     explicit ActiveSet(TriMesh& mesh) : mesh_(mesh) {}
     ActiveSet(const ActiveSet&) = delete;
     ActiveSet& operator=(const ActiveSet&) = delete;
@@ -68,16 +71,12 @@ class ActiveSet {
     std::span<const std::uint32_t> wedge_owners() const { return wedge_owners_; }
     const Vec3f& rest_normal_at(std::uint32_t entry) const { return rest_normals_[entry]; }
     std::uint32_t wedge_owner(std::uint32_t entry) const { return wedge_owners_[entry]; }
-    // Edges of the active faces and of inserted vertices; may name dead ones.
+    // Edges of the active faces and of inserted vertices, each once; also those that unsplit has
+    // removed, until a split uses their ids again.
     std::span<const EdgeId> edges() const { return edges_; }
     // Of each: 1 where one side says all about its end normals, since the other shares both wedges
     // or there is none; so it stays for all its pieces. 0 on creases and along cuts.
     std::span<const std::uint8_t> one_look_edges() const { return one_look_; }
-    bool is_one_look(EdgeId e) const {
-        const std::uint32_t entry =
-            index(e) < edge_states_.size() ? edge_states_[index(e)].entry : kNoEntry;
-        return entry != kNoEntry && one_look_[entry] != 0;
-    }
     // A byte for each of them, for a pass to write and read; lost with the next edit.
     std::span<std::uint8_t> scratch_of_edges() {
         scratch_.resize(edges_.size());
@@ -114,21 +113,35 @@ class ActiveSet {
         }
         return measure(e);
     }
+    // The same without remembering, so that several threads may ask.
+    float rest_length_of(EdgeId e) const {
+        const float known = edge_states_[index(e)].rest_length;
+        return known != kUnmeasured ? known : distance_at_rest(e);
+    }
     // No active edge is longer at rest, nor has any been in this gesture. O(1).
     double longest_at_rest() const { return std::sqrt(longest_square_); }
 
     // --- Edits, logged.
-    // The inserted vertex and its wedges are at rest; their entries are the returned ones.
+    // What a split has made in one sheet: entries, and edges round the new vertex. All is at rest.
+    // Where there are more sheets, they share the vertex; the first of them stands for it and for
+    // the edges along the cut.
     struct Inserted {
-        Split split;
-        std::uint32_t vertex_entry = 0;
-        // Valid until the next split: a wedge a side (one for both where the edge is smooth), and
-        // the edges round the vertex (of those that lie along each other one).
-        std::span<const std::uint32_t> wedge_entries;
-        std::span<const EdgeId> edges;
+        std::uint32_t vertex_entry = kNoEntry;
+        bool is_first_sheet = true;
+        bool is_one_look = true;  // the edge that was split, and so its halves (one_look_edges)
+        std::array<std::uint32_t, 2> wedge_entries{kNoEntry, kNoEntry};  // the second on a crease
+        std::array<EdgeId, 4> edges{kNone<EdgeId>, kNone<EdgeId>, kNone<EdgeId>, kNone<EdgeId>};
     };
-    // Splits e and its siblings. Cost: O(1), with siblings O(siblings).
-    Inserted split(EdgeId e);
+    // Splits e and its siblings; appends what that made. Cost: O(1), with siblings O(siblings).
+    Split split(EdgeId e, std::vector<Inserted>& inserted);
+    Split split(EdgeId e) {
+        std::vector<Inserted> inserted;
+        return split(e, inserted);
+    }
+    // Room for `count` splits of edges with one or two sides, here and in the mesh, so that these
+    // move no array; and of that room what the splits past the next `after` are going to fill.
+    void reserve_splits(std::uint32_t count);
+    void add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead);
     // Precondition: star.m has an entry.
     void unsplit(const Star& star);
     std::uint64_t edit_count() const { return edits_.size(); }
@@ -138,7 +151,6 @@ class ActiveSet {
     std::size_t memory_bytes() const;
 
   private:
-    static constexpr std::uint32_t kNoEntry = 0xffffffffu;
     static constexpr float kUnmeasured = -1.0f;
 
     struct EdgeState {
@@ -154,19 +166,23 @@ class ActiveSet {
     void collect(std::span<const FaceId> faces);
     std::uint32_t add_vertex(VertexId v, const Vec3& rest, bool was_deformed);
     std::uint32_t add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner);
-    void insert_sheet(const Star& star, std::uint32_t vertex_entry, float half_length);
-    void insert_spoke(HalfEdgeId h, VertexId apex, std::uint32_t vertex_entry);
+    void make_room(EdgeId e);
+    template <typename Visit>
+    void for_each_array_of_splits(Visit visit);
+    void insert_sheet(const Split& split, std::uint32_t vertex_entry, float half_length,
+                      Inserted& made);
+    void insert_spoke(EdgeId e, VertexId apex, std::uint32_t vertex_entry);
     template <typename AreaNormal>
-    void insert_side(WedgeId m, WedgeId b, WedgeId c, std::uint32_t owner,
-                     const AreaNormal& area_normal);
+    std::uint32_t insert_side(const Split::Side& side, std::uint32_t owner,
+                              const AreaNormal& area_normal);
     Vec3 rest_area_normal(VertexId p, VertexId q, VertexId r) const;
     float measure(EdgeId e);
+    float distance_at_rest(EdgeId e) const;
     void drop_sheet(const Star& star);
     void drop_wedge(WedgeId w);
     EdgeState& add_edge(EdgeId e, bool one_look);
     bool one_look_is_enough(EdgeId e) const;
     void note_length(float rest_length);
-    void drop_edge(EdgeId e);
     void drop_inserted();
     void forget();
     void record_states(MeshChange& change) const;
@@ -194,14 +210,14 @@ class ActiveSet {
     std::vector<Vec3f> lost_normals_;
     GrowingArray<EdgeId> edges_;
     GrowingArray<std::uint8_t> one_look_;  // of edges_
+    GrowingArray<std::uint32_t> turned_looks_;  // entries at begin, of ids that other edges took over
     GrowingArray<std::uint8_t> scratch_;
     GrowingArray<EdgeId> measured_edges_;  // not in edges_, but their rest length is remembered
     GrowingArray<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone
-    GrowingArray<std::uint32_t> inserted_wedges_;                           // of the last split
-    GrowingArray<EdgeId> inserted_edges_;
 
     GrowingArray<TopologyEdit> edits_;
     std::uint64_t splits_ = 0;
+    std::uint32_t room_ = 0;  // for how many splits of edges that lie along no cut, at least
     double longest_square_ = 0.0;
 
     // As large as the mesh; as initialised but for what the gesture has touched.

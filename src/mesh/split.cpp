@@ -11,58 +11,51 @@ namespace pectin {
 namespace {
 
 constexpr std::size_t kMostCounted = std::numeric_limits<std::uint32_t>::max();
+constexpr std::uint16_t kMostLevel = std::numeric_limits<std::uint16_t>::max();
 
 }  // namespace
 
+// The slot freed last, else a new one, for which make_room has made room.
 VertexId TriMesh::allocate_vertex() {
-    if (!free_vertices_.empty()) {
-        const VertexId v = free_vertices_.back();
-        free_vertices_.pop_back();
-        return v;
-    }
-    positions_.push_back(Vec3{0.0});
-    vertex_half_edges_.push_back(kNone<HalfEdgeId>);
-    vertex_levels_.push_back(0);
-    deformed_.push_back(0);
-    if (has_colors()) colors_.push_back(Vec3f{0.0f});
+    if (!free_vertices_.empty()) return free_vertices_.take_back();
+    positions_.push_into_room(Vec3{0.0});
+    vertex_half_edges_.push_into_room(kNone<HalfEdgeId>);
+    vertex_levels_.push_into_room(0);
+    deformed_.push_into_room(0);
+    if (has_colors()) colors_.push_into_room(Vec3f{0.0f});
     return VertexId{vertex_slots() - 1};
 }
 
 WedgeId TriMesh::allocate_wedge() {
-    if (!free_wedges_.empty()) {
-        const WedgeId w = free_wedges_.back();
-        free_wedges_.pop_back();
-        return w;
-    }
-    normals_.push_back(Vec3f{0.0f});
-    if (has_uvs()) uvs_.push_back(Vec2f{0.0f});
+    if (!free_wedges_.empty()) return free_wedges_.take_back();
+    normals_.push_into_room(Vec3f{0.0f});
+    if (has_uvs()) uvs_.push_into_room(Vec2f{0.0f});
     return WedgeId{wedge_slots() - 1};
 }
 
-EdgeId TriMesh::allocate_edge() {
+EdgeId TriMesh::allocate_edge(std::uint16_t level) {
+    EdgeId e{edge_slots()};
     if (!free_edges_.empty()) {
-        const EdgeId e = free_edges_.back();
-        free_edges_.pop_back();
+        e = free_edges_.take_back();
+        edge_levels_[index(e)] = level;
         return e;
     }
-    edge_half_edges_.push_back(kNone<HalfEdgeId>);
-    edge_levels_.push_back(0);
-    const EdgeId e{edge_slots() - 1};
-    if (!siblings_.empty()) siblings_.push_back(e);
+    edge_half_edges_.push_into_room(kNone<HalfEdgeId>);
+    edge_levels_.push_into_room(level);
+    if (!siblings_.empty()) siblings_.push_into_room(e);
     return e;
 }
 
+// Its half-edges are the caller's to write.
 FaceId TriMesh::allocate_face(FaceId base) {
-    FaceId f;
+    FaceId f{face_slots()};
     if (!free_faces_.empty()) {
-        f = free_faces_.back();
-        free_faces_.pop_back();
-    } else {
-        for (int corner = 0; corner < 3; ++corner) half_edges_.push_back(HalfEdge{});
-        face_bases_.push_back(kNone<FaceId>);
-        f = FaceId{face_slots() - 1};
+        f = free_faces_.take_back();
+        face_bases_[index(f)] = base;
+        return f;
     }
-    face_bases_[index(f)] = base;
+    half_edges_.grow_into_room(3);
+    face_bases_.push_into_room(base);
     return f;
 }
 
@@ -80,24 +73,23 @@ std::uint16_t TriMesh::highest_level_round(EdgeId e) const {
 }
 
 bool TriMesh::may_split(EdgeId e) const {
-    return highest_level_round(e) < std::numeric_limits<std::uint16_t>::max();
+    return highest_level_ < kMostLevel || highest_level_round(e) < kMostLevel;
 }
 
 Split TriMesh::split(EdgeId e) {
     const Split s = insert_midpoint(e);
     positions_[index(s.m)] = 0.5 * position(s.b) + 0.5 * position(s.c);
-    const auto set_normal = [this](WedgeId m, HalfEdgeId from_b, HalfEdgeId from_c, VertexId apex) {
+    const auto set_normal = [this](const Split::Side& side, VertexId p, VertexId q, VertexId r) {
         const auto area_normal = [&] {
-            const Vec3& b = position(origin(from_b));
-            return glm::cross(position(origin(from_c)) - b, position(apex) - b);
+            return glm::cross(position(q) - position(p), position(r) - position(p));
         };
-        normals_[index(m)] =
-            midpoint_normal(normal(wedge(from_b)), normal(wedge(from_c)), area_normal);
+        normals_[index(side.m)] = midpoint_normal(normal(side.b), normal(side.c), area_normal);
     };
-    for_each_sheet(star_of(s), [&](const Star& star) {
-        set_normal(wedge(star.mc), star.bm, next(star.mc), star.a);
-        if (star.on_boundary() || wedge(star.mb) == wedge(star.mc)) return;
-        set_normal(wedge(star.mb), star.cm, next(star.mb), star.d);
+    for_each_sheet(s, [&](const Split& sheet) {
+        set_normal(sheet.left, sheet.b, sheet.c, sheet.a);
+        if (sheet.right && sheet.right->m != sheet.left.m) {
+            set_normal(*sheet.right, sheet.c, sheet.b, sheet.d);
+        }
     });
     return s;
 }
@@ -120,7 +112,9 @@ Split TriMesh::insert_midpoint(EdgeId e) {
     e = leader(e);
     make_room(e);
     const VertexId m = allocate_vertex();
-    vertex_levels_[index(m)] = static_cast<std::uint16_t>(highest_level_round(e) + 1);
+    const auto level = static_cast<std::uint16_t>(highest_level_round(e) + 1);
+    highest_level_ = std::max(highest_level_, level);
+    vertex_levels_[index(m)] = level;
     const Split s = insert_into_sheet(e, m);
     vertex_half_edges_[index(m)] = half_edge(s.face3, 0);
     deformed_[index(m)] = is_deformed(s.b) || is_deformed(s.c) ? 1 : 0;
@@ -142,51 +136,69 @@ void TriMesh::make_room(EdgeId e) {
     room_.splits = along_cut ? 0 : room_.splits - 1;
 }
 
+// visit(array, elements that a side of a split adds to it at most).
+template <typename Visit>
+void TriMesh::for_each_array_of_splits(Visit visit) {
+    visit(positions_, 1);
+    visit(vertex_half_edges_, 1);
+    visit(vertex_levels_, 1);
+    visit(deformed_, 1);
+    if (has_colors()) visit(colors_, 1);
+    visit(normals_, 1);
+    if (has_uvs()) visit(uvs_, 1);
+    visit(edge_half_edges_, 2);
+    visit(edge_levels_, 2);
+    if (!siblings_.empty()) visit(siblings_, 2);
+    visit(half_edges_, 3);
+    visit(face_bases_, 1);
+}
+
 // Room for at least a split with so many sides, and notes how many with two there are then.
 void TriMesh::reserve_for(std::size_t sides) {
     std::size_t splits = kMostCounted;
-    const auto room = [&](auto& slots, std::size_t a_side) {
+    for_each_array_of_splits([&](auto& slots, std::size_t a_side) {
         const std::size_t added = a_side * sides;
         if (slots.capacity() - slots.size() < added) slots.reserve(2 * slots.size() + added);
         splits = std::min(splits, (slots.capacity() - slots.size()) / (2 * a_side));
-    };
-    room(positions_, 1);
-    room(vertex_half_edges_, 1);
-    room(vertex_levels_, 1);
-    room(deformed_, 1);
-    if (has_colors()) room(colors_, 1);
-    room(normals_, 1);
-    if (has_uvs()) room(uvs_, 1);
-    room(edge_half_edges_, 2);
-    room(edge_levels_, 2);
-    if (!siblings_.empty()) room(siblings_, 2);
-    room(half_edges_, 3);
-    room(face_bases_, 1);
+    });
     room_.splits = static_cast<std::uint32_t>(splits);
 }
 
-Star TriMesh::star_of(const Split& s) const {
-    Star star{.m = s.m, .a = s.a, .b = s.b, .c = s.c, .d = s.d};
-    star.mc = half_edge(s.face3, 0);
-    star.bm = half_edge(s.bm);
-    if (s.right) {
-        star.mb = twin(star.bm);
-        star.cm = half_edge(s.face4, 0);
-    }
-    return star;
+void TriMesh::reserve_splits(std::uint32_t count) {
+    if (room_.splits < count) reserve_for(2 * std::size_t{count});
+}
+
+void TriMesh::add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead) {
+    for_each_array_of_splits([&](auto& slots, std::size_t a_side) {
+        ahead.add(slots.room(2 * a_side * after, 2 * a_side * count));
+    });
+}
+
+// What a split made in the sheet of this star, along a cut.
+Split TriMesh::split_of(const Star& star) const {
+    Split s;
+    s.m = star.m;
+    s.a = star.a;
+    s.b = star.b;
+    s.c = star.c;
+    s.bm = edge(star.bm);
+    s.mc = edge(star.mc);
+    s.am = edge(prev(star.mc));
+    s.face3 = face(star.mc);
+    s.left = {wedge(star.mc), wedge(star.bm), wedge(next(star.mc))};
+    return s;
 }
 
 Split TriMesh::insert_into_sheet(EdgeId e, VertexId m) {
     const Split s = allocate_sheet(e, m);
     connect_left(s);
     if (s.right) connect_right(s);
+    if (!has_uvs()) return s;
     const auto interpolate_uv = [this](const Split::Side& side) {
         uvs_[index(side.m)] = 0.5f * uv(side.b) + 0.5f * uv(side.c);
     };
-    if (has_uvs()) {
-        interpolate_uv(s.left);
-        if (s.right && s.right->m != s.left.m) interpolate_uv(*s.right);
-    }
+    interpolate_uv(s.left);
+    if (s.right && s.right->m != s.left.m) interpolate_uv(*s.right);
     return s;
 }
 
@@ -215,34 +227,33 @@ void TriMesh::insert_into_siblings(const Split& leader) {
 }
 
 Split TriMesh::allocate_sheet(EdgeId e, VertexId m) {
-    const HalfEdgeId bc = half_edge(e), ca = next(bc), cb = twin(bc);
+    const HalfEdgeId bc = half_edge(e);
+    const HalfEdge &b = half_edges_[index(bc)], &c = half_edges_[index(next(bc))];
+    const std::uint16_t level_along = level(e), level_across = level(m);
     Split s;
     s.m = m;
-    s.b = origin(bc);
-    s.c = origin(ca);
     s.a = origin(prev(bc));
+    s.b = b.origin;
+    s.c = c.origin;
     s.bm = e;
-    s.left.b = wedge(bc);
-    s.left.c = wedge(ca);
-    if (exists(cb)) {
-        s.d = origin(prev(cb));
-        s.right = Split::Side{kNone<WedgeId>, wedge(next(cb)), wedge(cb)};
+    s.left = {allocate_wedge(), b.wedge, c.wedge};
+    if (!exists(b.twin)) {
+        s.mc = allocate_edge(level_along);
+        s.am = allocate_edge(level_across);
+        s.face3 = allocate_face(face_bases_[index(face(bc))]);
+        return s;
     }
-
-    s.left.m = allocate_wedge();
-    if (s.right) {
-        const bool smooth = s.right->b == s.left.b && s.right->c == s.left.c;
-        s.right->m = smooth ? s.left.m : allocate_wedge();
-    }
-    s.mc = allocate_edge();
-    s.am = allocate_edge();
-    if (s.right) s.dm = allocate_edge();
-    s.face3 = allocate_face(face_bases_[index(face(bc))]);
-    if (s.right) s.face4 = allocate_face(face_bases_[index(face(cb))]);
-
-    edge_levels_[index(s.mc)] = level(e);
-    edge_levels_[index(s.am)] = level(m);
-    if (s.right) edge_levels_[index(s.dm)] = level(m);
+    const HalfEdgeId cb = b.twin;
+    s.d = origin(prev(cb));
+    const WedgeId right_b = wedge(next(cb)), right_c = wedge(cb);
+    const bool smooth = right_b == s.left.b && right_c == s.left.c;
+    s.right = Split::Side{smooth ? s.left.m : allocate_wedge(), right_b, right_c};
+    s.mc = allocate_edge(level_along);
+    s.am = allocate_edge(level_across);
+    s.dm = allocate_edge(level_across);
+    const FaceId base3 = face_bases_[index(face(bc))], base4 = face_bases_[index(face(cb))];
+    s.face3 = allocate_face(base3);
+    s.face4 = allocate_face(base4);
     return s;
 }
 

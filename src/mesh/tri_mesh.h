@@ -40,6 +40,7 @@
 #include "mesh/growing_array.h"
 #include "mesh/ids.h"
 #include "mesh/input_form.h"
+#include "mesh/memory_ahead.h"
 
 namespace pectin {
 
@@ -209,6 +210,10 @@ class TriMesh {
     Split split(EdgeId e);
     // The same, but leaves the midpoint's position and normals 0 for the caller to set.
     Split insert_midpoint(EdgeId e);
+    // Room for `count` splits of edges with one or two sides, so that these move no array.
+    void reserve_splits(std::uint32_t count);
+    // Of that room what the splits past the next `after` are going to fill, at most.
+    void add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead);
     // Whether the level of the midpoint would still fit in 16 bits.
     bool may_split(EdgeId e) const;
 
@@ -225,8 +230,15 @@ class TriMesh {
         const EdgeId first = edge(star.mc);
         for (EdgeId e = sibling(first); e != first; e = sibling(e)) visit(*sheet(star.m, e));
     }
-    // The same of what an edge's split has just made: its leader's sheet.
-    Star star_of(const Split& split) const;
+    // visit(const Split&): what a split has just made in each sheet along a cut, its leader's first.
+    template <typename Visit>
+    void for_each_sheet(const Split& leader, Visit visit) const {
+        visit(leader);
+        if (sibling(leader.mc) == leader.mc) return;
+        for (EdgeId e = sibling(leader.mc); e != leader.mc; e = sibling(e)) {
+            visit(split_of(*sheet(leader.m, e)));
+        }
+    }
     // The exact inverse of the split that made star.m: same ids, same bytes. Returns bc, the leader
     // of its siblings. Precondition: star is what removable(m) says.
     EdgeId unsplit(const Star& star);
@@ -274,7 +286,7 @@ class TriMesh {
 
     VertexId allocate_vertex();
     WedgeId allocate_wedge();
-    EdgeId allocate_edge();
+    EdgeId allocate_edge(std::uint16_t level);
     FaceId allocate_face(FaceId base);
     void release(VertexId v);
     void release(WedgeId w);
@@ -285,6 +297,8 @@ class TriMesh {
     void link(HalfEdgeId h, HalfEdgeId twin);
     void make_room(EdgeId e);
     void reserve_for(std::size_t sides);
+    template <typename Visit>
+    void for_each_array_of_splits(Visit visit);
     Split insert_into_sheet(EdgeId e, VertexId m);
     Split allocate_sheet(EdgeId e, VertexId m);
     void connect_left(const Split& split);
@@ -293,6 +307,7 @@ class TriMesh {
     std::uint16_t highest_level_round(EdgeId e) const;
     std::optional<Star> star_from(HalfEdgeId mc) const;
     std::optional<Star> sheet(VertexId m, EdgeId along_cut) const;
+    Split split_of(const Star& star) const;
     EdgeId unsplit_sheet(const Star& star);
     void unsplit_siblings(const Star& leader);
 
@@ -311,6 +326,8 @@ class TriMesh {
     std::vector<BaseFace> base_faces_;            // n_base_faces
     InputForm form_;
     std::uint32_t base_vertices_ = 0;
+
+    std::uint16_t highest_level_ = 0;  // that any vertex has had, at least; not what makes it equal
 
     GrowingArray<VertexId> free_vertices_;
     GrowingArray<WedgeId> free_wedges_;

@@ -1,0 +1,62 @@
+// Longest-edge propagation: what has to be split before an edge.
+// Source: Rivara 1984; lengths are those at rest, so that chains end.
+#pragma once
+
+#include <functional>
+
+#include "adapt/criteria.h"
+#include "mesh/active_set.h"
+
+namespace pectin {
+
+// Before an edge is split, any edge of its faces that is more than rho times as long at rest is
+// split first (AdaptLimits::propagation), repeatedly. An edge that may not be split is not waited
+// for. All it asks of the mesh is at rest; may_split may place what has been split so far.
+class Propagation {
+  public:
+    using MaySplit = std::function<bool(EdgeId)>;
+    Propagation(ActiveSet& active, const AdaptLimits& limits, MaySplit may_split)
+        : active_(active), limits_(limits), may_split_(std::move(may_split)) {}
+
+    // From e to its longest neighbour, and on from there.
+    struct Chain {
+        EdgeId end;  // e itself if nothing goes before it
+        bool leaves_sliver = false;  // too thin a face at the end, beside an edge not waited for
+    };
+    Chain chain(EdgeId e);
+    // Whether no edge of e's faces is more than rho times as long, so that nothing goes before e.
+    // False where more counts: along cuts, and where ties are broken symmetrically. Changes nothing,
+    // so that several threads may ask.
+    bool is_longest(EdgeId e) const;
+
+  private:
+    // An edge that goes before another, or that other one, and whether longer ones are not waited
+    // for then (at least: there may be none).
+    struct Next {
+        EdgeId edge;
+        bool any_blocked = false;
+    };
+    Next longest_neighbour(EdgeId e);
+    Next first_neighbour(EdgeId e);
+    bool is_too_thin_beside_blocked(EdgeId e);
+    bool goes_before(EdgeId candidate, EdgeId e, bool by_propagation);
+    bool is_between_images(EdgeId e);
+    double folded_key(EdgeId e) const;
+    bool thins_too_far(HalfEdgeId h);
+
+    template <typename Visit>
+    void for_each_neighbour(EdgeId e, Visit visit) const {
+        const TriMesh& mesh = active_.mesh();
+        mesh.for_each_side(e, [&](HalfEdgeId h) {
+            visit(mesh.edge(TriMesh::next(h)));
+            visit(mesh.edge(TriMesh::prev(h)));
+        });
+    }
+    double rest_length(EdgeId e) { return static_cast<double>(active_.rest_length(e)); }
+
+    ActiveSet& active_;
+    const AdaptLimits& limits_;
+    MaySplit may_split_;
+};
+
+}  // namespace pectin
