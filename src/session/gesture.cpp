@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <chrono>
+#include <iterator>
 #include <utility>
 
 namespace pectin {
@@ -106,9 +107,18 @@ std::vector<FaceId> Gesture::take_edited_faces() {
 }
 
 void Gesture::append_moved_wedges(std::vector<WedgeId>& wedges) const {
-    for (std::uint32_t i = 0; i < active_.wedge_entries(); ++i) {
-        if (exists(active_.wedge(i)) && active_.is_influenced_at(active_.wedge_owner(i))) {
-            wedges.push_back(active_.wedge(i));
+    const std::span<const WedgeId> all = active_.wedges();
+    const std::uint32_t moved = active_.influenced_wedges_at_begin();
+    if (wedges.empty()) wedges.reserve(all.size());
+    const auto is_there = [](WedgeId w) { return exists(w); };
+    if (active_.unsplits() == 0) {  // none is gone
+        wedges.insert(wedges.end(), all.begin(), all.begin() + moved);
+    } else {
+        std::copy_if(all.begin(), all.begin() + moved, std::back_inserter(wedges), is_there);
+    }
+    for (std::uint32_t i = moved; i < all.size(); ++i) {
+        if (is_there(all[i]) && active_.is_influenced_at(active_.wedge_owner(i))) {
+            wedges.push_back(all[i]);
         }
     }
 }
