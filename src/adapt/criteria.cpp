@@ -222,7 +222,8 @@ bool Criteria::is_flat(const TriMesh& mesh, const Star& star) const {
 bool Criteria::star_meets_scope(const ActiveSet& active, const Star& star) const {
     if (!scope_) return true;
     const Vec3& m = active.rest_position(star.m);
-    if (std::any_of(scope_->begin(), scope_->end(), [&](const Box& box) { return box.contains(m); }))
+    if (std::any_of(scope_->begin(), scope_->end(),
+                    [&](const Box& box) { return box.contains(m); }))
         return true;
     const auto meets = [&](VertexId p, VertexId q) {
         return std::any_of(scope_->begin(), scope_->end(), [&](const Box& box) {

@@ -85,8 +85,7 @@ bool Propagation::is_between_images(EdgeId e) {
     const HalfEdgeId h = active_.mesh().half_edge(e);
     const Vec3& b = active_.rest_position(active_.mesh().origin(h));
     const Vec3& c = active_.rest_position(active_.mesh().target(h));
-    return glm::distance(limits_.symmetry->image(b), c) <=
-           kSameImage * rest_length(e);
+    return glm::distance(limits_.symmetry->image(b), c) <= kSameImage * rest_length(e);
 }
 
 // Of an edge's middle, moved to the plane's positive side; different for different places.
@@ -115,8 +114,7 @@ bool Propagation::thins_too_far(HalfEdgeId h) {
     const Vec3& a = active_.rest_position(mesh.origin(TriMesh::prev(h)));
     const Vec3& b = active_.rest_position(mesh.origin(h));
     const Vec3& c = active_.rest_position(mesh.target(h));
-    return 0.5 * glm::length(glm::cross(c - b, a - b)) <
-           kThinnestBesideBlocked * longest * longest;
+    return 0.5 * glm::length(glm::cross(c - b, a - b)) < kThinnestBesideBlocked * longest * longest;
 }
 
 }  // namespace pectin

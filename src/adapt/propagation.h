@@ -3,6 +3,7 @@
 #pragma once
 
 #include <functional>
+#include <utility>
 
 #include "adapt/criteria.h"
 #include "mesh/active_set.h"
@@ -20,13 +21,13 @@ class Propagation {
 
     // From e to its longest neighbour, and on from there.
     struct Chain {
-        EdgeId end;  // e itself if nothing goes before it
+        EdgeId end;                  // e itself if nothing goes before it
         bool leaves_sliver = false;  // too thin a face at the end, beside an edge not waited for
     };
     Chain chain(EdgeId e);
     // Whether no edge of e's faces is more than rho times as long, so that nothing goes before e.
-    // False where more counts: along cuts, and where ties are broken symmetrically. Changes nothing,
-    // so that several threads may ask.
+    // False where more counts: along cuts, and where ties are broken symmetrically. Changes
+    // nothing, so that several threads may ask.
     bool is_longest(EdgeId e) const;
 
   private:

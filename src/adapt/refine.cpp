@@ -13,8 +13,8 @@
 namespace pectin {
 namespace {
 
-// Edges that are split before those round the new vertices are looked at. Their surroundings stay in
-// the cache; of 32 to 8192, 1024 was fastest.
+// Edges that are split before those round the new vertices are looked at. Their surroundings stay
+// in the cache; of 32 to 8192, 1024 was fastest.
 constexpr std::size_t kBatch = 1024;
 // A smaller batch has its memory before another thread has come to it.
 constexpr std::size_t kWorthReadying = 256;
@@ -83,7 +83,8 @@ class Refiner {
                 batch_[i] = {e, {}};
                 const double length = active_.mesh().squared_length(e);
                 if (RefinementQueue::octave_of(length) != next.octave) continue;
-                if (criteria_.is_below_floor(length)) continue;  // a half, bent as long as the whole
+                if (criteria_.is_below_floor(length))
+                    continue;  // a half, bent as long as the whole
                 if (!criteria_.needs_refinement(active_, e)) continue;
                 batch_[i] = {e, faces_at(e), propagation_.is_longest(e)};
             }

@@ -34,8 +34,8 @@ class RefinementQueue {
         longest_ = std::max(longest_, bucket);
     }
 
-    // The first in the longest octave, no more than `most`; none if none waits. Valid until the next
-    // push.
+    // The first in the longest octave, no more than `most`; none if none waits. Valid until the
+    // next push.
     Entries take(std::size_t most) {
         if (buckets_.empty()) return {};
         while (buckets_[longest_].is_empty()) {

@@ -210,7 +210,8 @@ class ActiveSet {
     std::vector<Vec3f> lost_normals_;
     GrowingArray<EdgeId> edges_;
     GrowingArray<std::uint8_t> one_look_;  // of edges_
-    GrowingArray<std::uint32_t> turned_looks_;  // entries at begin, of ids that other edges took over
+    GrowingArray<std::uint32_t>
+        turned_looks_;  // entries at begin, of ids that other edges took over
     GrowingArray<std::uint8_t> scratch_;
     GrowingArray<EdgeId> measured_edges_;  // not in edges_, but their rest length is remembered
     GrowingArray<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone

@@ -81,8 +81,7 @@ class GrowingArray {
     // Of what reserve has made room for: `count` elements past the next `after`, as far as it goes.
     std::span<std::byte> room(std::size_t after, std::size_t count) {
         const std::size_t first = std::min(size_ + after, capacity_);
-        return std::as_writable_bytes(
-            std::span(data_ + first, std::min(count, capacity_ - first)));
+        return std::as_writable_bytes(std::span(data_ + first, std::min(count, capacity_ - first)));
     }
     void pop_back() { --size_; }
     T take_back() { return data_[--size_]; }

@@ -230,7 +230,8 @@ class TriMesh {
         const EdgeId first = edge(star.mc);
         for (EdgeId e = sibling(first); e != first; e = sibling(e)) visit(*sheet(star.m, e));
     }
-    // visit(const Split&): what a split has just made in each sheet along a cut, its leader's first.
+    // visit(const Split&): what a split has just made in each sheet along a cut, its leader's
+    // first.
     template <typename Visit>
     void for_each_sheet(const Split& leader, Visit visit) const {
         visit(leader);
