@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "adapt/cuts.h"
+#include "adapt/lane_unsplits.h"
 
 namespace pectin {
 namespace {
@@ -45,7 +46,12 @@ Levels candidates_by_level(const ActiveSet& active) {
 bool thin(ActiveSet& active, const Criteria& criteria, Cuts* cuts, Decimation& result) {
     bool any_kept = false;
     const auto levels = candidates_by_level(active);
+    LaneUnsplits lanes(active, criteria);
     for (std::size_t level = levels.size(); level-- > 1;) {
+        if (!cuts && levels[level].size() >= LaneUnsplits::kWorthLanes) {
+            result.unsplits += lanes.unsplit(levels[level]);
+            continue;
+        }
         for (VertexId m : levels[level]) {
             const auto star = active.mesh().removable(m);
             if (!star || !criteria.may_unsplit(active, *star)) continue;

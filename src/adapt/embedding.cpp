@@ -37,7 +37,9 @@ void Embedding::embed() {
         warp_.steps.empty() ? nullptr : std::get_if<LatticeField>(&warp_.steps.back());
     evaluator_ = field ? std::optional<LatticeEvaluator>(*field) : std::nullopt;
     if (!stages_.empty() && moves() == 1) runs_ = lasting_runs(active_);
-    resize();
+    weights_.clear();
+    weights_.resize(active_.vertex_entries() * (stages_.empty() ? 0 : moves()));
+    fit_to_entries();
     for (std::uint32_t w = 0; w < normals_.size(); ++w) normals_[w] = active_.rest_normal_at(w);
     std::vector<DragWeight> all;
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
@@ -60,8 +62,10 @@ void Embedding::embed() {
     });
 }
 
-void Embedding::resize() {
-    weights_.resize(active_.vertex_entries() * (stages_.empty() ? 0 : moves()));
+void Embedding::fit_to_entries() {
+    if (stages_.empty()) return;
+    const std::size_t count = active_.vertex_entries() * moves();
+    if (weights_.size() < count) weights_.grow(count - weights_.size());
     if (stages_.size() < 2) return;
     for (std::size_t step = 1; step < stages_.size(); ++step) {
         stages_[step].positions.resize(active_.vertex_entries());
@@ -80,6 +84,10 @@ std::span<const Vec3> Embedding::start_positions() const {
 
 std::span<const Vec3f> Embedding::start_normals() const {
     return stages_.size() < 2 ? active_.rest_normals() : normals_;
+}
+
+std::span<DragWeight> Embedding::weights_of(std::uint32_t entry) {
+    return std::span(weights_).subspan(entry * moves(), moves());
 }
 
 std::span<const DragWeight> Embedding::weights(std::uint32_t entry) const {
@@ -141,8 +149,7 @@ bool Embedding::is_long_between_steps(VertexId a, VertexId b, VertexId c, double
 
 void Embedding::embed_entry(std::uint32_t entry) {
     if (const DragStep* drag = last_drag()) {
-        drag->weights(start_position(last(), entry),
-                      std::span(weights_).subspan(entry * moves(), moves()));
+        drag->weights(start_position(last(), entry), weights_of(entry));
     }
 }
 
@@ -195,43 +202,26 @@ void Embedding::deform_wedges(std::uint32_t first, std::uint32_t end) {
     }
 }
 
-void Embedding::reserve_splits(std::uint32_t count) {
-    if (stages_.empty()) return;
-    const std::size_t added = count * moves();
-    if (weights_.capacity() - weights_.size() < added) {
-        weights_.reserve(2 * weights_.size() + added);
-    }
-}
-
-void Embedding::add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead) {
-    if (!stages_.empty()) ahead.add(weights_.room(after * moves(), count * moves()));
-}
-
 void Embedding::place(std::span<const ActiveSet::Inserted> inserted) {
     if (stages_.empty()) return;
-    resize();
-    const auto count = static_cast<std::uint32_t>(inserted.size());
-    const auto place_piece = [&](std::uint32_t first, std::uint32_t end) {
-        std::vector<DragWeight> scratch;
-        for (std::uint32_t i = first; i < end; ++i) {
-            if (!inserted[i].is_first_sheet) continue;  // has gone with the first
-            std::uint32_t next = i + 1;
-            while (next < count && !inserted[next].is_first_sheet) ++next;
-            place_vertex(inserted.subspan(i, next - i), scratch);
-        }
-    };
-    for_pieces(0, count, place_piece, kPieceOfSplits);
+    std::vector<DragWeight> scratch;
+    for (std::size_t i = 0, next = 0; i < inserted.size(); i = next) {
+        next = i + 1;
+        while (next < inserted.size() && !inserted[next].is_first_sheet) ++next;
+        place_vertex(inserted.subspan(i, next - i), scratch);
+    }
 }
 
 void Embedding::place_vertex(std::span<const ActiveSet::Inserted> sheets,
                              std::vector<DragWeight>& scratch) {
     const std::uint32_t entry = sheets.front().vertex_entry;
-    if (stages_.size() == 1 && moves() == 1) {
-        if (active_.is_influenced_at(entry)) place_by_one_drag(sheets);
+    const bool is_influenced = active_.is_influenced_at(entry);
+    if (is_influenced && stages_.size() == 1 && moves() == 1) return place_by_one_drag(sheets);
+    if (stages_.size() > 1) bring_to_last_step(sheets, scratch);
+    if (!is_influenced) {
+        std::ranges::fill(weights_of(entry), DragWeight{});
         return;
     }
-    if (stages_.size() > 1) bring_to_last_step(sheets, scratch);
-    if (!active_.is_influenced_at(entry)) return;
     embed_entry(entry);
     deform_vertices(entry, entry + 1);
     for_each_wedge(sheets, [&](std::uint32_t w) { deform_wedges(w, w + 1); });

@@ -27,11 +27,11 @@ class Embedding {
     // Positions, wedge normals and deformed marks of all influenced vertices from their rest
     // state, by the warp's present displacements. Cost: O(influenced), streaming.
     void deform();
-    // As in the active set, of what its splits add here.
-    void reserve_splits(std::uint32_t count);
-    void add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead);
-    // Weights, positions and normals of what splits have just inserted. On all threads. A vertex
-    // has as many of these as there are sheets, one after another.
+    // For the entries that splits have just added; then place(), for all of these. Several threads
+    // may place at the same time.
+    void fit_to_entries();
+    // Weights, positions and normals of what splits have just inserted. A vertex has as many of
+    // these as there are sheets, one after another.
     void place(std::span<const ActiveSet::Inserted> inserted);
 
     // Where the warp takes a point, by its present displacements.
@@ -61,7 +61,6 @@ class Embedding {
     const DragStep* last_drag() const { return std::get_if<DragStep>(&warp_.steps.back()); }
     std::size_t last() const { return stages_.size() - 1; }
     std::size_t moves() const { return last_drag() ? last_drag()->displacements.size() : 0; }
-    void resize();
 
     // --- A step before the last. weights: what weigh() has found, of a drag.
     void weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> weights) const;
@@ -80,6 +79,7 @@ class Embedding {
     const Vec3& start_position(std::size_t step, std::uint32_t entry) const;
     std::span<const Vec3> start_positions() const;  // of the last step
     std::span<const Vec3f> start_normals() const;
+    std::span<DragWeight> weights_of(std::uint32_t entry);
     std::span<const DragWeight> weights(std::uint32_t entry) const;
 
     ActiveSet& active_;

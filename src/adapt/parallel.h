@@ -4,15 +4,12 @@
 #include <algorithm>
 #include <cstdint>
 #include <functional>
-#include <memory>
 
 namespace pectin {
 
 // Elements that one thread takes at a time. Starting others costs some microseconds, in which a
 // streaming pass does a few thousand.
 inline constexpr std::uint32_t kPiece = 8192;
-// The same of what takes as long as a split.
-inline constexpr std::uint32_t kPieceOfSplits = 128;
 
 using Piece = std::function<void(std::uint32_t first, std::uint32_t end)>;
 void for_pieces_on_all_threads(std::uint32_t first, std::uint32_t end, std::uint32_t piece,
@@ -30,19 +27,14 @@ void for_pieces(std::uint32_t first, std::uint32_t end, const Work& work,
     }
 }
 
-// Work that another thread may do while this one goes on; if none comes to it, wait() does.
-class Meanwhile {
-  public:
-    Meanwhile();
-    ~Meanwhile();  // waits
-    void run(std::function<void()> work);
-    void wait();
-    bool is_running() const { return running_; }
-
-  private:
-    struct Group;
-    std::unique_ptr<Group> group_;
-    bool running_ = false;
-};
+// Calls work(item) for each, one thread for each at most; the same threads take the same ones from
+// call to call if they can, so that what they touched is still in their caches.
+template <typename Items, typename Work>
+void for_each_of(Items& items, const Work& work) {
+    for_pieces_on_all_threads(0, static_cast<std::uint32_t>(items.size()), 1,
+                              [&](std::uint32_t first, std::uint32_t end) {
+                                  for (std::uint32_t i = first; i < end; ++i) work(items[i]);
+                              });
+}
 
 }  // namespace pectin

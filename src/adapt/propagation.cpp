@@ -29,16 +29,6 @@ Propagation::Chain Propagation::chain(EdgeId e) {
     }
 }
 
-bool Propagation::is_longest(EdgeId e) const {
-    if (limits_.symmetry || active_.mesh().sibling(e) != e) return false;
-    const double longest = limits_.propagation * static_cast<double>(active_.rest_length_of(e));
-    bool any = false;
-    for_each_neighbour(e, [&](EdgeId neighbour) {
-        any = any || static_cast<double>(active_.rest_length_of(neighbour)) > longest;
-    });
-    return !any;
-}
-
 // The longest of the other edges of e's faces that may be split and is more than rho times as
 // long; e itself if there is none.
 Propagation::Next Propagation::longest_neighbour(EdgeId e) {

@@ -25,10 +25,6 @@ class Propagation {
         bool leaves_sliver = false;  // too thin a face at the end, beside an edge not waited for
     };
     Chain chain(EdgeId e);
-    // Whether no edge of e's faces is more than rho times as long, so that nothing goes before e.
-    // False where more counts: along cuts, and where ties are broken symmetrically. Changes
-    // nothing, so that several threads may ask.
-    bool is_longest(EdgeId e) const;
 
   private:
     // An edge that goes before another, or that other one, and whether longer ones are not waited

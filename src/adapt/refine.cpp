@@ -1,10 +1,10 @@
 #include "adapt/refine.h"
 
 #include <algorithm>
-#include <array>
 #include <cstring>
-#include <utility>
 
+#include "adapt/edge_looks.h"
+#include "adapt/lane_splits.h"
 #include "adapt/parallel.h"
 #include "adapt/propagation.h"
 #include "adapt/refinement_queue.h"
@@ -13,21 +13,15 @@
 namespace pectin {
 namespace {
 
-// Edges that are split before those round the new vertices are looked at. Their surroundings stay
-// in the cache; of 32 to 8192, 1024 was fastest.
-constexpr std::size_t kBatch = 1024;
-// A smaller batch has its memory before another thread has come to it.
-constexpr std::size_t kWorthReadying = 256;
-// Splits that room is made for at a time: a batch with what goes before its edges.
-constexpr std::uint32_t kRoom = 2 * kBatch;
-
 class Refiner {
   public:
     Refiner(ActiveSet& active, Embedding& embedding, const Criteria& criteria)
         : active_(active),
           embedding_(embedding),
           criteria_(criteria),
-          propagation_(active, criteria.limits(), [this](EdgeId e) { return may_split(e); }) {}
+          looks_(active, criteria),
+          propagation_(active, criteria.limits(), [this](EdgeId e) { return may_split(e); }),
+          lanes_(active, embedding, looks_, criteria.limits()) {}
 
     Refinement run() {
         push_all_needed();
@@ -39,7 +33,7 @@ class Refiner {
         for (EdgeId e : edges) {
             const bool below = criteria_.is_below_floor(active_.mesh(), e);
             result_.floor_hit |= below;
-            if (!below) batch_.push_back({e, faces_at(e)});
+            if (!below) batch_.push_back({e, end_of(e)});
         }
         split_batch();
         split_queued();
@@ -47,91 +41,66 @@ class Refiner {
     }
 
   private:
-    // The end of an edge and the corners of its faces that lie across it. Splits of the edge or of
-    // its faces change them.
-    struct FacesAt {
-        VertexId end = kNone<VertexId>;
-        std::array<VertexId, 2> across{kNone<VertexId>, kNone<VertexId>};
-        bool operator==(const FacesAt&) const = default;
-    };
-    // An edge as the batch found it. Without an end it need not be split any more.
+    // An edge to be split, where it ended when that was found, and the lane of what it makes.
     struct Waiting {
         EdgeId edge;
-        FacesAt faces;
-        bool is_longest = false;  // of these faces
+        VertexId end;
+        std::size_t lane = 0;
     };
-    // Of the edges round an inserted vertex, what the queue is to know.
-    static constexpr std::uint16_t kFine = 0xffff, kBelowFloor = 0xfffe;
-    using Octaves = std::array<std::uint16_t, 4>;
 
+    // Edges that are split before those round the new vertices are looked at have their
+    // surroundings in the cache.
     void split_queued() {
-        while (!result_.budget_hit) {
-            const RefinementQueue::Entries next = queue_.take(kBatch);
-            if (next.edges.empty()) break;
-            look_again(next);
+        while (!result_.budget_hit && !queue_.is_empty()) {
+            const RefinementQueue::Entries next = queue_.take();
+            if (next.is_one_lane || criteria_.limits().symmetry) {
+                wait_in_order(next);
+            } else {
+                split_lanes(next);
+            }
             split_batch();
         }
     }
 
-    // Some have been split since, or lie outside the zone now.
-    void look_again(const RefinementQueue::Entries& next) {
-        batch_.resize(next.edges.size());
-        const auto count = static_cast<std::uint32_t>(batch_.size());
-        const auto look = [&](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t i = first; i < end; ++i) {
-                const EdgeId e = next.edges[i];
-                batch_[i] = {e, {}};
-                const double length = active_.mesh().squared_length(e);
-                if (RefinementQueue::octave_of(length) != next.octave) continue;
-                if (criteria_.is_below_floor(length))
-                    continue;  // a half, bent as long as the whole
-                if (!criteria_.needs_refinement(active_, e)) continue;
-                batch_[i] = {e, faces_at(e), propagation_.is_longest(e)};
+    void wait_in_order(const RefinementQueue::Entries& next) {
+        for (std::size_t lane = 0; lane < next.lanes.size(); ++lane) {
+            for (EdgeId e : next.lanes[lane]) {
+                if (looks_.still_needs_split(e, next.octave))
+                    batch_.push_back({e, end_of(e), lane});
             }
-        };
-        for_pieces(0, count, look, kPieceOfSplits);
+        }
+    }
+
+    // Takes what the lanes have split. What they have left over waits for its turn again, behind
+    // those that it may have to wait for, as long as that is little; else it is split one by one.
+    void split_lanes(const RefinementQueue::Entries& next) {
+        lanes_.split(next);
+        result_.splits += lanes_.split_count();
+        lanes_.for_each_new(
+            [this](std::size_t lane, EdgeId e, std::uint16_t octave) { push(e, octave, lane); });
+        const bool again = lanes_.most_went();
+        lanes_.for_each_left([&](std::size_t lane, EdgeId e, VertexId end) {
+            if (again) {
+                queue_.push(e, next.octave, lane);
+            } else {
+                batch_.push_back({e, end, lane});
+            }
+        });
     }
 
     void split_batch() {
-        if (batch_.size() >= kWorthReadying) make_room();
         for (const Waiting& next : batch_) {
             if (result_.budget_hit) break;
-            split_waiting(next);
+            if (end_of(next.edge) != next.end) continue;  // its half now: that has been looked at
+            if (next.lane != lane_) place_inserted();
+            lane_ = next.lane;
+            split_with_propagation(next.edge);
         }
         batch_.clear();
         place_inserted();
     }
 
-    void split_waiting(const Waiting& next) {
-        if (!exists(next.faces.end)) return;
-        const FacesAt now = faces_at(next.edge);
-        if (now.end != next.faces.end) return;  // its shorter half now: that has been looked at
-        if (next.is_longest && now == next.faces && active_.mesh().may_split(next.edge)) {
-            split(next.edge);
-        } else {
-            split_with_propagation(next.edge);
-        }
-    }
-
-    FacesAt faces_at(EdgeId e) const {
-        const TriMesh& mesh = active_.mesh();
-        const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
-        FacesAt faces{mesh.target(h), {mesh.origin(TriMesh::prev(h)), kNone<VertexId>}};
-        if (exists(twin)) faces.across[1] = mesh.origin(TriMesh::prev(twin));
-        return faces;
-    }
-
-    // For the splits to come, and has another thread take the memory of those after them.
-    void make_room() {
-        touching_.wait();
-        active_.reserve_splits(kRoom);
-        embedding_.reserve_splits(kRoom);
-        ahead_.start_again();
-        active_.add_room(kRoom, kRoom, ahead_);
-        embedding_.add_room(kRoom, kRoom, ahead_);
-        touching_.run([this] { ahead_.touch(); });
-        room_ = kRoom;
-    }
+    VertexId end_of(EdgeId e) const { return active_.mesh().target(active_.mesh().half_edge(e)); }
 
     // Looks at the edges on all threads, then queues them in their order. Of those along one cut
     // only the first is looked at, since that looks at all of them.
@@ -156,11 +125,8 @@ class Refiner {
         for_each_set(may_need, [&](std::size_t i) {
             const EdgeId e = edges[i];
             if (!is_first(e)) return;
-            if (is_along_cut(e)) {
-                if (criteria_.needs_refinement(active_, e)) push(e);
-            } else {
-                push(e);
-            }
+            if (is_along_cut(e) && !criteria_.needs_refinement(active_, e)) return;
+            push(e, looks_.octave_of(e), 0);
         });
     }
 
@@ -175,18 +141,12 @@ class Refiner {
         }
     }
 
-    void push(EdgeId e) { push(e, octave_of(e)); }
-    void push(EdgeId e, std::uint16_t octave) {
-        if (octave == kBelowFloor) {
+    void push(EdgeId e, std::uint16_t octave, std::size_t lane) {
+        if (octave == EdgeLooks::kBelowFloor) {
             result_.floor_hit = true;
         } else {
-            queue_.push(e, octave);
+            queue_.push(e, octave, lane);
         }
-    }
-    std::uint16_t octave_of(EdgeId e) const {
-        const double length = active_.mesh().squared_length(e);
-        if (criteria_.is_below_floor(length)) return kBelowFloor;
-        return static_cast<std::uint16_t>(RefinementQueue::octave_of(length));
     }
 
     // Splits what has to go before e, then e.
@@ -232,11 +192,9 @@ class Refiner {
             return false;
         }
         if (has_unplaced_end(e)) place_inserted();  // the midpoint inherits the mark of its ends
-        if (touching_.is_running() && room_ < added) make_room();
-        room_ -= std::min(room_, added);
         active_.split(e, inserted_);
         const std::size_t entry = inserted_.back().vertex_entry;
-        if (entry >= unplaced_.size()) unplaced_.resize(std::max(2 * entry, kBatch));
+        if (entry >= unplaced_.size()) unplaced_.resize(2 * (entry + 1));
         unplaced_[entry] = 1;
         ++result_.splits;
         return true;
@@ -244,46 +202,30 @@ class Refiner {
 
     // Where the warp takes what has been inserted, then which edges round it wait now.
     void place_inserted() {
-        touching_.wait();
+        if (inserted_.empty()) return;
+        embedding_.fit_to_entries();
         embedding_.place(inserted_);
-        octaves_.resize(inserted_.size());
-        const auto look = [this](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t i = first; i < end; ++i) {
-                const ActiveSet::Inserted& made = inserted_[i];
-                for (std::size_t k = 0; k < made.edges.size(); ++k) {
-                    octaves_[i][k] = look_at_new(made.edges[k], k >= 2 || made.is_one_look);
-                }
-            }
-        };
-        for_pieces(0, static_cast<std::uint32_t>(inserted_.size()), look, kPieceOfSplits);
-        for (std::size_t i = 0; i < inserted_.size(); ++i) {
-            unplaced_[inserted_[i].vertex_entry] = 0;
-            for (std::size_t k = 0; k < inserted_[i].edges.size(); ++k) {
-                if (octaves_[i][k] != kFine) push(inserted_[i].edges[k], octaves_[i][k]);
+        for (const ActiveSet::Inserted& made : inserted_) {
+            unplaced_[made.vertex_entry] = 0;
+            const EdgeLooks::Octaves octaves = looks_.look_round(made);
+            for (std::size_t k = 0; k < octaves.size(); ++k) {
+                if (octaves[k] != EdgeLooks::kFine) push(made.edges[k], octaves[k], lane_);
             }
         }
         inserted_.clear();
     }
 
-    // Of an edge that a split has made or halved, most of which look fine.
-    std::uint16_t look_at_new(EdgeId e, bool is_one_look) const {
-        if (!exists(e)) return kFine;
-        if (is_one_look && criteria_.looks_fine(active_.mesh(), e, true)) return kFine;
-        return criteria_.needs_refinement(active_, e) ? octave_of(e) : kFine;
-    }
-
     ActiveSet& active_;
     Embedding& embedding_;
     const Criteria& criteria_;
+    EdgeLooks looks_;
     Propagation propagation_;
+    LaneSplits lanes_;
     RefinementQueue queue_;
     std::vector<Waiting> batch_;
+    std::size_t lane_ = 0;                       // of what is split now
     std::vector<ActiveSet::Inserted> inserted_;  // since the last place_inserted
-    std::vector<Octaves> octaves_;               // of these
     std::vector<std::uint8_t> unplaced_;         // vertex entries: whether they are among these
-    MemoryAhead ahead_;
-    Meanwhile touching_;
-    std::uint32_t room_ = 0;  // while it is: how many sides of edges may be split
     Refinement result_;
 };
 

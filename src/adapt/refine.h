@@ -24,16 +24,16 @@ struct Refinement {
 // A queue by decreasing deformed length (in octaves of its square, first come first served within
 // one): take edges from it, look again whether they need refinement, split them at their midpoints,
 // test the edges round the new vertices (Gain & Dodgson 1999, section 4). That goes in batches, so
-// that looking, and placing what was inserted, is done on all threads and memory is walked through
-// once; an edge that a split makes waits for the next batch, also where it is longer.
+// that memory is walked through once; an edge that a split makes waits for the next batch, also
+// where it is longer. Where thousands wait, batches come from several parts of the surface and go
+// on all threads (LaneSplits); with symmetry on, on one. The same comes out on any number of them.
 //
 // Before an edge is split, any edge of its two faces that is more than rho times as long at rest
 // is split first, repeatedly (longest-edge propagation, Rivara 1984); such chains end, since they
 // go by rest lengths, which halve exactly. An edge whose halves would be below the floor is never
 // split, nor waited for, as long as the triangles beside it do not become slivers at rest.
 //
-// Cost: O(active edges + splits). On 1.3 M faces the bucketed queue does 2.6-3.0 M splits/s where
-// a binary heap does 1.4-1.7, with the same result to within a split.
+// Cost: O(active edges + splits).
 Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria);
 
 // The same, but starts from these edges alone (leaders of their siblings, each once), which are

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <bit>
 #include <cstdint>
 #include <span>
@@ -11,17 +12,27 @@
 
 namespace pectin {
 
-// First come, first served within an octave. push: O(1). take: O(1), but for empty octaves passed.
+// Within an octave edges wait in lanes, first come, first served in each. Where many wait, all
+// lanes are served at once, so that each may have a thread. An edge goes to the lane of what it
+// came of, and a lane that has run out takes over half of the longest, so each has a part of the
+// surface to itself and that part stays in a thread's cache. push: O(1). take: O(1), but for
+// octaves passed and edges taken over.
 class RefinementQueue {
   public:
     static constexpr std::size_t kOctaves = 2048;  // the exponents of a double
+    static constexpr std::size_t kLanes = 4;
+    static constexpr std::size_t kInLane = 512;  // taken from one lane at a time, at most
+    // Fewer that wait are not worth several threads.
+    static constexpr std::size_t kWorthLanes = 2 * kLanes * kInLane;
+    static constexpr std::size_t kAlone = 1024;  // taken from one lane, where that is all
 
     struct Entries {
-        std::span<const EdgeId> edges;
+        std::array<std::span<const EdgeId>, kLanes> lanes;
         std::size_t octave = 0;
+        bool is_one_lane = false;
     };
 
-    void push(EdgeId e, std::size_t octave) {
+    void push(EdgeId e, std::size_t octave, std::size_t lane = 0) {
         if (buckets_.empty()) lowest_ = octave;
         if (octave < lowest_) {
             buckets_.insert(buckets_.begin(), lowest_ - octave, {});
@@ -30,20 +41,22 @@ class RefinementQueue {
         }
         const std::size_t bucket = octave - lowest_;
         if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
-        buckets_[bucket].edges.push_back(e);
+        buckets_[bucket].push(e, lane);
         longest_ = std::max(longest_, bucket);
     }
 
-    // The first in the longest octave, no more than `most`; none if none waits. Valid until the
-    // next push.
-    Entries take(std::size_t most) {
-        if (buckets_.empty()) return {};
-        while (buckets_[longest_].is_empty()) {
-            buckets_[longest_].clear();
-            if (longest_ == 0) return {};
-            --longest_;
-        }
-        return Entries{buckets_[longest_].take(most), lowest_ + longest_};
+    // Whether none waits. Goes on to the longest octave that has some.
+    bool is_empty() {
+        if (buckets_.empty()) return true;
+        while (buckets_[longest_].is_empty() && longest_ > 0) --longest_;
+        return buckets_[longest_].is_empty();
+    }
+
+    // Some of the longest octave. Valid until the next push. Precondition: not is_empty().
+    Entries take() {
+        Entries entries = buckets_[longest_].take();
+        entries.octave = lowest_ + longest_;
+        return entries;
     }
 
     static std::size_t octave_of(double squared_length) {
@@ -51,21 +64,63 @@ class RefinementQueue {
     }
 
   private:
-    struct Bucket {
+    struct Lane {
         std::vector<EdgeId> edges;
         std::size_t taken = 0;
 
-        bool is_empty() const { return taken == edges.size(); }
+        std::size_t waiting() const { return edges.size() - taken; }
+        void push(EdgeId e) {
+            if (taken == edges.size()) {
+                edges.clear();
+                taken = 0;
+            }
+            edges.push_back(e);
+        }
         std::span<const EdgeId> take(std::size_t most) {
             const std::size_t first = taken;
             taken = std::min(edges.size(), first + most);
             return std::span(edges).subspan(first, taken - first);
         }
-        void clear() {
-            edges.clear();
-            taken = 0;
+        void give_half(Lane& empty) {
+            const auto half = edges.end() - static_cast<std::ptrdiff_t>(waiting() / 2);
+            empty.edges.assign(half, edges.end());
+            empty.taken = 0;
+            edges.erase(half, edges.end());
         }
     };
+
+    class Bucket {
+      public:
+        bool is_empty() const { return waiting_ == 0; }
+        void push(EdgeId e, std::size_t lane) {
+            lanes_[lane].push(e);
+            ++waiting_;
+        }
+        Entries take() {
+            Entries entries;
+            entries.is_one_lane = waiting_ < kWorthLanes;
+            if (!entries.is_one_lane) fill_empty_lanes();
+            for (std::size_t i = 0; i < kLanes; ++i) {
+                if (lanes_[i].waiting() == 0) continue;
+                entries.lanes[i] = lanes_[i].take(entries.is_one_lane ? kAlone : kInLane);
+                waiting_ -= entries.lanes[i].size();
+                if (entries.is_one_lane) break;
+            }
+            return entries;
+        }
+
+      private:
+        void fill_empty_lanes() {
+            for (Lane& lane : lanes_) {
+                if (lane.waiting() > 0) continue;
+                Lane& longest = *std::ranges::max_element(lanes_, {}, &Lane::waiting);
+                if (longest.waiting() > 2 * kInLane) longest.give_half(lane);
+            }
+        }
+        std::array<Lane, kLanes> lanes_;
+        std::size_t waiting_ = 0;  // in all of them
+    };
+
     std::vector<Bucket> buckets_;  // of the octaves from lowest_ on
     std::size_t lowest_ = 0;
     std::size_t longest_ = 0;  // the last bucket that is not empty, or beyond

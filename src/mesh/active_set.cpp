@@ -1,6 +1,7 @@
 #include "mesh/active_set.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <utility>
 
@@ -50,7 +51,7 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
                 wedge_entry_[index(h.wedge)] = index(h.origin);  // its vertex, until it is entered
                 wedges.push_back(h.wedge);
             }
-            add_edge(h.edge, false);
+            enter(allocate_edge_entry(h.edge, false), h.edge, kUnmeasured);
         }
     }
     sort_ids(std::span(edges_));
@@ -68,7 +69,9 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
     vertices_.reserve(corners.size());
     rest_positions_.reserve(corners.size());
     was_deformed_.reserve(corners.size());
-    for (VertexId v : corners) add_vertex(v, mesh_.position(v), mesh_.is_deformed(v));
+    for (VertexId v : corners) {
+        enter(allocate_vertex_entry(v), v, mesh_.position(v), mesh_.is_deformed(v));
+    }
 
     sort_ids(std::span(wedges));
     const auto owner = [&](WedgeId w) { return vertex_entry_[wedge_entry_[index(w)]]; };
@@ -78,20 +81,24 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
     wedges_.reserve(wedges.size());
     rest_normals_.reserve(wedges.size());
     wedge_owners_.reserve(wedges.size());
-    for (WedgeId w : wedges) add_wedge(w, mesh_.normal(w), owner(w));
+    for (WedgeId w : wedges) {
+        const std::uint32_t owned_by = owner(w);
+        enter(allocate_wedge_entry(w), w, mesh_.normal(w), owned_by);
+    }
 }
 
 bool ActiveSet::one_look_is_enough(EdgeId e) const {
-    const HalfEdgeId h = mesh_.half_edge(e), twin = mesh_.twin(h);
-    if (!exists(twin)) return mesh_.sibling(e) == e;
-    return mesh_.wedge(h) == mesh_.wedge(TriMesh::next(twin)) &&
-           mesh_.wedge(twin) == mesh_.wedge(TriMesh::next(h));
+    const bool is_boundary = !exists(mesh_.twin(mesh_.half_edge(e)));
+    return is_boundary ? mesh_.sibling(e) == e : mesh_.is_smooth(e);
 }
 
 // Of an edge that was not there at the beginning, rounded to float.
 void ActiveSet::note_length(float rest_length) {
     const double length = (1.0 + 1e-6) * static_cast<double>(rest_length);
-    longest_square_ = std::max(longest_square_, length * length);
+    const std::atomic_ref longest(longest_square_);  // several threads may
+    double known = longest.load(std::memory_order_relaxed);
+    while (known < length * length && !longest.compare_exchange_weak(known, length * length)) {
+    }
 }
 
 float ActiveSet::distance_at_rest(EdgeId e) const {

@@ -89,7 +89,11 @@ class ActiveSet {
         return std::span(faces_).subspan(original_faces_);
     }
 
-    // The entry of a vertex, if it has one. O(1).
+    // The entry of a vertex or an edge, if it has one. O(1).
+    std::optional<std::uint32_t> entry_of(EdgeId e) const {
+        const std::uint32_t entry = edge_states_[index(e)].entry;
+        return entry == kNoEntry ? std::nullopt : std::optional(entry);
+    }
     std::optional<std::uint32_t> entry_of(VertexId v) const {
         const std::uint32_t entry = slot(vertex_entry_, v);
         return entry == kNoEntry ? std::nullopt : std::optional(entry);
@@ -113,10 +117,14 @@ class ActiveSet {
         }
         return measure(e);
     }
-    // The same without remembering, so that several threads may ask.
-    float rest_length_of(EdgeId e) const {
-        const float known = edge_states_[index(e)].rest_length;
-        return known != kUnmeasured ? known : distance_at_rest(e);
+    // The same, but remembers it of active edges alone. Several threads may ask, each of edges that
+    // no other asks for. Precondition: e was there when the gesture began, or is active.
+    float keep_rest_length(EdgeId e) {
+        EdgeState& state = edge_states_[index(e)];
+        if (state.rest_length != kUnmeasured) return state.rest_length;
+        const float length = distance_at_rest(e);
+        if (state.entry != kNoEntry) state.rest_length = length;
+        return length;
     }
     // No active edge is longer at rest, nor has any been in this gesture. O(1).
     double longest_at_rest() const { return std::sqrt(longest_square_); }
@@ -139,11 +147,36 @@ class ActiveSet {
         return split(e, inserted);
     }
     // Room for `count` splits of edges with one or two sides, here and in the mesh, so that these
-    // move no array; and of that room what the splits past the next `after` are going to fill.
+    // move no array.
     void reserve_splits(std::uint32_t count);
-    void add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead);
+    // The same on several threads, of active edges that are smooth (TriMesh says which may go at
+    // the same time): what is taken for each must be used. The second changes no array's size.
+    struct SplitPlaces {
+        struct Entries {
+            std::uint32_t vertex, wedge;
+            std::array<std::uint32_t, 3> edges;  // mc, am, dm
+        };
+        std::vector<SplitIds> ids;
+        std::vector<Entries> entries;        // of each
+        std::size_t first_edit, first_face;  // in the log, of the first
+    };
+    void allocate_splits(std::uint32_t count, SplitPlaces& places);
+    Inserted split(EdgeId e, const SplitPlaces& places, std::size_t i);
     // Precondition: star.m has an entry.
     void unsplit(const Star& star);
+    // The same on several threads. Two calls may run at the same time if no corner of the one's
+    // faces is one of the other's. What they return is logged, and what they removed is free, when
+    // log_unsplits has it, in that order. Precondition: may_unsplit_apart(star).
+    struct Unsplit {
+        SplitIds ids;
+        EdgeId bc = kNone<EdgeId>;
+        std::array<FaceId, 2> kept_faces{};
+        std::uint32_t vertex_entry = kNoEntry, wedge_entry = kNoEntry;
+    };
+    Unsplit unsplit_apart(const Star& star);
+    void log_unsplits(std::span<const Unsplit> unsplits);
+    // Whether bm and mc are smooth, and star.m, its wedge and bm have entries.
+    bool may_unsplit_apart(const Star& star) const;
     std::uint64_t edit_count() const { return edits_.size(); }
     std::uint64_t splits() const { return splits_; }
     std::uint64_t unsplits() const { return edits_.size() - splits_; }
@@ -164,23 +197,27 @@ class ActiveSet {
     }
     void fit_to_mesh();
     void collect(std::span<const FaceId> faces);
-    std::uint32_t add_vertex(VertexId v, const Vec3& rest, bool was_deformed);
-    std::uint32_t add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner);
+    std::uint32_t allocate_vertex_entry(VertexId v);
+    std::uint32_t allocate_wedge_entry(WedgeId w);
+    std::uint32_t allocate_edge_entry(EdgeId e, bool one_look);
+    void enter(std::uint32_t entry, VertexId v, const Vec3& rest, bool was_deformed);
+    void enter(std::uint32_t entry, WedgeId w, const Vec3f& rest, std::uint32_t owner);
+    void enter(std::uint32_t entry, EdgeId e, float rest_length);
+    void enter_spoke(std::uint32_t entry, EdgeId e, VertexId apex, const Vec3& m);
     void make_room(EdgeId e);
     template <typename Visit>
     void for_each_array_of_splits(Visit visit);
     void insert_sheet(const Split& split, std::uint32_t vertex_entry, float half_length,
                       Inserted& made);
-    void insert_spoke(EdgeId e, VertexId apex, std::uint32_t vertex_entry);
     template <typename AreaNormal>
-    std::uint32_t insert_side(const Split::Side& side, std::uint32_t owner,
-                              const AreaNormal& area_normal);
+    void insert_side(const Split::Side& side, std::uint32_t entry, std::uint32_t owner,
+                     const AreaNormal& area_normal);
+    void log_faces(std::size_t first, const Split& split);
     Vec3 rest_area_normal(VertexId p, VertexId q, VertexId r) const;
     float measure(EdgeId e);
     float distance_at_rest(EdgeId e) const;
     void drop_sheet(const Star& star);
     void drop_wedge(WedgeId w);
-    EdgeState& add_edge(EdgeId e, bool one_look);
     bool one_look_is_enough(EdgeId e) const;
     void note_length(float rest_length);
     void drop_inserted();

@@ -6,64 +6,68 @@
 #include "mesh/midpoint_normal.h"
 
 namespace pectin {
-namespace {
 
-// Of an element that is there, or that a split has just added.
-template <typename T, typename Id>
-T& grown(GrowingArray<T>& values, Id id, T fill) {
-    if (index(id) == values.size()) values.push_into_room(fill);
-    assert(index(id) < values.size());
-    return values[index(id)];
+// --- Entries: of elements that are there, or that a split has just added. What the allocated entry
+// holds is for enter() to write.
+
+std::uint32_t ActiveSet::allocate_vertex_entry(VertexId v) {
+    if (index(v) == vertex_entry_.size()) vertex_entry_.grow_into_room(1);
+    if (!free_vertex_entries_.empty()) return free_vertex_entries_.take_back();
+    vertices_.grow_into_room(1);
+    rest_positions_.grow_into_room(1);
+    was_deformed_.grow_into_room(1);
+    return vertex_entries() - 1;
 }
 
-}  // namespace
-
-std::uint32_t ActiveSet::add_vertex(VertexId v, const Vec3& rest, bool was_deformed) {
-    const std::uint8_t mark = was_deformed ? 1 : 0;
-    std::uint32_t entry = vertex_entries();
-    if (!free_vertex_entries_.empty()) {
-        entry = free_vertex_entries_.take_back();
-        vertices_[entry] = v;
-        rest_positions_[entry] = rest;
-        was_deformed_[entry] = mark;
-    } else {
-        vertices_.push_into_room(v);
-        rest_positions_.push_into_room(rest);
-        was_deformed_.push_into_room(mark);
-    }
-    grown(vertex_entry_, v, kNoEntry) = entry;
-    return entry;
+std::uint32_t ActiveSet::allocate_wedge_entry(WedgeId w) {
+    if (index(w) == wedge_entry_.size()) wedge_entry_.grow_into_room(1);
+    if (!free_wedge_entries_.empty()) return free_wedge_entries_.take_back();
+    wedges_.grow_into_room(1);
+    rest_normals_.grow_into_room(1);
+    wedge_owners_.grow_into_room(1);
+    return wedge_entries() - 1;
 }
 
-std::uint32_t ActiveSet::add_wedge(WedgeId w, const Vec3f& rest, std::uint32_t owner) {
-    std::uint32_t entry = wedge_entries();
-    if (!free_wedge_entries_.empty()) {
-        entry = free_wedge_entries_.take_back();
-        wedges_[entry] = w;
-        rest_normals_[entry] = rest;
-        wedge_owners_[entry] = owner;
-    } else {
-        wedges_.push_into_room(w);
-        rest_normals_.push_into_room(rest);
-        wedge_owners_.push_into_room(owner);
-    }
-    grown(wedge_entry_, w, kNoEntry) = entry;
-    return entry;
-}
-
-ActiveSet::EdgeState& ActiveSet::add_edge(EdgeId e, bool one_look) {
-    EdgeState& state = grown(edge_states_, e, EdgeState{});
-    if (state.entry == kNoEntry) {
-        state.entry = static_cast<std::uint32_t>(edges_.size());
-        edges_.push_back(e);
-        one_look_.push_back({});
-    }
+std::uint32_t ActiveSet::allocate_edge_entry(EdgeId e, bool one_look) {
     const std::uint8_t look = one_look ? 1 : 0;
-    if (one_look_[state.entry] != look) {
-        if (state.entry < original_edges_) turned_looks_.push_back(state.entry);
-        one_look_[state.entry] = look;
+    const bool is_new = index(e) == edge_states_.size();
+    if (is_new) edge_states_.grow_into_room(1);
+    if (is_new || edge_states_[index(e)].entry == kNoEntry) {
+        edges_.push_back(e);
+        one_look_.push_back(look);
+        return static_cast<std::uint32_t>(edges_.size()) - 1;
     }
-    return state;
+    const std::uint32_t entry = edge_states_[index(e)].entry;
+    if (one_look_[entry] != look) {
+        if (entry < original_edges_) turned_looks_.push_back(entry);
+        one_look_[entry] = look;
+    }
+    return entry;
+}
+
+void ActiveSet::enter(std::uint32_t entry, VertexId v, const Vec3& rest, bool was_deformed) {
+    vertex_entry_[index(v)] = entry;
+    vertices_[entry] = v;
+    rest_positions_[entry] = rest;
+    was_deformed_[entry] = was_deformed ? 1 : 0;
+}
+
+void ActiveSet::enter(std::uint32_t entry, WedgeId w, const Vec3f& rest, std::uint32_t owner) {
+    wedge_entry_[index(w)] = entry;
+    wedges_[entry] = w;
+    rest_normals_[entry] = rest;
+    wedge_owners_[entry] = owner;
+}
+
+void ActiveSet::enter(std::uint32_t entry, EdgeId e, float rest_length) {
+    edge_states_[index(e)] = {entry, rest_length};
+}
+
+// am or dm.
+void ActiveSet::enter_spoke(std::uint32_t entry, EdgeId e, VertexId apex, const Vec3& m) {
+    const auto length = static_cast<float>(glm::distance(rest_position(apex), m));
+    enter(entry, e, length);
+    note_length(length);
 }
 
 // visit(array, elements that a split adds to it at most in one sheet).
@@ -93,13 +97,6 @@ void ActiveSet::reserve_splits(std::uint32_t count) {
     room_ = count;
 }
 
-void ActiveSet::add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead) {
-    mesh_.add_room(after, count, ahead);
-    for_each_array_of_splits([&](auto& values, std::size_t a_split) {
-        ahead.add(values.room(a_split * after, a_split * count));
-    });
-}
-
 // Before anything is changed: without the memory nothing has happened.
 void ActiveSet::make_room(EdgeId e) {
     std::uint32_t sheets = 1;
@@ -118,7 +115,8 @@ Split ActiveSet::split(EdgeId e, std::vector<Inserted>& inserted) {
     ++splits_;
     const Vec3 rest = 0.5 * rest_position(s.b) + 0.5 * rest_position(s.c);
     mesh_.set_position(s.m, rest);
-    const std::uint32_t vertex_entry = add_vertex(s.m, rest, mesh_.is_deformed(s.m));
+    const std::uint32_t vertex_entry = allocate_vertex_entry(s.m);
+    enter(vertex_entry, s.m, rest, mesh_.is_deformed(s.m));
     const std::size_t first = inserted.size();
     mesh_.for_each_sheet(s, [&](const Split& sheet) {
         inserted.emplace_back();
@@ -134,42 +132,89 @@ Split ActiveSet::split(EdgeId e, std::vector<Inserted>& inserted) {
 // The rest state of what a split has made in one sheet.
 void ActiveSet::insert_sheet(const Split& s, std::uint32_t vertex_entry, float half_length,
                              Inserted& made) {
-    const bool is_smooth = s.right ? s.right->m == s.left.m : mesh_.sibling(s.bm) == s.bm;
-    add_edge(s.bm, is_smooth).rest_length = half_length;
-    add_edge(s.mc, is_smooth).rest_length = half_length;
-    insert_spoke(s.am, s.a, vertex_entry);
+    const Vec3& m = rest_positions_[vertex_entry];
+    const bool is_smooth = s.right ? s.is_smooth() : mesh_.sibling(s.bm) == s.bm;
     made.vertex_entry = vertex_entry;
     made.is_one_look = is_smooth;
     made.edges = {s.bm, s.mc, s.am, s.dm};
-    made.wedge_entries[0] =
-        insert_side(s.left, vertex_entry, [&] { return rest_area_normal(s.b, s.c, s.a); });
-    const HalfEdgeId bm = mesh_.half_edge(s.bm);
-    faces_.push_into_room(TriMesh::face(bm));
-    faces_.push_into_room(s.face3);
+    enter(allocate_edge_entry(s.bm, is_smooth), s.bm, half_length);
+    enter(allocate_edge_entry(s.mc, is_smooth), s.mc, half_length);
+    enter_spoke(allocate_edge_entry(s.am, true), s.am, s.a, m);
+    made.wedge_entries[0] = allocate_wedge_entry(s.left.m);
+    insert_side(s.left, made.wedge_entries[0], vertex_entry,
+                [&] { return rest_area_normal(s.b, s.c, s.a); });
+    const std::size_t first_face = faces_.size();
+    faces_.grow_into_room(s.right ? 4 : 2);
+    log_faces(first_face, s);
     if (!s.right) return;
 
-    insert_spoke(s.dm, s.d, vertex_entry);
-    faces_.push_into_room(TriMesh::face(mesh_.twin(bm)));
-    faces_.push_into_room(s.face4);
+    enter_spoke(allocate_edge_entry(s.dm, true), s.dm, s.d, m);
     if (is_smooth) return;
-    made.wedge_entries[1] =
-        insert_side(*s.right, vertex_entry, [&] { return rest_area_normal(s.b, s.d, s.c); });
+    made.wedge_entries[1] = allocate_wedge_entry(s.right->m);
+    insert_side(*s.right, made.wedge_entries[1], vertex_entry,
+                [&] { return rest_area_normal(s.b, s.d, s.c); });
 }
 
-// am or dm.
-void ActiveSet::insert_spoke(EdgeId e, VertexId apex, std::uint32_t vertex_entry) {
-    const auto length =
-        static_cast<float>(glm::distance(rest_position(apex), rest_positions_[vertex_entry]));
-    add_edge(e, true).rest_length = length;
+void ActiveSet::allocate_splits(std::uint32_t count, SplitPlaces& places) {
+    reserve_splits(count);
+    room_ -= count;
+    places.ids.resize(count);
+    places.entries.resize(count);
+    places.first_edit = edits_.size();
+    places.first_face = faces_.size();
+    mesh_.allocate_splits(places.ids);
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const SplitIds& ids = places.ids[i];
+        places.entries[i] = {allocate_vertex_entry(ids.m),
+                             allocate_wedge_entry(ids.wedge),
+                             {allocate_edge_entry(ids.mc, true), allocate_edge_entry(ids.am, true),
+                              allocate_edge_entry(ids.dm, true)}};
+    }
+    edits_.grow_into_room(count);
+    faces_.grow_into_room(4 * std::size_t{count});
+    splits_ += count;
+}
+
+ActiveSet::Inserted ActiveSet::split(EdgeId e, const SplitPlaces& places, std::size_t i) {
+    EdgeState& state = edge_states_[index(e)];
+    assert(state.entry != kNoEntry && one_look_[state.entry] != 0);
+    const float length = keep_rest_length(e), half_length = 0.5f * length;
     note_length(length);
+    state.rest_length = half_length;
+
+    const SplitPlaces::Entries& entries = places.entries[i];
+    const Split s = mesh_.insert_midpoint(e, places.ids[i]);
+    edits_[places.first_edit + i] = TopologyEdit::split(e);
+    const Vec3 rest = 0.5 * rest_position(s.b) + 0.5 * rest_position(s.c);
+    mesh_.set_position(s.m, rest);
+    enter(entries.vertex, s.m, rest, mesh_.is_deformed(s.m));
+    enter(entries.edges[0], s.mc, half_length);
+    enter_spoke(entries.edges[1], s.am, s.a, rest);
+    enter_spoke(entries.edges[2], s.dm, s.d, rest);
+    insert_side(s.left, entries.wedge, entries.vertex,
+                [&] { return rest_area_normal(s.b, s.c, s.a); });
+    log_faces(places.first_face + 4 * i, s);
+    return {.vertex_entry = entries.vertex,
+            .wedge_entries = {entries.wedge, kNoEntry},
+            .edges = {s.bm, s.mc, s.am, s.dm}};
 }
 
 template <typename AreaNormal>
-std::uint32_t ActiveSet::insert_side(const Split::Side& side, std::uint32_t owner,
-                                     const AreaNormal& area_normal) {
+void ActiveSet::insert_side(const Split::Side& side, std::uint32_t entry, std::uint32_t owner,
+                            const AreaNormal& area_normal) {
     const Vec3f normal = midpoint_normal(rest_normal(side.b), rest_normal(side.c), area_normal);
     mesh_.set_normal(side.m, normal);
-    return add_wedge(side.m, normal, owner);
+    enter(entry, side.m, normal, owner);
+}
+
+// The two or four at the edge that was split.
+void ActiveSet::log_faces(std::size_t first, const Split& s) {
+    const HalfEdgeId bm = mesh_.half_edge(s.bm);
+    faces_[first] = TriMesh::face(bm);
+    faces_[first + 1] = s.face3;
+    if (!s.right) return;
+    faces_[first + 2] = TriMesh::face(mesh_.twin(bm));
+    faces_[first + 3] = s.face4;
 }
 
 Vec3 ActiveSet::rest_area_normal(VertexId p, VertexId q, VertexId r) const {
@@ -189,10 +234,48 @@ void ActiveSet::unsplit(const Star& star) {
     edits_.push_back(TopologyEdit::unsplit(bc));
     mesh_.for_each_side(bc, [&](HalfEdgeId h) {
         const EdgeId e = mesh_.edge(h);
-        if (edge_states_[index(e)].entry == kNoEntry) add_edge(e, one_look_is_enough(e));
+        if (edge_states_[index(e)].entry == kNoEntry) {
+            enter(allocate_edge_entry(e, one_look_is_enough(e)), e, kUnmeasured);
+        }
         edge_states_[index(e)].rest_length = kUnmeasured;
         if (!was_inserted) note_length(rest_length(e));  // else its split has
     });
+}
+
+bool ActiveSet::may_unsplit_apart(const Star& star) const {
+    if (star.on_boundary() || mesh_.wedge(star.mb) != mesh_.wedge(star.mc)) return false;
+    return entry_of(mesh_.edge(star.bm)) && slot(wedge_entry_, mesh_.wedge(star.mc)) != kNoEntry;
+}
+
+ActiveSet::Unsplit ActiveSet::unsplit_apart(const Star& star) {
+    std::uint32_t& vertex_entry = vertex_entry_[index(star.m)];
+    std::uint32_t& wedge_entry = wedge_entry_[index(mesh_.wedge(star.mc))];
+    Unsplit done{.ids = {},
+                 .bc = mesh_.edge(star.bm),
+                 .kept_faces = {TriMesh::face(star.bm), TriMesh::face(star.mb)},
+                 .vertex_entry = vertex_entry,
+                 .wedge_entry = wedge_entry};
+    vertices_[vertex_entry] = kNone<VertexId>;
+    wedges_[wedge_entry] = kNone<WedgeId>;
+    vertex_entry = wedge_entry = kNoEntry;
+    done.ids = mesh_.remove_midpoint(star);
+    edge_states_[index(done.bc)].rest_length = kUnmeasured;
+    if (done.vertex_entry < original_vertices_) note_length(keep_rest_length(done.bc));
+    return done;
+}
+
+void ActiveSet::log_unsplits(std::span<const Unsplit> unsplits) {
+    room_ = 0;
+    for (const Unsplit& done : unsplits) {
+        edits_.push_back(TopologyEdit::unsplit(done.bc));
+        for (FaceId f : {done.ids.face3, done.kept_faces[0], done.kept_faces[1], done.ids.face4}) {
+            faces_.push_back(f);
+        }
+        mesh_.free_split(done.ids);
+        if (done.vertex_entry >= original_vertices_)
+            free_vertex_entries_.push_back(done.vertex_entry);
+        if (done.wedge_entry >= original_wedges_) free_wedge_entries_.push_back(done.wedge_entry);
+    }
 }
 
 // Forgets what an unsplit takes from one sheet.

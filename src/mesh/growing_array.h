@@ -74,14 +74,14 @@ class GrowingArray {
         assert(size_ < capacity_);
         data_[size_++] = value;
     }
-    void grow_into_room(std::size_t count) {  // with what happens to be there
-        assert(size_ + count <= capacity_);
+    void grow(std::size_t count) {  // by what happens to be there
+        if (size_ + count > capacity_) [[unlikely]]
+            grow_to(size_ + count);
         size_ += count;
     }
-    // Of what reserve has made room for: `count` elements past the next `after`, as far as it goes.
-    std::span<std::byte> room(std::size_t after, std::size_t count) {
-        const std::size_t first = std::min(size_ + after, capacity_);
-        return std::as_writable_bytes(std::span(data_ + first, std::min(count, capacity_ - first)));
+    void grow_into_room(std::size_t count) {
+        assert(size_ + count <= capacity_);
+        size_ += count;
     }
     void pop_back() { --size_; }
     T take_back() { return data_[--size_]; }

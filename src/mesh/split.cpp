@@ -1,6 +1,7 @@
 // Splitting an edge at its midpoint.
 // Source: Gain & Dodgson 1999, section 4, figure 3.
 #include <algorithm>
+#include <atomic>
 #include <cassert>
 #include <limits>
 
@@ -15,48 +16,74 @@ constexpr std::uint16_t kMostLevel = std::numeric_limits<std::uint16_t>::max();
 
 }  // namespace
 
-// The slot freed last, else a new one, for which make_room has made room.
+// The slot freed last, else a new one, for which make_room has made room. What it holds is the
+// caller's to write.
 VertexId TriMesh::allocate_vertex() {
     if (!free_vertices_.empty()) return free_vertices_.take_back();
-    positions_.push_into_room(Vec3{0.0});
-    vertex_half_edges_.push_into_room(kNone<HalfEdgeId>);
-    vertex_levels_.push_into_room(0);
-    deformed_.push_into_room(0);
-    if (has_colors()) colors_.push_into_room(Vec3f{0.0f});
+    for_each_array_of_vertices([](auto& slots) { slots.grow_into_room(1); });
     return VertexId{vertex_slots() - 1};
 }
 
 WedgeId TriMesh::allocate_wedge() {
     if (!free_wedges_.empty()) return free_wedges_.take_back();
-    normals_.push_into_room(Vec3f{0.0f});
-    if (has_uvs()) uvs_.push_into_room(Vec2f{0.0f});
+    for_each_array_of_wedges([](auto& slots) { slots.grow_into_room(1); });
     return WedgeId{wedge_slots() - 1};
 }
 
-EdgeId TriMesh::allocate_edge(std::uint16_t level) {
-    EdgeId e{edge_slots()};
-    if (!free_edges_.empty()) {
-        e = free_edges_.take_back();
-        edge_levels_[index(e)] = level;
-        return e;
-    }
-    edge_half_edges_.push_into_room(kNone<HalfEdgeId>);
-    edge_levels_.push_into_room(level);
-    if (!siblings_.empty()) siblings_.push_into_room(e);
-    return e;
+EdgeId TriMesh::allocate_edge() {
+    if (!free_edges_.empty()) return free_edges_.take_back();
+    for_each_array_of_edges([](auto& slots) { slots.grow_into_room(1); });
+    return EdgeId{edge_slots() - 1};
 }
 
-// Its half-edges are the caller's to write.
-FaceId TriMesh::allocate_face(FaceId base) {
-    FaceId f{face_slots()};
-    if (!free_faces_.empty()) {
-        f = free_faces_.take_back();
-        face_bases_[index(f)] = base;
-        return f;
-    }
+FaceId TriMesh::allocate_face() {
+    if (!free_faces_.empty()) return free_faces_.take_back();
     half_edges_.grow_into_room(3);
-    face_bases_.push_into_room(base);
-    return f;
+    face_bases_.grow_into_room(1);
+    return FaceId{face_slots() - 1};
+}
+
+SplitIds TriMesh::allocate_split() {
+    SplitIds ids;
+    ids.m = allocate_vertex();
+    ids.wedge = allocate_wedge();
+    ids.mc = allocate_edge();
+    ids.am = allocate_edge();
+    ids.dm = allocate_edge();
+    ids.face3 = allocate_face();
+    ids.face4 = allocate_face();
+    return ids;
+}
+
+void TriMesh::allocate_splits(std::span<SplitIds> splits) {
+    reserve_splits(static_cast<std::uint32_t>(splits.size()));
+    room_.splits -= static_cast<std::uint32_t>(splits.size());
+    while (has_free_slots() && !splits.empty()) {
+        splits.front() = allocate_split();
+        splits = splits.subspan(1);
+    }
+    const SlotCounts first = slot_counts();
+    const auto count = static_cast<std::uint32_t>(splits.size());
+    for_each_array_of_vertices([&](auto& slots) { slots.grow_into_room(count); });
+    for_each_array_of_wedges([&](auto& slots) { slots.grow_into_room(count); });
+    for_each_array_of_edges([&](auto& slots) { slots.grow_into_room(3 * std::size_t{count}); });
+    half_edges_.grow_into_room(6 * std::size_t{count});
+    face_bases_.grow_into_room(2 * std::size_t{count});
+    for (std::uint32_t i = 0; i < count; ++i) {
+        const std::uint32_t e = first.edges + 3 * i, f = first.faces + 2 * i;
+        splits[i] = {VertexId{first.vertices + i},
+                     WedgeId{first.wedges + i},
+                     EdgeId{e},
+                     EdgeId{e + 1},
+                     EdgeId{e + 2},
+                     FaceId{f},
+                     FaceId{f + 1}};
+    }
+}
+
+bool TriMesh::has_free_slots() const {
+    return !free_vertices_.empty() || !free_wedges_.empty() || !free_edges_.empty() ||
+           !free_faces_.empty();
 }
 
 EdgeId TriMesh::leader(EdgeId e) const {
@@ -74,6 +101,15 @@ std::uint16_t TriMesh::highest_level_round(EdgeId e) const {
 
 bool TriMesh::may_split(EdgeId e) const {
     return highest_level_ < kMostLevel || highest_level_round(e) < kMostLevel;
+}
+
+bool TriMesh::may_split_any(std::uint32_t count) const {
+    return highest_level_ + std::size_t{count} < kMostLevel;
+}
+
+bool TriMesh::is_smooth(EdgeId e) const {
+    const HalfEdgeId h = half_edge(e), back = twin(h);
+    return exists(back) && wedge(h) == wedge(next(back)) && wedge(back) == wedge(next(h));
 }
 
 Split TriMesh::split(EdgeId e) {
@@ -112,15 +148,46 @@ Split TriMesh::insert_midpoint(EdgeId e) {
     e = leader(e);
     make_room(e);
     const VertexId m = allocate_vertex();
-    const auto level = static_cast<std::uint16_t>(highest_level_round(e) + 1);
-    highest_level_ = std::max(highest_level_, level);
-    vertex_levels_[index(m)] = level;
+    describe_midpoint(e, m);
     const Split s = insert_into_sheet(e, m);
     vertex_half_edges_[index(m)] = half_edge(s.face3, 0);
-    deformed_[index(m)] = is_deformed(s.b) || is_deformed(s.c) ? 1 : 0;
-    if (has_colors()) colors_[index(m)] = 0.5f * color(s.b) + 0.5f * color(s.c);
     if (sibling(e) != e) insert_into_siblings(s);
     return s;
+}
+
+Split TriMesh::insert_midpoint(EdgeId e, const SplitIds& ids) {
+    assert(is_live(e) && highest_level_round(e) < kMostLevel && is_smooth(e));
+    describe_midpoint(e, ids.m);
+    Split s = before_split(e);
+    s.m = ids.m;
+    s.left.m = s.right->m = ids.wedge;
+    s.mc = ids.mc;
+    s.am = ids.am;
+    s.dm = ids.dm;
+    s.face3 = ids.face3;
+    s.face4 = ids.face4;
+    connect(s);
+    vertex_half_edges_[index(ids.m)] = half_edge(ids.face3, 0);
+    return s;
+}
+
+// All but its half-edge.
+void TriMesh::describe_midpoint(EdgeId e, VertexId m) {
+    const VertexId b = origin(half_edge(e)), c = target(half_edge(e));
+    const auto level = static_cast<std::uint16_t>(highest_level_round(e) + 1);
+    note_level(level);
+    vertex_levels_[index(m)] = level;
+    positions_[index(m)] = Vec3{0.0};
+    deformed_[index(m)] = is_deformed(b) || is_deformed(c) ? 1 : 0;
+    if (has_colors()) colors_[index(m)] = 0.5f * color(b) + 0.5f * color(c);
+}
+
+// Several threads may.
+void TriMesh::note_level(std::uint16_t level) {
+    const std::atomic_ref highest(highest_level_);
+    std::uint16_t known = highest.load(std::memory_order_relaxed);
+    while (known < level && !highest.compare_exchange_weak(known, level)) {
+    }
 }
 
 // For the most a split adds, before it changes anything: without the memory nothing has happened.
@@ -139,16 +206,9 @@ void TriMesh::make_room(EdgeId e) {
 // visit(array, elements that a side of a split adds to it at most).
 template <typename Visit>
 void TriMesh::for_each_array_of_splits(Visit visit) {
-    visit(positions_, 1);
-    visit(vertex_half_edges_, 1);
-    visit(vertex_levels_, 1);
-    visit(deformed_, 1);
-    if (has_colors()) visit(colors_, 1);
-    visit(normals_, 1);
-    if (has_uvs()) visit(uvs_, 1);
-    visit(edge_half_edges_, 2);
-    visit(edge_levels_, 2);
-    if (!siblings_.empty()) visit(siblings_, 2);
+    for_each_array_of_vertices([&](auto& slots) { visit(slots, 1); });
+    for_each_array_of_wedges([&](auto& slots) { visit(slots, 1); });
+    for_each_array_of_edges([&](auto& slots) { visit(slots, 2); });
     visit(half_edges_, 3);
     visit(face_bases_, 1);
 }
@@ -168,12 +228,6 @@ void TriMesh::reserve_splits(std::uint32_t count) {
     if (room_.splits < count) reserve_for(2 * std::size_t{count});
 }
 
-void TriMesh::add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead) {
-    for_each_array_of_splits([&](auto& slots, std::size_t a_side) {
-        ahead.add(slots.room(2 * a_side * after, 2 * a_side * count));
-    });
-}
-
 // What a split made in the sheet of this star, along a cut.
 Split TriMesh::split_of(const Star& star) const {
     Split s;
@@ -190,16 +244,58 @@ Split TriMesh::split_of(const Star& star) const {
 }
 
 Split TriMesh::insert_into_sheet(EdgeId e, VertexId m) {
-    const Split s = allocate_sheet(e, m);
-    connect_left(s);
-    if (s.right) connect_right(s);
-    if (!has_uvs()) return s;
-    const auto interpolate_uv = [this](const Split::Side& side) {
-        uvs_[index(side.m)] = 0.5f * uv(side.b) + 0.5f * uv(side.c);
-    };
-    interpolate_uv(s.left);
-    if (s.right && s.right->m != s.left.m) interpolate_uv(*s.right);
+    Split s = before_split(e);
+    s.m = m;
+    s.left.m = allocate_wedge();
+    if (s.right) s.right->m = s.is_smooth() ? s.left.m : allocate_wedge();
+    s.mc = allocate_edge();
+    s.am = allocate_edge();
+    if (s.right) s.dm = allocate_edge();
+    s.face3 = allocate_face();
+    if (s.right) s.face4 = allocate_face();
+    connect(s);
     return s;
+}
+
+// What there is at an edge, in the sheet of its half-edge.
+Split TriMesh::before_split(EdgeId e) const {
+    const HalfEdgeId bc = half_edge(e);
+    const HalfEdge &b = half_edges_[index(bc)], &c = half_edges_[index(next(bc))];
+    Split s;
+    s.a = origin(prev(bc));
+    s.b = b.origin;
+    s.c = c.origin;
+    s.bm = e;
+    s.left = {kNone<WedgeId>, b.wedge, c.wedge};
+    if (!exists(b.twin)) return s;
+    s.d = origin(prev(b.twin));
+    s.right = Split::Side{kNone<WedgeId>, wedge(next(b.twin)), wedge(b.twin)};
+    return s;
+}
+
+// Writes all that the new slots hold, but of m.
+void TriMesh::connect(const Split& s) {
+    const HalfEdgeId bc = half_edge(s.bm);
+    face_bases_[index(s.face3)] = face_bases_[index(face(bc))];
+    if (s.right) face_bases_[index(s.face4)] = face_bases_[index(face(twin(bc)))];
+    describe_edge(s.mc, level(s.bm));
+    describe_edge(s.am, level(s.m));
+    describe_wedge(s.left);
+    connect_left(s);
+    if (!s.right) return;
+    describe_edge(s.dm, level(s.m));
+    if (s.right->m != s.left.m) describe_wedge(*s.right);
+    connect_right(s);
+}
+
+void TriMesh::describe_edge(EdgeId e, std::uint16_t level) {
+    edge_levels_[index(e)] = level;
+    if (!siblings_.empty()) siblings_[index(e)] = e;
+}
+
+void TriMesh::describe_wedge(const Split::Side& side) {
+    normals_[index(side.m)] = Vec3f{0.0f};
+    if (has_uvs()) uvs_[index(side.m)] = 0.5f * uv(side.b) + 0.5f * uv(side.c);
 }
 
 // The siblings of the edge that `leader` has split, about the same m. Along bm and along mc the
@@ -224,37 +320,6 @@ void TriMesh::insert_into_siblings(const Split& leader) {
     }
     follow(along_bm, leader.bm);
     follow(along_mc, leader.mc);
-}
-
-Split TriMesh::allocate_sheet(EdgeId e, VertexId m) {
-    const HalfEdgeId bc = half_edge(e);
-    const HalfEdge &b = half_edges_[index(bc)], &c = half_edges_[index(next(bc))];
-    const std::uint16_t level_along = level(e), level_across = level(m);
-    Split s;
-    s.m = m;
-    s.a = origin(prev(bc));
-    s.b = b.origin;
-    s.c = c.origin;
-    s.bm = e;
-    s.left = {allocate_wedge(), b.wedge, c.wedge};
-    if (!exists(b.twin)) {
-        s.mc = allocate_edge(level_along);
-        s.am = allocate_edge(level_across);
-        s.face3 = allocate_face(face_bases_[index(face(bc))]);
-        return s;
-    }
-    const HalfEdgeId cb = b.twin;
-    s.d = origin(prev(cb));
-    const WedgeId right_b = wedge(next(cb)), right_c = wedge(cb);
-    const bool smooth = right_b == s.left.b && right_c == s.left.c;
-    s.right = Split::Side{smooth ? s.left.m : allocate_wedge(), right_b, right_c};
-    s.mc = allocate_edge(level_along);
-    s.am = allocate_edge(level_across);
-    s.dm = allocate_edge(level_across);
-    const FaceId base3 = face_bases_[index(face(bc))], base4 = face_bases_[index(face(cb))];
-    s.face3 = allocate_face(base3);
-    s.face4 = allocate_face(base4);
-    return s;
 }
 
 void TriMesh::connect_left(const Split& s) {

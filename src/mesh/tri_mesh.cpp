@@ -53,16 +53,9 @@ void TriMesh::truncate(const SlotCounts& counts) {
     drop_past(free_wedges_, counts.wedges);
     drop_past(free_edges_, counts.edges);
     drop_past(free_faces_, counts.faces);
-    positions_.resize(counts.vertices);
-    vertex_half_edges_.resize(counts.vertices);
-    vertex_levels_.resize(counts.vertices);
-    deformed_.resize(counts.vertices);
-    if (has_colors()) colors_.resize(counts.vertices);
-    normals_.resize(counts.wedges);
-    if (has_uvs()) uvs_.resize(counts.wedges);
-    edge_half_edges_.resize(counts.edges);
-    edge_levels_.resize(counts.edges);
-    if (!siblings_.empty()) siblings_.resize(counts.edges);
+    for_each_array_of_vertices([&](auto& slots) { slots.resize(counts.vertices); });
+    for_each_array_of_wedges([&](auto& slots) { slots.resize(counts.wedges); });
+    for_each_array_of_edges([&](auto& slots) { slots.resize(counts.edges); });
     half_edges_.resize(3 * std::size_t{counts.faces});
     face_bases_.resize(counts.faces);
 }

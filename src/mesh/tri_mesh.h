@@ -40,7 +40,7 @@
 #include "mesh/growing_array.h"
 #include "mesh/ids.h"
 #include "mesh/input_form.h"
-#include "mesh/memory_ahead.h"
+#include "mesh/split.h"
 
 namespace pectin {
 
@@ -57,34 +57,6 @@ struct HalfEdge {
 struct SlotCounts {
     std::uint32_t vertices = 0, wedges = 0, edges = 0, faces = 0;
     bool operator==(const SlotCounts&) const = default;
-};
-
-// What split(bc) made. On a boundary there is no d, no second side, no dm. Along a cut this is the
-// sheet of the sibling with the lowest id; for_each_sheet tells of the others.
-struct Split {
-    VertexId m = kNone<VertexId>;
-    VertexId a = kNone<VertexId>, b = kNone<VertexId>, c = kNone<VertexId>, d = kNone<VertexId>;
-    EdgeId bm = kNone<EdgeId>, mc = kNone<EdgeId>;  // bm is the id that bc had
-    EdgeId am = kNone<EdgeId>, dm = kNone<EdgeId>;
-    FaceId face3 = kNone<FaceId>, face4 = kNone<FaceId>;  // mca and cmd, the new ones
-    // Corners of the two sides: at m, and at the two ends whose attributes m's are made from.
-    struct Side {
-        WedgeId m = kNone<WedgeId>, b = kNone<WedgeId>, c = kNone<WedgeId>;
-    };
-    Side left;                  // the side of a
-    std::optional<Side> right;  // the side of d; its m is left.m where the edge is smooth
-};
-
-// The surroundings of an inserted vertex that unsplit may remove (figure 3, after the split); along
-// a cut those in one of the sheets, whose boundary b-m-c is.
-struct Star {
-    VertexId m = kNone<VertexId>;
-    VertexId a = kNone<VertexId>, b = kNone<VertexId>, c = kNone<VertexId>, d = kNone<VertexId>;
-    HalfEdgeId mc = kNone<HalfEdgeId>;  // in face mca
-    HalfEdgeId bm = kNone<HalfEdgeId>;  // in face bma
-    HalfEdgeId mb = kNone<HalfEdgeId>;  // in face mbd, none on a boundary
-    HalfEdgeId cm = kNone<HalfEdgeId>;  // in face cmd, none on a boundary
-    bool on_boundary() const { return mb == kNone<HalfEdgeId>; }
 };
 
 struct Baked;
@@ -212,10 +184,24 @@ class TriMesh {
     Split insert_midpoint(EdgeId e);
     // Room for `count` splits of edges with one or two sides, so that these move no array.
     void reserve_splits(std::uint32_t count);
-    // Of that room what the splits past the next `after` are going to fill, at most.
-    void add_room(std::uint32_t after, std::uint32_t count, MemoryAhead& ahead);
     // Whether the level of the midpoint would still fit in 16 bits.
     bool may_split(EdgeId e) const;
+    // The same of all edges, also after `count` splits. O(1); false says little.
+    bool may_split_any(std::uint32_t count) const;
+
+    // --- Splits on several threads. allocate_splits takes what so many splits of smooth edges
+    // would; the mesh is whole again when insert_midpoint has been called once with each.
+    // Two such calls may run at the same time if no corner of the one's faces is one of the
+    // other's; then all comes out as if they went one after another, in the order of their ids.
+    // Preconditions: may_split(e), is_smooth(e).
+    void allocate_splits(std::span<SplitIds> splits);
+    Split insert_midpoint(EdgeId e, const SplitIds& ids);
+    // Whether e has two sides that share the corners at both ends.
+    bool is_smooth(EdgeId e) const;
+    // The inverse, likewise: what it returns is free when free_split has it, in the order of these
+    // calls. Precondition: as unsplit's, and bm and mc are smooth.
+    SplitIds remove_midpoint(const Star& star);
+    void free_split(const SplitIds& ids);
 
     // m's surroundings, if it may go: not a base vertex, exactly four edges (three on a
     // boundary, as many in each sheet along a cut), and all neighbours at its level or lower.
@@ -287,8 +273,14 @@ class TriMesh {
 
     VertexId allocate_vertex();
     WedgeId allocate_wedge();
-    EdgeId allocate_edge(std::uint16_t level);
-    FaceId allocate_face(FaceId base);
+    EdgeId allocate_edge();
+    FaceId allocate_face();
+    SplitIds allocate_split();
+    bool has_free_slots() const;
+    void clear(VertexId v);
+    void clear(WedgeId w);
+    void clear(EdgeId e);
+    void clear(FaceId f);
     void release(VertexId v);
     void release(WedgeId w);
     void release(EdgeId e);
@@ -298,10 +290,22 @@ class TriMesh {
     void link(HalfEdgeId h, HalfEdgeId twin);
     void make_room(EdgeId e);
     void reserve_for(std::size_t sides);
+    // visit(array of slots)
+    template <typename Visit>
+    void for_each_array_of_vertices(Visit visit);
+    template <typename Visit>
+    void for_each_array_of_wedges(Visit visit);
+    template <typename Visit>
+    void for_each_array_of_edges(Visit visit);
     template <typename Visit>
     void for_each_array_of_splits(Visit visit);
     Split insert_into_sheet(EdgeId e, VertexId m);
-    Split allocate_sheet(EdgeId e, VertexId m);
+    Split before_split(EdgeId e) const;
+    void describe_midpoint(EdgeId e, VertexId m);
+    void describe_edge(EdgeId e, std::uint16_t level);
+    void describe_wedge(const Split::Side& side);
+    void note_level(std::uint16_t level);
+    void connect(const Split& split);
     void connect_left(const Split& split);
     void connect_right(const Split& split);
     void insert_into_siblings(const Split& leader);
@@ -310,6 +314,9 @@ class TriMesh {
     std::optional<Star> sheet(VertexId m, EdgeId along_cut) const;
     Split split_of(const Star& star) const;
     EdgeId unsplit_sheet(const Star& star);
+    SplitIds ids_of(const Star& star) const;
+    void disconnect_left(const Star& star, const SplitIds& ids);
+    void disconnect_right(const Star& star, const SplitIds& ids);
     void unsplit_siblings(const Star& leader);
 
     GrowingArray<Vec3> positions_;                // n_vertex_slots, world
@@ -345,6 +352,28 @@ struct Baked {
     std::vector<EdgeId>
         edges;  // n_edge_slots of the mesh it was made from: what they became, or none
 };
+
+template <typename Visit>
+void TriMesh::for_each_array_of_vertices(Visit visit) {
+    visit(positions_);
+    visit(vertex_half_edges_);
+    visit(vertex_levels_);
+    visit(deformed_);
+    if (has_colors()) visit(colors_);
+}
+
+template <typename Visit>
+void TriMesh::for_each_array_of_wedges(Visit visit) {
+    visit(normals_);
+    if (has_uvs()) visit(uvs_);
+}
+
+template <typename Visit>
+void TriMesh::for_each_array_of_edges(Visit visit) {
+    visit(edge_half_edges_);
+    visit(edge_levels_);
+    if (!siblings_.empty()) visit(siblings_);
+}
 
 // Gives half-edge `from` the slot `to`; whatever names it follows. Its origin, wedge and edge go
 // along, its own face is the caller's business.

@@ -8,33 +8,49 @@
 namespace pectin {
 
 // Released slots are cleared, so that a slot's bytes do not depend on what it once held.
-void TriMesh::release(VertexId v) {
+void TriMesh::clear(VertexId v) {
     positions_[index(v)] = Vec3{0.0};
     vertex_half_edges_[index(v)] = kNone<HalfEdgeId>;
     vertex_levels_[index(v)] = 0;
     deformed_[index(v)] = 0;
     if (has_colors()) colors_[index(v)] = Vec3f{0.0f};
-    free_vertices_.push_back(v);
 }
 
-void TriMesh::release(WedgeId w) {
+void TriMesh::clear(WedgeId w) {
     normals_[index(w)] = Vec3f{0.0f};
     if (has_uvs()) uvs_[index(w)] = Vec2f{0.0f};
-    free_wedges_.push_back(w);
 }
 
-void TriMesh::release(EdgeId e) {
+void TriMesh::clear(EdgeId e) {
     edge_half_edges_[index(e)] = kNone<HalfEdgeId>;
     edge_levels_[index(e)] = 0;
     if (!siblings_.empty()) siblings_[index(e)] = e;
-    free_edges_.push_back(e);
 }
 
-void TriMesh::release(FaceId f) {
+void TriMesh::clear(FaceId f) {
     for (int corner = 0; corner < 3; ++corner) {
         half_edges_[index(half_edge(f, corner))] = HalfEdge{};
     }
     face_bases_[index(f)] = kNone<FaceId>;
+}
+
+void TriMesh::release(VertexId v) {
+    clear(v);
+    free_vertices_.push_back(v);
+}
+
+void TriMesh::release(WedgeId w) {
+    clear(w);
+    free_wedges_.push_back(w);
+}
+
+void TriMesh::release(EdgeId e) {
+    clear(e);
+    free_edges_.push_back(e);
+}
+
+void TriMesh::release(FaceId f) {
+    clear(f);
     free_faces_.push_back(f);
 }
 
@@ -105,38 +121,79 @@ void TriMesh::unsplit_siblings(const Star& leader) {
 }
 
 EdgeId TriMesh::unsplit_sheet(const Star& star) {
-    const HalfEdgeId bc = star.bm, ma = next(bc);
-    const FaceId face3 = face(star.mc);
-    const HalfEdgeId ca = next(star.mc);
-    const EdgeId e = edge(bc), mc_edge = edge(star.mc), am_edge = edge(ma);
-    const WedgeId left_m = wedge(star.mc);
-    assert(ca == half_edge(face3, 1) && level(am_edge) == level(star.m));
-
+    const SplitIds ids = ids_of(star);
+    const EdgeId e = edge(star.bm);
     if (!star.on_boundary()) {
-        const HalfEdgeId mb = star.mb, dm = prev(mb);
-        const FaceId face4 = face(star.cm);
-        const EdgeId dm_edge = edge(dm);
-        const WedgeId right_m = wedge(mb);
-        assert(star.cm == half_edge(face4, 0) && level(dm_edge) == level(star.m));
-        half_edges_[index(star.cm)].edge = e;
-        move_half_edge(half_edge(face4, 2), dm);
-        move_half_edge(star.cm, mb);
-        link(bc, mb);
-        move_half_edge(ca, ma);
-        release(face4);
-        release(face3);
-        release(dm_edge);
-        release(am_edge);
-        release(mc_edge);
-        if (right_m != left_m) release(right_m);
+        const WedgeId right_m = wedge(star.mb);
+        disconnect_right(star, ids);
+        disconnect_left(star, ids);
+        release(ids.face4);
+        release(ids.face3);
+        release(ids.dm);
+        release(ids.am);
+        release(ids.mc);
+        if (right_m != ids.wedge) release(right_m);
     } else {
-        move_half_edge(ca, ma);
-        release(face3);
-        release(am_edge);
-        release(mc_edge);
+        disconnect_left(star, ids);
+        release(ids.face3);
+        release(ids.am);
+        release(ids.mc);
     }
-    release(left_m);
+    release(ids.wedge);
     return e;
+}
+
+SplitIds TriMesh::remove_midpoint(const Star& star) {
+    assert(!star.on_boundary() && wedge(star.mb) == wedge(star.mc));
+    const SplitIds ids = ids_of(star);
+    disconnect_right(star, ids);
+    disconnect_left(star, ids);
+    clear(ids.face4);
+    clear(ids.face3);
+    clear(ids.dm);
+    clear(ids.am);
+    clear(ids.mc);
+    clear(ids.wedge);
+    clear(ids.m);
+    return ids;
+}
+
+// In the order that unsplit would.
+void TriMesh::free_split(const SplitIds& ids) {
+    for (FaceId f : {ids.face4, ids.face3}) free_faces_.push_back(f);
+    for (EdgeId e : {ids.dm, ids.am, ids.mc}) free_edges_.push_back(e);
+    free_wedges_.push_back(ids.wedge);
+    free_vertices_.push_back(ids.m);
+}
+
+// What the split took; on a boundary there is no dm and no face4. Of a crease only the left wedge.
+SplitIds TriMesh::ids_of(const Star& star) const {
+    SplitIds ids;
+    ids.m = star.m;
+    ids.wedge = wedge(star.mc);
+    ids.mc = edge(star.mc);
+    ids.am = edge(prev(star.mc));
+    ids.face3 = face(star.mc);
+    if (star.on_boundary()) return ids;
+    ids.dm = edge(prev(star.mb));
+    ids.face4 = face(star.cm);
+    return ids;
+}
+
+// The reverse of connect_left and connect_right.
+void TriMesh::disconnect_left(const Star& star, [[maybe_unused]] const SplitIds& ids) {
+    const HalfEdgeId ma = next(star.bm), ca = next(star.mc);
+    assert(ca == half_edge(ids.face3, 1) && level(ids.am) == level(star.m));
+    move_half_edge(ca, ma);
+}
+
+void TriMesh::disconnect_right(const Star& star, const SplitIds& ids) {
+    const HalfEdgeId mb = star.mb, dm = prev(mb);
+    assert(star.cm == half_edge(ids.face4, 0) && level(ids.dm) == level(star.m));
+    half_edges_[index(star.cm)].edge = edge(star.bm);
+    move_half_edge(half_edge(ids.face4, 2), dm);
+    move_half_edge(star.cm, mb);
+    link(star.bm, mb);
 }
 
 }  // namespace pectin

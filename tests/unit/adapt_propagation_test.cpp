@@ -27,20 +27,21 @@ TEST(Propagation, EndsWhereNoNeighbourIsLonger) {
         for (EdgeId e : test::live_edges(mesh)) {
             const auto chain = propagation.chain(e);
             EXPECT_FALSE(chain.leaves_sliver);  // nothing is held back
-            std::vector<double> neighbours;
-            mesh.for_each_side(chain.end, [&](HalfEdgeId h) {
-                neighbours.push_back(mesh.length(mesh.edge(TriMesh::next(h))));
-                neighbours.push_back(mesh.length(mesh.edge(TriMesh::prev(h))));
-            });
-            EXPECT_LE(*std::ranges::max_element(neighbours),
-                      (1.0 + 1e-6) * limits.propagation * mesh.length(chain.end));
-            if (propagation.is_longest(e)) {
-                EXPECT_EQ(chain.end, e);
-                ++longest;
-            } else if (mesh.sibling(e) == e) {
-                EXPECT_NE(chain.end, e);
-                ++others;
-            }
+            const auto longest_neighbour = [&](EdgeId of) {
+                float length = 0.0f;
+                mesh.for_each_side(of, [&](HalfEdgeId h) {
+                    length = std::max({length, active.rest_length(mesh.edge(TriMesh::next(h))),
+                                       active.rest_length(mesh.edge(TriMesh::prev(h)))});
+                });
+                return static_cast<double>(length);
+            };
+            const auto most = [&](EdgeId of) {
+                return limits.propagation * static_cast<double>(active.rest_length(of));
+            };
+            EXPECT_LE(longest_neighbour(chain.end), most(chain.end));
+            const bool is_longest = longest_neighbour(e) <= most(e);
+            EXPECT_EQ(chain.end == e, is_longest);
+            ++(is_longest ? longest : others);
         }
         active.abandon();
     }

@@ -12,8 +12,6 @@
 #include <utility>
 #include <vector>
 
-#include "mesh/memory_ahead.h"
-
 namespace pectin {
 namespace {
 
@@ -81,38 +79,14 @@ TEST(GrowingArray, KeepsWhatItHoldsFromAFewBytesToMany) {
     }
 }
 
-TEST(GrowingArray, SaysWhatRoomItHasPastTheNextElements) {
+TEST(GrowingArray, GrowsByWhatIsThenWritten) {
     GrowingArray<int> array = counted(10);
-    array.reserve(100);
-    const std::span<std::byte> room = array.room(5, 20);
-    EXPECT_EQ(static_cast<void*>(room.data()), static_cast<void*>(array.data() + 15));
-    EXPECT_EQ(room.size(), 20 * sizeof(int));
-    EXPECT_EQ(array.room(80, 20).size(), 10 * sizeof(int));
-    EXPECT_TRUE(array.room(200, 20).empty());
-}
-
-TEST(MemoryAhead, WritesNothingButWhatIsNobodysYet) {
-    GrowingArray<std::uint8_t> array;
-    array.resize(20'000, 7);
-    MemoryAhead ahead;
-    const auto add = [&](std::size_t first, std::size_t count) {
-        ahead.start_again();
-        ahead.add(std::as_writable_bytes(std::span(array.data() + first, count)));
-    };
-    const auto touched = [&](std::size_t first, std::size_t count) {
-        return std::count(array.data() + first, array.data() + first + count, std::uint8_t{0});
-    };
-    add(4000, 9000);
-    ahead.touch();
-    EXPECT_EQ(touched(0, 4000), 0);
-    EXPECT_EQ(touched(4000, 9000), 3);  // one a page
-    EXPECT_EQ(touched(13'000, 7000), 0);
-    std::fill(array.begin(), array.end(), std::uint8_t{7});
-    add(6000, 10'000);  // up to 13000 it has been
-    ahead.touch();
-    EXPECT_EQ(touched(0, 13'000), 0);
-    EXPECT_EQ(touched(13'000, 3000), 1);
-    EXPECT_EQ(touched(16'000, 4000), 0);
+    array.grow(1000);
+    ASSERT_EQ(array.size(), 1010u);
+    for (int i = 0; i < 1010; ++i) array[static_cast<std::size_t>(i)] = i;
+    array.grow(1);
+    ASSERT_EQ(array.size(), 1011u);
+    for (int i = 0; i < 1010; ++i) ASSERT_EQ(array[static_cast<std::size_t>(i)], i);
 }
 
 }  // namespace

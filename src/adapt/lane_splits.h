@@ -1,0 +1,96 @@
+// Splitting many edges on all threads.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <optional>
+#include <span>
+#include <utility>
+#include <vector>
+
+#include "adapt/corner_claims.h"
+#include "adapt/edge_looks.h"
+#include "adapt/embedding.h"
+#include "adapt/refinement_queue.h"
+#include "mesh/active_set.h"
+
+namespace pectin {
+
+// Edges come in lanes. What is split in different lanes has no corner of its faces in common, so
+// that lanes may go at the same time and the mesh comes out as if they went one after another. Left
+// over is an edge of whose corners one belongs to another lane, one that something has to be split
+// before, a crease, a boundary, and one that is not active. All of it depends on the lanes alone,
+// not on the threads.
+class LaneSplits {
+  public:
+    LaneSplits(ActiveSet& active, Embedding& embedding, const EdgeLooks& looks,
+               const AdaptLimits& limits)
+        : active_(active), embedding_(embedding), looks_(looks), limits_(limits) {}
+
+    // Splits those that still need it and places what this inserts. Throws std::bad_alloc before
+    // anything has been changed.
+    void split(const RefinementQueue::Entries& next);
+
+    // How many the last call has split.
+    std::size_t split_count() const { return places_.ids.size(); }
+    // visit(lane, edge, octave or why it has none), of the edges round what has been inserted, in
+    // order; not of those that look fine.
+    template <typename Visit>
+    void for_each_new(Visit visit) const {
+        for (const Lane& lane : lanes_) {
+            for (const auto& [edge, octave] : lane.made) visit(lane.number, edge, octave);
+        }
+    }
+    // Whether more was split than left over.
+    bool most_went() const;
+    // visit(lane, edge, where it ended before), of what it has left over, in order.
+    template <typename Visit>
+    void for_each_left(Visit visit) const {
+        for (const Lane& lane : lanes_) {
+            for (const Candidate& left : lane.candidates) {
+                if (!left.goes) visit(lane.number, left.edge, left.end);
+            }
+        }
+    }
+
+  private:
+    struct Candidate {
+        EdgeId edge;
+        VertexId end = kNone<VertexId>;
+        std::optional<CornerClaims::Corners> corners{};  // none where it is left over in any case
+        bool goes = false;
+    };
+    struct Lane {
+        CornerClaims::Lane number = 0;
+        std::span<const EdgeId> edges;
+        std::vector<Candidate> candidates;
+        std::vector<EdgeId> order;  // of those that go
+        std::size_t first = 0;      // the place of its first
+        std::vector<ActiveSet::Inserted> inserted;
+        std::vector<std::pair<EdgeId, std::uint16_t>> made;
+    };
+
+    void look(Lane& lane, std::size_t octave);
+    Candidate candidate(EdgeId e) const;
+    void choose(Lane& lane);
+    bool goes_next(EdgeId e);
+    bool lets_go(HalfEdgeId h, double longest);
+    double spoke(EdgeId split, VertexId apex) const;
+    bool is_chosen(EdgeId e) const;
+    std::uint32_t number_lanes();
+    void hold(Lane& lane);
+    void allocate(std::uint32_t count);
+    void make(Lane& lane);
+    void forget(Lane& lane);
+
+    ActiveSet& active_;
+    Embedding& embedding_;
+    const EdgeLooks& looks_;
+    const AdaptLimits& limits_;
+    std::array<Lane, RefinementQueue::kLanes> lanes_;
+    CornerClaims claims_;
+    std::vector<std::uint8_t> chosen_;  // edge entries: whether split in this call
+    ActiveSet::SplitPlaces places_;
+};
+
+}  // namespace pectin

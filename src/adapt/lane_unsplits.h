@@ -1,0 +1,54 @@
+// Undoing many splits on all threads.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "adapt/corner_claims.h"
+#include "adapt/criteria.h"
+#include "mesh/active_set.h"
+
+namespace pectin {
+
+// Of vertices of one level none that may go is another's neighbour. So whether one may go does not
+// depend on whether others have gone, nor do the faces round it, and the mesh comes out the same in
+// whatever order they go. They are parted into lanes for the threads, by their base faces, which
+// lie together in memory and mostly in space; and a lane owns the corners of what it removes. What
+// has a corner of another lane's is removed after these; which they are depends on the threads, but
+// where each is logged does not. What lies on a crease, a boundary, or outside the active set goes
+// last, one by one.
+class LaneUnsplits {
+  public:
+    // Fewer are not worth several threads.
+    static constexpr std::size_t kWorthLanes = 4096;
+
+    LaneUnsplits(ActiveSet& active, const Criteria& criteria)
+        : active_(active), criteria_(criteria) {}
+
+    // Removes those of one level that may go; how many these were. Cost: O(vertices).
+    std::uint64_t unsplit(std::span<const VertexId> level);
+
+  private:
+    static constexpr std::size_t kLanes = 4;
+
+    struct Lane {
+        CornerClaims::Lane number = 0;
+        std::vector<VertexId> vertices;
+        std::vector<ActiveSet::Unsplit> unsplits;
+        std::vector<std::size_t> waiting;  // which of these have yet to be done
+        std::vector<VertexId> last;
+    };
+
+    void part(std::span<const VertexId> level);
+    void unsplit(Lane& lane);
+    void unsplit_waiting(Lane& lane);
+
+    ActiveSet& active_;
+    const Criteria& criteria_;
+    std::array<Lane, kLanes> lanes_;
+    CornerClaims claims_;
+};
+
+}  // namespace pectin

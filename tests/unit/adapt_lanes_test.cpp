@@ -1,0 +1,248 @@
+// Many splits, and many unsplits, at the same time: all is as if they had gone one after another.
+#include <gtest/gtest.h>
+
+#include <tbb/global_control.h>
+#include <tbb/task_arena.h>
+
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "adapt/adapt.h"
+#include "adapt/corner_claims.h"
+#include "adapt/lane_splits.h"
+#include "adapt/lane_unsplits.h"
+#include "mesh/build_mesh.h"
+#include "mesh/face_tree.h"
+#include "mesh/mesh_change.h"
+#include "mesh/shapes.h"
+#include "support/mesh_figures.h"
+
+namespace pectin {
+namespace {
+
+const std::vector<std::string> kValid;
+constexpr Box kAll{.min = Vec3{-10.0}, .max = Vec3{10.0}};
+
+double mean_edge(const TriMesh& mesh) {
+    double sum = 0.0;
+    for (EdgeId e : test::live_edges(mesh)) sum += mesh.length(e);
+    return sum / mesh.edge_count();
+}
+
+// A mesh at rest, all of it or what lies in the zone active, refined and thinned by length.
+class Refined {
+  public:
+    explicit Refined(TriMesh mesh, const Box& zone = kAll)
+        : mesh_(std::move(mesh)), active_(mesh_), zone_(zone) {
+        active_.begin(FaceTree(mesh_).faces_meeting(zone, mesh_), zone);
+        embedding_ = std::make_unique<Embedding>(active_, warp_);
+    }
+    Refinement refine(const AdaptLimits& limits) {
+        return pectin::refine(active_, *embedding_, Criteria(limits, zone_, zone_));
+    }
+    Decimation decimate(const AdaptLimits& limits) {
+        return pectin::decimate(active_, Criteria(limits, zone_, zone_));
+    }
+    MeshChange finish() { return active_.finish(); }
+
+    TriMesh& mesh() { return mesh_; }
+    ActiveSet& active() { return active_; }
+    Embedding& embedding() { return *embedding_; }
+
+  private:
+    TriMesh mesh_;
+    ActiveSet active_;
+    Box zone_;
+    Warp warp_;
+    std::unique_ptr<Embedding> embedding_;
+};
+
+struct Scene {
+    const char* name;
+    ShapeKind shape;
+    int resolution;
+    Box zone;
+    bool is_all_active = true;
+};
+// Smooth and closed; with creases and texture coordinates; with a border of the active set.
+const Scene kScenes[] = {
+    {"sphere", ShapeKind::sphere, 5, kAll},
+    {"cube", ShapeKind::cube, 40, kAll},
+    {"part of a sphere", ShapeKind::sphere, 5, {.min = Vec3{-0.7}, .max = Vec3{2.0}}, false},
+    {"plane", ShapeKind::plane, 100, kAll},
+};
+
+TriMesh mesh_of(const Scene& scene) {
+    return build_mesh(make_shape(scene.shape, scene.resolution)).mesh;
+}
+
+AdaptLimits half_of(const TriMesh& mesh) { return {.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6}; }
+
+TEST(Lanes, SplitAndRemoveAsOneAfterAnother) {
+    for (const Scene& scene : kScenes) {
+        SCOPED_TRACE(scene.name);
+        const TriMesh before = mesh_of(scene);
+        Refined refined(before, scene.zone);
+        const AdaptLimits half = half_of(before);
+        EXPECT_GT(refined.refine(half).splits, 3 * LaneUnsplits::kWorthLanes);
+        EXPECT_EQ(refined.mesh().validate(), kValid);
+        for (EdgeId e : refined.active().edges()) {
+            const auto in_zone = [&](HalfEdgeId h) {
+                return scene.zone.contains(refined.mesh().position(refined.mesh().origin(h)));
+            };
+            if (in_zone(refined.mesh().half_edge(e))) {
+                EXPECT_LE(refined.mesh().length(e), half.l_max);
+            }
+        }
+        const double half_again = 0.7 * half.l_max;
+        refined.decimate({.l_max = 1.5 * half.l_max});
+        EXPECT_EQ(refined.mesh().validate(), kValid);
+        // In slots that are free now.
+        EXPECT_GT(refined.refine({.l_max = half_again, .floor = 1e-6}).splits, 10'000u);
+        EXPECT_EQ(refined.mesh().validate(), kValid);
+        EXPECT_GT(refined.decimate({.l_max = half.l_max}).unsplits, LaneUnsplits::kWorthLanes);
+        EXPECT_EQ(refined.mesh().validate(), kValid);
+
+        // Its log does all that again, one after another, and takes it back.
+        const MeshChange change = refined.finish();
+        TriMesh again = before;
+        redo(change, again);
+        EXPECT_TRUE(again == refined.mesh());
+        undo(change, refined.mesh());
+        EXPECT_TRUE(refined.mesh() == before);
+    }
+}
+
+TEST(Lanes, RemoveAllThatWasInserted) {
+    for (const Scene& scene : kScenes) {
+        if (!scene.is_all_active) continue;  // what propagates past the zone stays there
+        SCOPED_TRACE(scene.name);
+        const TriMesh before = mesh_of(scene);
+        Refined refined(before, scene.zone);
+        const std::uint64_t splits = refined.refine(half_of(before)).splits;
+        EXPECT_EQ(refined.decimate({}).unsplits, splits);
+        EXPECT_EQ(refined.mesh().vertex_count(), before.vertex_count());
+        EXPECT_EQ(refined.mesh().face_count(), before.face_count());
+        EXPECT_EQ(refined.mesh().validate(), kValid);
+        refined.mesh().truncate(before.slot_counts());
+        EXPECT_TRUE(refined.mesh() == before);
+        refined.active().finish();
+    }
+}
+
+// Free lists and logs, too.
+TEST(Lanes, GiveTheSameBytesOnAnyNumberOfThreads) {
+    const auto refined_on = [](const Scene& scene, int threads) {
+        const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
+                                          static_cast<std::size_t>(threads));
+        tbb::task_arena arena(threads);
+        return arena.execute([&] {
+            Refined refined(mesh_of(scene), scene.zone);
+            const AdaptLimits half = half_of(refined.mesh());
+            refined.refine(half);
+            refined.decimate({.l_max = 1.2 * half.l_max});
+            refined.refine({.l_max = 0.8 * half.l_max, .floor = 1e-6});
+            std::vector<FaceId> faces(refined.active().faces().begin(),
+                                      refined.active().faces().end());
+            refined.finish();
+            return std::pair(refined.mesh(), std::move(faces));
+        });
+    };
+    for (const Scene& scene : kScenes) {
+        SCOPED_TRACE(scene.name);
+        const auto one = refined_on(scene, 1);
+        for (int threads : {2, 8}) {
+            for (int time = 0; time < 3; ++time) {
+                const auto many = refined_on(scene, threads);
+                EXPECT_TRUE(many.first == one.first);
+                EXPECT_EQ(many.second, one.second);
+            }
+        }
+    }
+}
+
+TEST(Lanes, StayWithinTheBudget) {
+    for (const Scene& scene : kScenes) {
+        SCOPED_TRACE(scene.name);
+        const TriMesh before = mesh_of(scene);
+        AdaptLimits limits = half_of(before);
+        limits.budget = before.face_count() + 10'001;
+        Refined refined(before, scene.zone);
+        EXPECT_TRUE(refined.refine(limits).budget_hit);
+        EXPECT_LE(refined.mesh().face_count(), limits.budget);
+        EXPECT_GE(refined.mesh().face_count() + 3, limits.budget);
+        EXPECT_EQ(refined.mesh().validate(), kValid);
+        refined.finish();
+    }
+}
+
+// What goes is longest in its faces when its turn comes, and comes from a lane that owns its
+// corners; the rest is left over.
+TEST(LaneSplits, SplitTheLongestOfTheirFacesAndLeaveTheOthers) {
+    for (const Scene& scene : kScenes) {
+        SCOPED_TRACE(scene.name);
+        Refined refined(mesh_of(scene), scene.zone);
+        TriMesh in_turn = refined.mesh();
+        const AdaptLimits limits = half_of(refined.mesh());
+        const Criteria criteria(limits, scene.zone, scene.zone);
+        const EdgeLooks looks(refined.active(), criteria);
+        RefinementQueue queue;
+        for (EdgeId e : refined.active().edges()) {
+            if (criteria.needs_refinement(refined.active(), e)) queue.push(e, looks.octave_of(e));
+        }
+        const RefinementQueue::Entries next = queue.take();
+        ASSERT_FALSE(next.is_one_lane);
+        std::size_t needed = 0;
+        for (const auto& lane : next.lanes) {
+            for (EdgeId e : lane) needed += looks.still_needs_split(e, next.octave) ? 1 : 0;
+        }
+        LaneSplits lanes(refined.active(), refined.embedding(), looks, limits);
+        lanes.split(next);
+        std::size_t left = 0;
+        lanes.for_each_left([&](std::size_t, EdgeId e, VertexId end) {
+            EXPECT_TRUE(refined.mesh().is_live(e) && refined.mesh().is_live(end));
+            ++left;
+        });
+        EXPECT_EQ(lanes.split_count() + left, needed);
+        EXPECT_GT(lanes.split_count(), needed / 4);
+        EXPECT_EQ(refined.mesh().validate(), kValid);
+
+        const MeshChange change = refined.finish();
+        ASSERT_EQ(change.edits.size(), lanes.split_count());
+        for (const TopologyEdit edit : change.edits) {
+            in_turn.for_each_side(edit.edge(), [&](HalfEdgeId h) {
+                const double longest = (1.0 + 1e-6) * in_turn.length(edit.edge());
+                EXPECT_LE(in_turn.length(in_turn.edge(TriMesh::next(h))), longest);
+                EXPECT_LE(in_turn.length(in_turn.edge(TriMesh::prev(h))), longest);
+            });
+            in_turn.split(edit.edge());
+        }
+    }
+}
+
+TEST(CornerClaims, GiveACornerToTheLowestLaneOrToTheFirst) {
+    const auto corners = [](std::uint32_t a, std::uint32_t b) {
+        return CornerClaims::Corners{VertexId{a}, VertexId{b}, VertexId{a}, VertexId{b}};
+    };
+    CornerClaims claims;
+    claims.begin(8);
+    claims.claim(corners(0, 1), 2);
+    claims.claim(corners(1, 2), 0);
+    claims.claim(corners(2, 3), 1);
+    EXPECT_FALSE(claims.are_of(corners(0, 1), 2));
+    EXPECT_TRUE(claims.are_of(corners(0, 0), 2));
+    EXPECT_TRUE(claims.are_of(corners(1, 2), 0));
+    EXPECT_FALSE(claims.are_of(corners(2, 3), 1));
+    claims.give_up(corners(1, 2));
+    EXPECT_TRUE(claims.take(corners(1, 4), 3));
+    EXPECT_TRUE(claims.take(corners(4, 1), 3));
+    EXPECT_FALSE(claims.take(corners(5, 4), 0));
+    EXPECT_TRUE(claims.take(corners(5, 5), 0));
+    claims.begin(8);
+    EXPECT_TRUE(claims.take(corners(4, 5), 1));
+}
+
+}  // namespace
+}  // namespace pectin
