@@ -74,6 +74,22 @@ void Embedding::fit_to_entries() {
     has_folded_.resize(active_.vertex_entries());
 }
 
+// Of smooth edges, each of which adds a vertex and a wedge.
+void Embedding::reserve_splits(std::uint32_t count) {
+    if (stages_.empty()) return;
+    const auto reserve = [](auto& values, std::size_t size) {
+        if (values.capacity() < size) values.reserve(2 * size);
+    };
+    const std::size_t vertices = active_.vertex_entries() + std::size_t{count};
+    reserve(weights_, vertices * moves());
+    if (stages_.size() < 2) return;
+    for (std::size_t step = 1; step < stages_.size(); ++step) {
+        reserve(stages_[step].positions, vertices);
+    }
+    reserve(normals_, active_.wedge_entries() + std::size_t{count});
+    reserve(has_folded_, vertices);
+}
+
 const Vec3& Embedding::start_position(std::size_t step, std::uint32_t entry) const {
     return step == 0 ? active_.rest_position_at(entry) : stages_[step].positions[entry];
 }

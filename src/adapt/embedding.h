@@ -28,8 +28,9 @@ class Embedding {
     // state, by the warp's present displacements. Cost: O(influenced), streaming.
     void deform();
     // For the entries that splits have just added; then place(), for all of these. Several threads
-    // may place at the same time.
+    // may place at the same time. Where reserve_splits had that many before, it does not throw.
     void fit_to_entries();
+    void reserve_splits(std::uint32_t count);
     // Weights, positions and normals of what splits have just inserted. A vertex has as many of
     // these as there are sheets, one after another.
     void place(std::span<const ActiveSet::Inserted> inserted);

@@ -129,6 +129,11 @@ void LaneSplits::hold(Lane& lane) {
 }
 
 void LaneSplits::allocate(std::uint32_t count) {
+    embedding_.reserve_splits(count);
+    for (Lane& lane : lanes_) {
+        lane.inserted.reserve(lane.order.size());
+        lane.made.reserve(4 * lane.order.size());
+    }
     active_.allocate_splits(count, places_);
     embedding_.fit_to_entries();
 }
