@@ -78,7 +78,7 @@ void Embedding::fit_to_entries() {
 void Embedding::reserve_splits(std::uint32_t count) {
     if (stages_.empty()) return;
     const auto reserve = [](auto& values, std::size_t size) {
-        if (values.capacity() < size) values.reserve(2 * size);
+        if (size > values.size()) values.make_room(size - values.size());
     };
     const std::size_t vertices = active_.vertex_entries() + std::size_t{count};
     reserve(weights_, vertices * moves());

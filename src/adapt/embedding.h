@@ -55,8 +55,8 @@ class Embedding {
   private:
     // Where a step finds the entries.
     struct Stage {
-        std::vector<Vec3> positions;  // of the vertex entries; empty in the first (rest)
-        std::vector<Box> zones;       // of the step
+        GrowingArray<Vec3> positions;  // of the vertex entries; empty in the first (rest)
+        std::vector<Box> zones;        // of the step
     };
 
     const DragStep* last_drag() const { return std::get_if<DragStep>(&warp_.steps.back()); }
@@ -86,11 +86,11 @@ class Embedding {
     ActiveSet& active_;
     const Warp& warp_;
     std::vector<Stage> stages_;         // one a step
-    std::vector<Vec3f> normals_;        // of the wedge entries before the last step, if several
+    GrowingArray<Vec3f> normals_;       // of the wedge entries before the last step, if several
     GrowingArray<DragWeight> weights_;  // of a drag as last step: vertex entries x moves
     std::vector<std::uint8_t> runs_;    // of blocks of entries where one drag acts
     std::optional<LatticeEvaluator> evaluator_;  // of a lattice field as last step
-    std::vector<std::uint8_t> has_folded_;       // vertex entries, in a step before the last
+    GrowingArray<std::uint8_t> has_folded_;      // vertex entries, in a step before the last
 };
 
 }  // namespace pectin

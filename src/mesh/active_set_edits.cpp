@@ -90,10 +90,8 @@ void ActiveSet::for_each_array_of_splits(Visit visit) {
 
 void ActiveSet::reserve_splits(std::uint32_t count) {
     mesh_.reserve_splits(count);
-    for_each_array_of_splits([&](auto& values, std::size_t a_split) {
-        const std::size_t added = a_split * count;
-        if (values.capacity() - values.size() < added) values.reserve(2 * values.size() + added);
-    });
+    for_each_array_of_splits(
+        [&](auto& values, std::size_t a_split) { values.make_room(a_split * count); });
     room_ = count;
 }
 

@@ -2,37 +2,60 @@
 
 #include <sys/mman.h>
 
+#include <cstdint>
 #include <cstdlib>
 
 namespace pectin {
 namespace {
 
-constexpr std::size_t kLarge = std::size_t{1} << 17;  // as the allocator has it at first
+constexpr std::size_t kPage = 4096;
 
-void* mapped(std::size_t size) {
-    void* const block =
-        mmap(nullptr, size, PROT_READ | PROT_WRITE, MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    return block == MAP_FAILED ? nullptr : block;
+std::size_t in_pages(std::size_t size) { return (size + kPage - 1) / kPage * kPage; }
+
+// From a multiple of a huge page on.
+std::byte* mapped(std::size_t size) {
+    const std::size_t pages = in_pages(size);
+    void* const room = mmap(nullptr, pages + kHugePage, PROT_READ | PROT_WRITE,
+                            MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (room == MAP_FAILED) return nullptr;
+    const std::size_t before = kHugePage - reinterpret_cast<std::uintptr_t>(room) % kHugePage;
+    std::byte* const block = static_cast<std::byte*>(room) + before;
+    munmap(room, before);
+    if (before < kHugePage) munmap(block + pages, kHugePage - before);
+    madvise(block, pages, MADV_HUGEPAGE);  // where the system has none, these are small pages
+    return block;
+}
+
+void unmap(std::byte* block, std::size_t from, std::size_t size) {
+    if (in_pages(size) > from) munmap(block + from, in_pages(size) - from);
 }
 
 }  // namespace
 
-void* resized_block(void* block, std::size_t size, std::size_t new_size) noexcept {
-    if (size < kLarge && new_size < kLarge) return std::realloc(block, new_size);
-    if (size >= kLarge && new_size >= kLarge) {
-        void* const moved = mremap(block, size, new_size, MREMAP_MAYMOVE);
-        return moved == MAP_FAILED ? nullptr : moved;
+void* grown_block(void* block, std::size_t size, std::size_t new_size) noexcept {
+    if (new_size < kHugePage) return std::realloc(block, new_size);
+    std::byte* const grown = mapped(new_size);
+    if (!grown) return nullptr;
+    auto* const old = static_cast<std::byte*>(block);
+    if (size < kHugePage) {
+        if (size > 0) std::memcpy(grown, old, size);
+        std::free(old);
+        return grown;
     }
-    void* const moved = new_size >= kLarge ? mapped(new_size) : std::malloc(new_size);
-    if (!moved) return nullptr;
-    if (size > 0) std::memcpy(moved, block, std::min(size, new_size));
-    free_block(block, size);
-    return moved;
+    // One mapping in the end, since no more than one can be moved at a time.
+    const std::size_t whole = in_pages(size) / kHugePage * kHugePage;
+    if (mremap(old, whole, in_pages(new_size), MREMAP_MAYMOVE | MREMAP_FIXED, grown) == MAP_FAILED)
+        return nullptr;  // `grown` may be another's by now: its addresses are lost, not memory
+    for (std::size_t i = whole; i < size; i += kPage) {
+        std::memcpy(grown + i, old + i, std::min(kPage, size - i));
+    }
+    unmap(old, whole, size);
+    return grown;
 }
 
 void free_block(void* block, std::size_t size) noexcept {
-    if (size >= kLarge) {
-        munmap(block, size);
+    if (size >= kHugePage) {
+        unmap(static_cast<std::byte*>(block), 0, size);
     } else {
         std::free(block);
     }

@@ -13,16 +13,17 @@
 
 namespace pectin {
 
+inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
+
 // A block of bytes, which keeps them as it grows; `size` is what it was made with, 0 with no block.
-// Large ones grow by their page tables, without being copied to memory had anew, each page of which
-// costs a fault; realloc does so only for blocks that the allocator does not serve from its heap,
-// which comes to hold ever larger ones.
+// From a huge page on, what is written first costs a fault for each of these instead of for each
+// small page, and growing moves them by the page tables; only a last page that is not whole is
+// copied. That asks for new_size > size.
 // Null where there is no memory, and the block is then as it was.
-void* resized_block(void* block, std::size_t size, std::size_t new_size) noexcept;
+void* grown_block(void* block, std::size_t size, std::size_t new_size) noexcept;
 void free_block(void* block, std::size_t size) noexcept;
 
-// As std::vector, of what may be moved as bytes, in such a block. A mesh refined to ten times its
-// faces takes 300 new bytes a split; in vectors, which copy what they hold, it took 556.
+// As std::vector, of what may be moved as bytes, in such a block.
 // Whatever makes room throws std::bad_alloc where there is none; the array is then as it was.
 template <typename T>
 class GrowingArray {
@@ -61,22 +62,25 @@ class GrowingArray {
     T& back() { return data_[size_ - 1]; }
     const T& back() const { return data_[size_ - 1]; }
 
+    // Exactly this much at least; make_room, as much as it takes to do this seldom.
     void reserve(std::size_t capacity) {
         if (capacity > capacity_) move_to(capacity);
     }
+    void make_room(std::size_t count) {
+        if (capacity_ - size_ < count) [[unlikely]]
+            grow_to(size_ + count);
+    }
     void push_back(T value) {
-        if (size_ == capacity_) [[unlikely]]
-            grow_to(size_ + 1);
+        make_room(1);
         data_[size_++] = value;
     }
-    // The same where reserve has made room.
+    // The same where there is room.
     void push_into_room(T value) {
         assert(size_ < capacity_);
         data_[size_++] = value;
     }
     void grow(std::size_t count) {  // by what happens to be there
-        if (size_ + count > capacity_) [[unlikely]]
-            grow_to(size_ + count);
+        make_room(count);
         size_ += count;
     }
     void grow_into_room(std::size_t count) {
@@ -87,7 +91,7 @@ class GrowingArray {
     T take_back() { return data_[--size_]; }
     void clear() { size_ = 0; }
     void resize(std::size_t size, T fill = T{}) {
-        if (size > capacity_) grow_to(size);
+        if (size > size_) make_room(size - size_);
         for (std::size_t i = size_; i < size; ++i) data_[i] = fill;
         size_ = size;
     }
@@ -98,7 +102,7 @@ class GrowingArray {
     }
     void append(std::span<const T> values) {  // none of its own
         if (values.empty()) return;
-        if (size_ + values.size() > capacity_) grow_to(size_ + values.size());
+        make_room(values.size());
         std::memcpy(static_cast<void*>(data_ + size_), values.data(), values.size_bytes());
         size_ += values.size();
     }
@@ -106,10 +110,18 @@ class GrowingArray {
   private:
     static constexpr std::size_t kMost = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T);
 
-    [[gnu::noinline]] void grow_to(std::size_t least) { move_to(std::max(least, 2 * capacity_)); }
+    // Twice as much at least, and to the end of a huge page, which comes as a whole anyway.
+    [[gnu::noinline]] void grow_to(std::size_t least) {
+        std::size_t capacity = std::max(least, 2 * capacity_);
+        if (capacity_ > 0 && capacity >= kHugePage / sizeof(T) && capacity <= kMost) {
+            const std::size_t pages = (capacity * sizeof(T) + kHugePage - 1) / kHugePage;
+            capacity = pages * kHugePage / sizeof(T);
+        }
+        move_to(capacity);
+    }
     void move_to(std::size_t capacity) {
         if (capacity > kMost) throw std::bad_alloc();
-        void* const moved = resized_block(data_, capacity_ * sizeof(T), capacity * sizeof(T));
+        void* const moved = grown_block(data_, capacity_ * sizeof(T), capacity * sizeof(T));
         if (!moved) throw std::bad_alloc();
         data_ = static_cast<T*>(moved);
         capacity_ = capacity;

@@ -217,8 +217,7 @@ void TriMesh::for_each_array_of_splits(Visit visit) {
 void TriMesh::reserve_for(std::size_t sides) {
     std::size_t splits = kMostCounted;
     for_each_array_of_splits([&](auto& slots, std::size_t a_side) {
-        const std::size_t added = a_side * sides;
-        if (slots.capacity() - slots.size() < added) slots.reserve(2 * slots.size() + added);
+        slots.make_room(a_side * sides);
         splits = std::min(splits, (slots.capacity() - slots.size()) / (2 * a_side));
     });
     room_.splits = static_cast<std::uint32_t>(splits);

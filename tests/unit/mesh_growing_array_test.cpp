@@ -2,13 +2,12 @@
 
 #include <gtest/gtest.h>
 
-#include <algorithm>
 #include <cstddef>
 #include <cstdint>
 #include <cstdlib>
 #include <limits>
 #include <new>
-#include <span>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -22,10 +21,10 @@ GrowingArray<int> counted(int count) {
 }
 
 TEST(GrowingArray, KeepsWhatItHoldsWhileItGrows) {
-    // Past the size from which the allocator moves a block by its pages.
+    // Far past the size from which it moves by its pages.
     GrowingArray<int> array;
-    for (int i = 0; i < 1'000'000; ++i) array.push_back(i);
-    for (int i = 0; i < 1'000'000; ++i) ASSERT_EQ(array[static_cast<std::size_t>(i)], i);
+    for (int i = 0; i < 5'000'000; ++i) array.push_back(i);
+    for (int i = 0; i < 5'000'000; ++i) ASSERT_EQ(array[static_cast<std::size_t>(i)], i);
 }
 
 TEST(GrowingArray, FillsOnlyWhatAResizeAdds) {
@@ -76,6 +75,50 @@ TEST(GrowingArray, KeepsWhatItHoldsFromAFewBytesToMany) {
         while (array.size() < capacity) array.push_back(array.size());
         const GrowingArray<std::uint64_t> copy = array;
         for (std::size_t i = 0; i < copy.size(); ++i) ASSERT_EQ(copy[i], i);
+    }
+}
+
+// Of bytes that fill no page, a page, a huge page exactly, a byte less and more, and several.
+TEST(GrowingArray, KeepsWhatItHoldsAcrossTheEdgesOfPages) {
+    const std::size_t sizes[] = {1,
+                                 4096,
+                                 kHugePage - 1,
+                                 kHugePage,
+                                 kHugePage + 1,
+                                 3 * kHugePage - 4096,
+                                 3 * kHugePage - 5,
+                                 5 * kHugePage + 4097};
+    for (std::size_t from : sizes) {
+        for (std::size_t to : sizes) {
+            if (to <= from) continue;
+            SCOPED_TRACE(std::to_string(from) + " to " + std::to_string(to));
+            GrowingArray<std::uint8_t> array;
+            array.reserve(from);
+            const auto value = [](std::size_t i) { return static_cast<std::uint8_t>(i * i >> 7); };
+            while (array.size() < from) array.push_back(value(array.size()));
+            array.reserve(to);
+            EXPECT_EQ(array.capacity(), to);
+            while (array.size() < to) array.push_back(value(array.size()));
+            std::size_t wrong = 0;
+            for (std::size_t i = 0; i < to; ++i) wrong += array[i] != value(i) ? 1 : 0;
+            EXPECT_EQ(wrong, 0u);
+        }
+    }
+}
+
+// So that no huge page is begun in small ones. 24 bytes, of which a page holds no whole number.
+TEST(GrowingArray, GrowsToTheEndOfAHugePage) {
+    struct Wide {
+        std::uint64_t words[3];
+    };
+    GrowingArray<Wide> array;
+    array.reserve(100'000);
+    EXPECT_EQ(array.capacity(), 100'000u);
+    for (std::size_t times = 0; times < 5; ++times) {
+        array.make_room(array.capacity() + 1);
+        EXPECT_LT(~(array.capacity() * sizeof(Wide) - 1) % kHugePage, sizeof(Wide));
+        EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array.data()) % kHugePage, 0u);
+        array.grow(array.capacity());
     }
 }
 
