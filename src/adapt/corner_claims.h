@@ -1,4 +1,4 @@
-// Which of several lanes of edits may touch a vertex.
+// Which of several lanes of edits may touch a vertex of an active set.
 #pragma once
 
 #include <algorithm>
@@ -6,11 +6,10 @@
 #include <atomic>
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
-#include <memory>
-#include <new>
+#include <optional>
+#include <vector>
 
-#include "mesh/ids.h"
+#include "mesh/active_set.h"
 
 namespace pectin {
 
@@ -19,46 +18,54 @@ namespace pectin {
 class CornerClaims {
   public:
     using Lane = std::uint8_t;
-    using Corners = std::array<VertexId, 4>;
+    using Corners = std::array<std::uint32_t, 4>;  // vertex entries of an active set
 
-    // For vertices below `slots`, none of which is anybody's. Only what is claimed takes memory.
-    void begin(std::size_t slots) {
-        lanes_.reset(static_cast<Lane*>(std::calloc(std::max<std::size_t>(slots, 1), 1)));
-        if (!lanes_) throw std::bad_alloc();
-        slots_ = slots;
+    // None if one of them has no entry.
+    static std::optional<Corners> corners(const ActiveSet& active,
+                                          const std::array<VertexId, 4>& vertices) {
+        Corners found{};
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const auto entry = active.entry_of(vertices[i]);
+            if (!entry) return std::nullopt;
+            found[i] = *entry;
+        }
+        return found;
     }
-    std::size_t slots() const { return slots_; }
 
-    // --- Several threads may do one of these at a time. O(1).
-    // In the end a corner is the lowest lane's that has claimed it, whichever thread comes first.
+    // For so many entries, none of which is anybody's then. O(entries).
+    void begin(std::size_t entries) { owners_.assign(entries, kNobodys); }
+    std::size_t entries() const { return owners_.size(); }
+
+    // --- Several threads may do the same of these at a time. O(1). Either claim, then are_of: the
+    // lowest lane that has claimed a corner has it, whichever thread came first.
     void claim(const Corners& corners, Lane lane) {
         const Lane own = mark_of(lane);
-        for (VertexId corner : corners) {
-            const std::atomic_ref owner(lanes_.get()[index(corner)]);
+        for (std::uint32_t corner : corners) {
+            const std::atomic_ref owner(owners_[corner]);
             Lane known = owner.load(std::memory_order_relaxed);
             while ((known == kNobodys || own < known) &&
                    !owner.compare_exchange_weak(known, own, std::memory_order_relaxed)) {
             }
         }
     }
-    // The first to come has it. Whether all are the lane's; if not, some may have become so.
+    bool are_of(const Corners& corners, Lane lane) const {
+        return std::ranges::all_of(
+            corners, [&](std::uint32_t corner) { return owners_[corner] == mark_of(lane); });
+    }
+    // Or the first to come has it. Whether all are the lane's; if not, some may have become so.
     bool take(const Corners& corners, Lane lane) {
         const Lane own = mark_of(lane);
-        return std::ranges::all_of(corners, [&](VertexId corner) {
-            const std::atomic_ref owner(lanes_.get()[index(corner)]);
+        return std::ranges::all_of(corners, [&](std::uint32_t corner) {
+            const std::atomic_ref owner(owners_[corner]);
             Lane known = owner.load(std::memory_order_relaxed);
             return known == own ||
                    (known == kNobodys &&
                     owner.compare_exchange_strong(known, own, std::memory_order_relaxed));
         });
     }
-    bool are_of(const Corners& corners, Lane lane) const {
-        return std::ranges::all_of(
-            corners, [&](VertexId corner) { return lanes_.get()[index(corner)] == mark_of(lane); });
-    }
     void give_up(const Corners& corners) {
-        for (VertexId corner : corners) {
-            std::atomic_ref(lanes_.get()[index(corner)]).store(kNobodys, std::memory_order_relaxed);
+        for (std::uint32_t corner : corners) {
+            std::atomic_ref(owners_[corner]).store(kNobodys, std::memory_order_relaxed);
         }
     }
 
@@ -66,11 +73,7 @@ class CornerClaims {
     static constexpr Lane kNobodys = 0;
     static Lane mark_of(Lane lane) { return static_cast<Lane>(lane + 1); }
 
-    struct Free {
-        void operator()(Lane* lanes) const { std::free(lanes); }
-    };
-    std::unique_ptr<Lane, Free> lanes_;
-    std::size_t slots_ = 0;
+    std::vector<Lane> owners_;  // of the entries
 };
 
 }  // namespace pectin

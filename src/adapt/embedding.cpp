@@ -43,8 +43,7 @@ void Embedding::embed() {
     for (std::uint32_t w = 0; w < normals_.size(); ++w) normals_[w] = active_.rest_normal_at(w);
     std::vector<DragWeight> all;
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
-        const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
-        const std::size_t count = drag ? drag->displacements.size() : 0;
+        const std::size_t count = moves_of(step);
         all.assign(count * active_.vertex_entries(), {});
         const auto of_entry = [&](std::uint32_t i) {
             return std::span(all).subspan(i * count, count);
@@ -218,9 +217,18 @@ void Embedding::deform_wedges(std::uint32_t first, std::uint32_t end) {
     }
 }
 
-void Embedding::place(std::span<const ActiveSet::Inserted> inserted) {
+// The most that a step before the last has.
+std::size_t Embedding::scratch_size() const {
+    std::size_t size = 0;
+    for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
+        size = std::max(size, moves_of(step));
+    }
+    return size;
+}
+
+void Embedding::place(std::span<const ActiveSet::Inserted> inserted,
+                      std::span<DragWeight> scratch) {
     if (stages_.empty()) return;
-    std::vector<DragWeight> scratch;
     for (std::size_t i = 0, next = 0; i < inserted.size(); i = next) {
         next = i + 1;
         while (next < inserted.size() && !inserted[next].is_first_sheet) ++next;
@@ -229,7 +237,7 @@ void Embedding::place(std::span<const ActiveSet::Inserted> inserted) {
 }
 
 void Embedding::place_vertex(std::span<const ActiveSet::Inserted> sheets,
-                             std::vector<DragWeight>& scratch) {
+                             std::span<DragWeight> scratch) {
     const std::uint32_t entry = sheets.front().vertex_entry;
     const bool is_influenced = active_.is_influenced_at(entry);
     if (is_influenced && stages_.size() == 1 && moves() == 1) return place_by_one_drag(sheets);
@@ -262,18 +270,17 @@ void Embedding::place_by_one_drag(std::span<const ActiveSet::Inserted> sheets) {
 }
 
 void Embedding::bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
-                                   std::vector<DragWeight>& scratch) {
+                                   std::span<DragWeight> scratch) {
     const std::uint32_t entry = sheets.front().vertex_entry;
     for_each_wedge(sheets, [&](std::uint32_t w) { normals_[w] = active_.rest_normal_at(w); });
     const bool is_influenced = active_.is_influenced_at(entry);
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
-        const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
-        scratch.assign(drag ? drag->displacements.size() : 0, {});
+        const std::span<DragWeight> weights = scratch.first(moves_of(step));
         if (is_influenced) {
-            weigh(step, entry, scratch);
-            for_each_wedge(sheets, [&](std::uint32_t w) { turn(step, w, scratch); });
+            weigh(step, entry, weights);
+            for_each_wedge(sheets, [&](std::uint32_t w) { turn(step, w, weights); });
         }
-        advance(step, entry, scratch);
+        advance(step, entry, weights);
     }
 }
 

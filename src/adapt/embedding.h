@@ -27,13 +27,19 @@ class Embedding {
     // Positions, wedge normals and deformed marks of all influenced vertices from their rest
     // state, by the warp's present displacements. Cost: O(influenced), streaming.
     void deform();
-    // For the entries that splits have just added; then place(), for all of these. Several threads
-    // may place at the same time. Where reserve_splits had that many before, it does not throw.
+    // For the entries that splits have just added; then place(), for all of these. It does not
+    // throw where reserve_splits has made room for as many splits of smooth edges.
     void fit_to_entries();
     void reserve_splits(std::uint32_t count);
-    // Weights, positions and normals of what splits have just inserted. A vertex has as many of
-    // these as there are sheets, one after another.
-    void place(std::span<const ActiveSet::Inserted> inserted);
+    // Several threads may, each with its own: weights, positions and normals of what splits have
+    // just inserted. A vertex has as many of these as there are sheets, one after another.
+    void place(std::span<const ActiveSet::Inserted> inserted) {
+        std::vector<DragWeight> scratch(scratch_size());
+        place(inserted, scratch);
+    }
+    // The same, working in what each thread has of its own: so many weights.
+    void place(std::span<const ActiveSet::Inserted> inserted, std::span<DragWeight> scratch);
+    std::size_t scratch_size() const;
 
     // Where the warp takes a point, by its present displacements.
     Vec3 image(const Vec3& rest) const;
@@ -61,7 +67,11 @@ class Embedding {
 
     const DragStep* last_drag() const { return std::get_if<DragStep>(&warp_.steps.back()); }
     std::size_t last() const { return stages_.size() - 1; }
-    std::size_t moves() const { return last_drag() ? last_drag()->displacements.size() : 0; }
+    std::size_t moves_of(std::size_t step) const {
+        const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
+        return drag ? drag->displacements.size() : 0;
+    }
+    std::size_t moves() const { return moves_of(last()); }
 
     // --- A step before the last. weights: what weigh() has found, of a drag.
     void weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> weights) const;
@@ -69,11 +79,10 @@ class Embedding {
     void turn(std::size_t step, std::uint32_t wedge, std::span<const DragWeight> weights);
     void place_by_one_drag(std::span<const ActiveSet::Inserted> sheets);
     void bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
-                            std::vector<DragWeight>& scratch);
+                            std::span<DragWeight> scratch);
 
     // --- The last step, every frame.
-    void place_vertex(std::span<const ActiveSet::Inserted> sheets,
-                      std::vector<DragWeight>& scratch);
+    void place_vertex(std::span<const ActiveSet::Inserted> sheets, std::span<DragWeight> scratch);
     void embed_entry(std::uint32_t entry);
     void deform_vertices(std::uint32_t first, std::uint32_t last);
     void deform_wedges(std::uint32_t first, std::uint32_t last);

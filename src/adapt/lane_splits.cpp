@@ -5,8 +5,8 @@
 namespace pectin {
 
 void LaneSplits::split(const RefinementQueue::Entries& next) {
-    const std::size_t slots = active_.mesh().vertex_slots();
-    if (claims_.slots() < slots) claims_.begin(2 * slots);
+    const std::size_t entries = active_.vertex_entries();
+    if (claims_.entries() < entries) claims_.begin(2 * entries);
     chosen_.resize(active_.edges().size(), 0);
     for (std::size_t i = 0; i < lanes_.size(); ++i) {
         lanes_[i].number = static_cast<CornerClaims::Lane>(i);
@@ -47,9 +47,9 @@ LaneSplits::Candidate LaneSplits::candidate(EdgeId e) const {
     const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
     Candidate found{e, mesh.target(h)};
     if (active_.entry_of(e) && mesh.is_smooth(e)) {
-        found.corners =
-            CornerClaims::Corners{mesh.origin(h), found.end, mesh.origin(TriMesh::prev(h)),
-                                  mesh.origin(TriMesh::prev(twin))};
+        found.corners = CornerClaims::corners(
+            active_, {mesh.origin(h), found.end, mesh.origin(TriMesh::prev(h)),
+                      mesh.origin(TriMesh::prev(twin))});
     }
     return found;
 }
@@ -133,6 +133,7 @@ void LaneSplits::allocate(std::uint32_t count) {
     for (Lane& lane : lanes_) {
         lane.inserted.reserve(lane.order.size());
         lane.made.reserve(4 * lane.order.size());
+        lane.scratch.resize(embedding_.scratch_size());
     }
     active_.allocate_splits(count, places_);
     embedding_.fit_to_entries();
@@ -143,7 +144,7 @@ void LaneSplits::make(Lane& lane) {
     for (std::size_t i = 0; i < lane.order.size(); ++i) {
         lane.inserted.push_back(active_.split(lane.order[i], places_, lane.first + i));
     }
-    embedding_.place(lane.inserted);
+    embedding_.place(lane.inserted, lane.scratch);
     lane.made.clear();
     for (const ActiveSet::Inserted& made : lane.inserted) {
         const EdgeLooks::Octaves octaves = looks_.look_round(made);

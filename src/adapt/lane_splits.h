@@ -19,8 +19,8 @@ namespace pectin {
 // Edges come in lanes. What is split in different lanes has no corner of its faces in common, so
 // that lanes may go at the same time and the mesh comes out as if they went one after another. Left
 // over is an edge of whose corners one belongs to another lane, one that something has to be split
-// before, a crease, a boundary, and one that is not active. All of it depends on the lanes alone,
-// not on the threads.
+// before, a crease, a boundary, and one at the rim of what is active. All of it depends on the
+// lanes alone, not on the threads.
 class LaneSplits {
   public:
     LaneSplits(ActiveSet& active, Embedding& embedding, const EdgeLooks& looks,
@@ -28,7 +28,8 @@ class LaneSplits {
         : active_(active), embedding_(embedding), looks_(looks), limits_(limits) {}
 
     // Splits those that still need it and places what this inserts. Throws std::bad_alloc before
-    // anything has been changed.
+    // anything has been changed. Cost: O(edges), if few have to go before others of their lane that
+    // come first; else up to the square of a lane.
     void split(const RefinementQueue::Entries& next);
 
     // How many the last call has split.
@@ -68,6 +69,7 @@ class LaneSplits {
         std::size_t first = 0;      // the place of its first
         std::vector<ActiveSet::Inserted> inserted;
         std::vector<std::pair<EdgeId, std::uint16_t>> made;
+        std::vector<DragWeight> scratch;  // of place()
     };
 
     void look(Lane& lane, std::size_t octave);

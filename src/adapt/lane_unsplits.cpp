@@ -1,6 +1,7 @@
 #include "adapt/lane_unsplits.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "adapt/parallel.h"
 
@@ -12,8 +13,10 @@ constexpr std::size_t kSample = 1024;
 }  // namespace
 
 std::uint64_t LaneUnsplits::unsplit(std::span<const VertexId> level) {
-    claims_.begin(active_.mesh().vertex_slots());
+    claims_.begin(active_.vertex_entries());
     part(level);
+    for (Lane& lane : lanes_) reserve(lane);
+    active_.reserve_unsplits(level.size());
     for_each_of(lanes_, [this](Lane& lane) { unsplit(lane); });
     std::uint64_t removed = 0;
     for (Lane& lane : lanes_) {
@@ -28,17 +31,18 @@ std::uint64_t LaneUnsplits::unsplit(std::span<const VertexId> level) {
     return removed;
 }
 
-// By their base faces, about as many in each.
+// By their base faces, those of one base face in their order; about as many in each.
 void LaneUnsplits::part(std::span<const VertexId> level) {
-    const auto place = [mesh = &active_.mesh()](VertexId m) {
-        return mesh->base_face(TriMesh::face(mesh->half_edge(m)));
+    using Place = std::pair<FaceId, std::size_t>;
+    const auto place = [&, mesh = &active_.mesh()](std::size_t i) {
+        return Place(mesh->base_face(TriMesh::face(mesh->half_edge(level[i]))), i);
     };
-    std::vector<FaceId> sample;
+    std::vector<Place> sample;
     for (std::size_t i = 0; i < level.size(); i += 1 + level.size() / kSample) {
-        sample.push_back(place(level[i]));
+        sample.push_back(place(i));
     }
     std::ranges::sort(sample);
-    std::array<FaceId, kLanes - 1> borders{};
+    std::array<Place, kLanes - 1> borders{};
     for (std::size_t i = 0; i < borders.size(); ++i) {
         borders[i] = sample[(i + 1) * sample.size() / kLanes];
     }
@@ -46,30 +50,43 @@ void LaneUnsplits::part(std::span<const VertexId> level) {
         lanes_[i].number = static_cast<CornerClaims::Lane>(i);
         lanes_[i].vertices.clear();
     }
-    for (VertexId m : level) {
-        const auto lane = std::ranges::upper_bound(borders, place(m)) - borders.begin();
-        lanes_[static_cast<std::size_t>(lane)].vertices.push_back(m);
+    for (std::size_t i = 0; i < level.size(); ++i) {
+        const auto lane = std::ranges::upper_bound(borders, place(i)) - borders.begin();
+        lanes_[static_cast<std::size_t>(lane)].vertices.push_back(level[i]);
     }
+}
+
+// For what unsplitting them takes at most.
+void LaneUnsplits::reserve(Lane& lane) {
+    lane.unsplits.clear();
+    lane.waiting.clear();
+    lane.last.clear();
+    lane.unsplits.reserve(lane.vertices.size());
+    lane.waiting.reserve(lane.vertices.size());
+    lane.last.reserve(lane.vertices.size());
 }
 
 // Before a star's corners are the lane's, it only reads what no other lane writes.
 void LaneUnsplits::unsplit(Lane& lane) {
-    lane.unsplits.clear();
-    lane.unsplits.reserve(lane.vertices.size());
-    lane.waiting.clear();
-    lane.last.clear();
     for (VertexId m : lane.vertices) {
         const auto star = active_.mesh().removable(m);
         if (!star || !criteria_.may_unsplit(active_, *star)) continue;
-        if (!active_.may_unsplit_apart(*star)) {
+        const auto corners = corners_of(*star);
+        if (!corners) {
             lane.last.push_back(m);
-        } else if (claims_.take({star->a, star->b, star->c, star->d}, lane.number)) {
+        } else if (claims_.take(*corners, lane.number)) {
             lane.unsplits.push_back(active_.unsplit_apart(*star));
         } else {
             lane.waiting.push_back(lane.unsplits.size());
             lane.unsplits.push_back({.ids = {.m = m}});
         }
     }
+}
+
+// None where it has to go alone.
+std::optional<CornerClaims::Corners> LaneUnsplits::corners_of(const Star& star) const {
+    if (!active_.may_unsplit_apart(star)) return std::nullopt;
+    return CornerClaims::corners(active_, {star.a, star.b, star.c, star.d});
 }
 
 void LaneUnsplits::unsplit_waiting(Lane& lane) {

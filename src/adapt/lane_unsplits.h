@@ -3,6 +3,7 @@
 
 #include <array>
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -27,7 +28,9 @@ class LaneUnsplits {
     LaneUnsplits(ActiveSet& active, const Criteria& criteria)
         : active_(active), criteria_(criteria) {}
 
-    // Removes those of one level that may go; how many these were. Cost: O(vertices).
+    // Removes those of one level that may go; how many these were. Throws std::bad_alloc where
+    // there is no memory: before anything has been changed, or between two that go one by one.
+    // Precondition: at least one. Cost: O(vertices + vertex entries).
     std::uint64_t unsplit(std::span<const VertexId> level);
 
   private:
@@ -42,6 +45,8 @@ class LaneUnsplits {
     };
 
     void part(std::span<const VertexId> level);
+    static void reserve(Lane& lane);
+    std::optional<CornerClaims::Corners> corners_of(const Star& star) const;
     void unsplit(Lane& lane);
     void unsplit_waiting(Lane& lane);
 

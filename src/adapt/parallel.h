@@ -1,9 +1,11 @@
 // Work on the elements of flat arrays, on all threads where there is enough of it.
 #pragma once
 
-#include <algorithm>
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <functional>
+#include <new>
 
 namespace pectin {
 
@@ -28,13 +30,24 @@ void for_pieces(std::uint32_t first, std::uint32_t end, const Work& work,
 }
 
 // Calls work(item) for each, one thread for each at most; the same threads take the same ones from
-// call to call if they can, so that what they touched is still in their caches.
-template <typename Items, typename Work>
-void for_each_of(Items& items, const Work& work) {
-    for_pieces_on_all_threads(0, static_cast<std::uint32_t>(items.size()), 1,
-                              [&](std::uint32_t first, std::uint32_t end) {
-                                  for (std::uint32_t i = first; i < end; ++i) work(items[i]);
-                              });
+// call to call if they can, so that what they touched is still in their caches. Where memory for
+// this is short, the calling thread does what is not done yet; so work that does not throw is done,
+// and work that throws std::bad_alloc is tried once more.
+template <typename Item, std::size_t count, typename Work>
+void for_each_of(std::array<Item, count>& items, const Work& work) {
+    std::array<bool, count> done{};
+    const auto some = [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+            if (done[i]) continue;
+            work(items[i]);
+            done[i] = true;
+        }
+    };
+    try {
+        for_pieces_on_all_threads(0, count, 1, some);
+    } catch (const std::bad_alloc&) {
+        some(0, count);
+    }
 }
 
 }  // namespace pectin

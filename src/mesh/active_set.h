@@ -175,6 +175,8 @@ class ActiveSet {
     };
     Unsplit unsplit_apart(const Star& star);
     void log_unsplits(std::span<const Unsplit> unsplits);
+    // Room for so many, which then do not throw.
+    void reserve_unsplits(std::size_t count);
     // Whether bm and mc are smooth, and star.m, its wedge and bm have entries.
     bool may_unsplit_apart(const Star& star) const;
     std::uint64_t edit_count() const { return edits_.size(); }
@@ -243,8 +245,8 @@ class ActiveSet {
     GrowingArray<Vec3f> rest_normals_;
     GrowingArray<std::uint32_t> wedge_owners_;  // vertex entries
     // A removed vertex may have a wedge on the side where no face is active: as it was.
-    std::vector<WedgeId> lost_wedges_;
-    std::vector<Vec3f> lost_normals_;
+    GrowingArray<WedgeId> lost_wedges_;
+    GrowingArray<Vec3f> lost_normals_;
     GrowingArray<EdgeId> edges_;
     GrowingArray<std::uint8_t> one_look_;  // of edges_
     GrowingArray<std::uint32_t>

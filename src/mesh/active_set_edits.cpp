@@ -1,6 +1,7 @@
 // Splits and unsplits of an active set, and the entries they make.
+#include <algorithm>
 #include <cassert>
-#include <utility>
+#include <limits>
 
 #include "mesh/active_set.h"
 #include "mesh/midpoint_normal.h"
@@ -83,6 +84,7 @@ void ActiveSet::for_each_array_of_splits(Visit visit) {
     visit(wedge_entry_, 2);
     visit(edges_, 4);
     visit(one_look_, 4);
+    visit(turned_looks_, 4);
     visit(edge_states_, 3);
     visit(faces_, 4);
     visit(edits_, 1);
@@ -90,9 +92,12 @@ void ActiveSet::for_each_array_of_splits(Visit visit) {
 
 void ActiveSet::reserve_splits(std::uint32_t count) {
     mesh_.reserve_splits(count);
-    for_each_array_of_splits(
-        [&](auto& values, std::size_t a_split) { values.make_room(a_split * count); });
-    room_ = count;
+    std::size_t splits = std::numeric_limits<std::uint32_t>::max();
+    for_each_array_of_splits([&](auto& values, std::size_t a_split) {
+        values.make_room(a_split * count);
+        splits = std::min(splits, (values.capacity() - values.size()) / a_split);
+    });
+    room_ = static_cast<std::uint32_t>(splits);
 }
 
 // Before anything is changed: without the memory nothing has happened.
@@ -154,10 +159,10 @@ void ActiveSet::insert_sheet(const Split& s, std::uint32_t vertex_entry, float h
 }
 
 void ActiveSet::allocate_splits(std::uint32_t count, SplitPlaces& places) {
-    reserve_splits(count);
-    room_ -= count;
     places.ids.resize(count);
     places.entries.resize(count);
+    if (room_ < count) reserve_splits(count);
+    room_ -= count;
     places.first_edit = edits_.size();
     places.first_face = faces_.size();
     mesh_.allocate_splits(places.ids);
@@ -220,7 +225,25 @@ Vec3 ActiveSet::rest_area_normal(VertexId p, VertexId q, VertexId r) const {
     return glm::cross(rest_position(q) - from, rest_position(r) - from);
 }
 
+// Of vertices with so many sheets in all: the most that they leave behind.
+void ActiveSet::reserve_unsplits(std::size_t sheets) {
+    mesh_.reserve_unsplits(sheets);
+    edits_.make_room(sheets);
+    faces_.make_room(4 * sheets);
+    free_vertex_entries_.make_room(sheets);
+    free_wedge_entries_.make_room(2 * sheets);
+}
+
 void ActiveSet::unsplit(const Star& star) {
+    std::size_t sheets = 0;
+    mesh_.for_each_sheet(star, [&](const Star&) { ++sheets; });
+    reserve_unsplits(sheets);
+    edges_.make_room(2 * sheets);  // what the rim of the active set has none of
+    one_look_.make_room(2 * sheets);
+    turned_looks_.make_room(2 * sheets);
+    measured_edges_.make_room(2 * sheets);
+    lost_wedges_.make_room(2 * sheets);
+    lost_normals_.make_room(2 * sheets);
     room_ = 0;
     mesh_.for_each_sheet(star, [this](const Star& sheet) { drop_sheet(sheet); });
     std::uint32_t& entry = vertex_entry_[index(star.m)];

@@ -202,6 +202,8 @@ class TriMesh {
     // calls. Precondition: as unsplit's, and bm and mc are smooth.
     SplitIds remove_midpoint(const Star& star);
     void free_split(const SplitIds& ids);
+    // Room for what so many unsplits of one sheet free, so that these do not throw.
+    void reserve_unsplits(std::size_t count);
 
     // m's surroundings, if it may go: not a base vertex, exactly four edges (three on a
     // boundary, as many in each sheet along a cut), and all neighbours at its level or lower.

@@ -158,6 +158,13 @@ SplitIds TriMesh::remove_midpoint(const Star& star) {
     return ids;
 }
 
+void TriMesh::reserve_unsplits(std::size_t count) {
+    free_vertices_.make_room(count);
+    free_wedges_.make_room(2 * count);
+    free_edges_.make_room(3 * count);
+    free_faces_.make_room(2 * count);
+}
+
 // In the order that unsplit would.
 void TriMesh::free_split(const SplitIds& ids) {
     for (FaceId f : {ids.face4, ids.face3}) free_faces_.push_back(f);

@@ -224,7 +224,7 @@ TEST(LaneSplits, SplitTheLongestOfTheirFacesAndLeaveTheOthers) {
 
 TEST(CornerClaims, GiveACornerToTheLowestLaneOrToTheFirst) {
     const auto corners = [](std::uint32_t a, std::uint32_t b) {
-        return CornerClaims::Corners{VertexId{a}, VertexId{b}, VertexId{a}, VertexId{b}};
+        return CornerClaims::Corners{a, b, a, b};
     };
     CornerClaims claims;
     claims.begin(8);
