@@ -3,11 +3,13 @@
 // for the distance of a midpoint from the faces at its edge (the paper's figure 5).
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <optional>
 #include <vector>
 
+#include "adapt/lanes.h"
 #include "ffd/symmetry.h"
 #include "geometry/box.h"
 #include "mesh/active_set.h"
@@ -32,6 +34,9 @@ struct AdaptLimits {
     std::optional<MirrorPlane> symmetry{};
     // The warp folds nothing: a commit leaves no faces that cut each other (adapt_without_cuts).
     bool without_cuts = false;
+    // Of splits and removals that go on several threads (LaneSplits, LaneUnsplits). In which order
+    // they go depends on it; how many threads there are does not matter.
+    std::size_t lane_length = kLaneLength;
 };
 
 // The tests of one pass. Edges along a cut (siblings) are one edge to all of them, with as many

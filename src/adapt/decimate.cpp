@@ -48,8 +48,10 @@ bool thin(ActiveSet& active, const Criteria& criteria, Cuts* cuts, Decimation& r
     const auto levels = candidates_by_level(active);
     LaneUnsplits lanes(active, criteria);
     for (std::size_t level = levels.size(); level-- > 1;) {
-        if (!cuts && levels[level].size() >= LaneUnsplits::kWorthLanes) {
-            result.unsplits += lanes.unsplit(levels[level]);
+        if (!cuts && are_worth_lanes(levels[level].size(), criteria.limits().lane_length)) {
+            const std::uint64_t removed = lanes.unsplit(levels[level]);
+            result.unsplits += removed;
+            result.unsplits_in_lanes += removed;
             continue;
         }
         for (VertexId m : levels[level]) {

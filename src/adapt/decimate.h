@@ -12,6 +12,7 @@ class Cuts;
 
 struct Decimation {
     std::uint64_t unsplits = 0;
+    std::uint64_t unsplits_in_lanes = 0;  // of these, together with others of their level
 };
 
 // The active vertices by level, highest first, so that later refinements go before earlier ones
@@ -22,7 +23,7 @@ struct Decimation {
 // Two inserted vertices of one level are never neighbours (a midpoint's level is above those of
 // all its neighbours), so neither the order within a level matters nor can removing one change
 // what another of its level or above sees: one pass is enough, and where a level has thousands it
-// goes on all threads (LaneUnsplits).
+// goes on up to four threads (LaneUnsplits).
 //
 // cuts: none goes whose restored faces would cut. That does depend on the order; where removing
 // others may have made room, it is tried again.

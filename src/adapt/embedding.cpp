@@ -33,12 +33,14 @@ void Embedding::embed() {
     for (std::size_t step = 0; step < stages_.size(); ++step) {
         stages_[step].zones = zones_of(warp_.steps[step]);
     }
-    const auto* field =
-        warp_.steps.empty() ? nullptr : std::get_if<LatticeField>(&warp_.steps.back());
-    evaluator_ = field ? std::optional<LatticeEvaluator>(*field) : std::nullopt;
-    if (!stages_.empty() && moves() == 1) runs_ = lasting_runs(active_);
+    evaluator_.reset();
     weights_.clear();
-    weights_.resize(active_.vertex_entries() * (stages_.empty() ? 0 : moves()));
+    if (stages_.empty()) return;
+    if (const auto* field = std::get_if<LatticeField>(&warp_.steps.back())) {
+        evaluator_.emplace(*field);
+    }
+    if (moves() == 1) runs_ = lasting_runs(active_);
+    weights_.resize(active_.vertex_entries() * moves());
     fit_to_entries();
     for (std::uint32_t w = 0; w < normals_.size(); ++w) normals_[w] = active_.rest_normal_at(w);
     std::vector<DragWeight> all;

@@ -1,4 +1,4 @@
-// Splitting many edges on all threads.
+// Splitting many edges on several threads.
 #pragma once
 
 #include <array>
@@ -89,7 +89,7 @@ class LaneSplits {
     Embedding& embedding_;
     const EdgeLooks& looks_;
     const AdaptLimits& limits_;
-    std::array<Lane, RefinementQueue::kLanes> lanes_;
+    std::array<Lane, kLanes> lanes_;
     CornerClaims claims_;
     std::vector<std::uint8_t> chosen_;  // edge entries: whether split in this call
     ActiveSet::SplitPlaces places_;

@@ -1,4 +1,4 @@
-// Undoing many splits on all threads.
+// Undoing many splits on several threads.
 #pragma once
 
 #include <array>
@@ -9,6 +9,7 @@
 
 #include "adapt/corner_claims.h"
 #include "adapt/criteria.h"
+#include "adapt/lanes.h"
 #include "mesh/active_set.h"
 
 namespace pectin {
@@ -22,9 +23,6 @@ namespace pectin {
 // last, one by one.
 class LaneUnsplits {
   public:
-    // Fewer are not worth several threads.
-    static constexpr std::size_t kWorthLanes = 4096;
-
     LaneUnsplits(ActiveSet& active, const Criteria& criteria)
         : active_(active), criteria_(criteria) {}
 
@@ -34,8 +32,6 @@ class LaneUnsplits {
     std::uint64_t unsplit(std::span<const VertexId> level);
 
   private:
-    static constexpr std::size_t kLanes = 4;
-
     struct Lane {
         CornerClaims::Lane number = 0;
         std::vector<VertexId> vertices;

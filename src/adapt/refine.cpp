@@ -1,6 +1,5 @@
 #include "adapt/refine.h"
 
-#include <algorithm>
 #include <cstring>
 
 #include "adapt/edge_looks.h"
@@ -21,7 +20,8 @@ class Refiner {
           criteria_(criteria),
           looks_(active, criteria),
           propagation_(active, criteria.limits(), [this](EdgeId e) { return may_split(e); }),
-          lanes_(active, embedding, looks_, criteria.limits()) {}
+          lanes_(active, embedding, looks_, criteria.limits()),
+          queue_(criteria.limits().lane_length) {}
 
     Refinement run() {
         push_all_needed();
@@ -76,6 +76,7 @@ class Refiner {
     void split_lanes(const RefinementQueue::Entries& next) {
         lanes_.split(next);
         result_.splits += lanes_.split_count();
+        result_.splits_in_lanes += lanes_.split_count();
         lanes_.for_each_new(
             [this](std::size_t lane, EdgeId e, std::uint16_t octave) { push(e, octave, lane); });
         const bool again = lanes_.most_went();

@@ -13,6 +13,7 @@ namespace pectin {
 
 struct Refinement {
     std::uint64_t splits = 0;
+    std::uint64_t splits_in_lanes = 0;  // of these, with others at the same time
     bool floor_hit = false;
     bool budget_hit = false;
     // Edges that needed it and are above the floor, but lie beside one that the floor keeps from
@@ -21,12 +22,13 @@ struct Refinement {
     std::uint64_t cuts = 0;  // that adapt_without_cuts has to leave
 };
 
-// A queue by decreasing deformed length (in octaves of its square, first come first served within
-// one): take edges from it, look again whether they need refinement, split them at their midpoints,
-// test the edges round the new vertices (Gain & Dodgson 1999, section 4). That goes in batches, so
-// that memory is walked through once; an edge that a split makes waits for the next batch, also
-// where it is longer. Where thousands wait, batches come from several parts of the surface and go
-// on all threads (LaneSplits); with symmetry on, on one. The same comes out on any number of them.
+// A queue by decreasing deformed length (in octaves of its square; within one, where few wait,
+// first come, first served): take edges from it, look again whether they need refinement, split
+// them at their midpoints, test the edges round the new vertices (Gain & Dodgson 1999, section 4).
+// That goes in batches, so that memory is walked through once; an edge that a split makes waits for
+// the next batch, also where it is longer. Where thousands wait, batches come from several parts of
+// the surface and go on up to four threads (LaneSplits); with symmetry on, on one. The same comes
+// out on any number.
 //
 // Before an edge is split, any edge of its two faces that is more than rho times as long at rest
 // is split first, repeatedly (longest-edge propagation, Rivara 1984); such chains end, since they

@@ -8,6 +8,7 @@
 #include <span>
 #include <vector>
 
+#include "adapt/lanes.h"
 #include "mesh/ids.h"
 
 namespace pectin {
@@ -19,18 +20,17 @@ namespace pectin {
 // octaves passed and edges taken over.
 class RefinementQueue {
   public:
-    static constexpr std::size_t kOctaves = 2048;  // the exponents of a double
-    static constexpr std::size_t kLanes = 4;
-    static constexpr std::size_t kInLane = 512;  // taken from one lane at a time, at most
-    // Fewer that wait are not worth several threads.
-    static constexpr std::size_t kWorthLanes = 2 * kLanes * kInLane;
-    static constexpr std::size_t kAlone = 1024;  // taken from one lane, where that is all
+    static constexpr std::size_t kOctaves = 2048;    // the exponents of a double
+    static constexpr std::size_t kInOneLane = 1024;  // taken at a time, where one lane is served
 
     struct Entries {
         std::array<std::span<const EdgeId>, kLanes> lanes;
         std::size_t octave = 0;
         bool is_one_lane = false;
     };
+
+    // lane_length: taken from each lane at a time, where all are served.
+    explicit RefinementQueue(std::size_t lane_length = kLaneLength) : lane_length_(lane_length) {}
 
     void push(EdgeId e, std::size_t octave, std::size_t lane = 0) {
         if (buckets_.empty()) lowest_ = octave;
@@ -54,7 +54,7 @@ class RefinementQueue {
 
     // Some of the longest octave. Valid until the next push. Precondition: not is_empty().
     Entries take() {
-        Entries entries = buckets_[longest_].take();
+        Entries entries = buckets_[longest_].take(lane_length_);
         entries.octave = lowest_ + longest_;
         return entries;
     }
@@ -96,13 +96,13 @@ class RefinementQueue {
             lanes_[lane].push(e);
             ++waiting_;
         }
-        Entries take() {
+        Entries take(std::size_t lane_length) {
             Entries entries;
-            entries.is_one_lane = waiting_ < kWorthLanes;
-            if (!entries.is_one_lane) fill_empty_lanes();
+            entries.is_one_lane = !are_worth_lanes(waiting_, lane_length);
+            if (!entries.is_one_lane) fill_empty_lanes(lane_length);
             for (std::size_t i = 0; i < kLanes; ++i) {
                 if (lanes_[i].waiting() == 0) continue;
-                entries.lanes[i] = lanes_[i].take(entries.is_one_lane ? kAlone : kInLane);
+                entries.lanes[i] = lanes_[i].take(entries.is_one_lane ? kInOneLane : lane_length);
                 waiting_ -= entries.lanes[i].size();
                 if (entries.is_one_lane) break;
             }
@@ -110,17 +110,18 @@ class RefinementQueue {
         }
 
       private:
-        void fill_empty_lanes() {
+        void fill_empty_lanes(std::size_t lane_length) {
             for (Lane& lane : lanes_) {
                 if (lane.waiting() > 0) continue;
                 Lane& longest = *std::ranges::max_element(lanes_, {}, &Lane::waiting);
-                if (longest.waiting() > 2 * kInLane) longest.give_half(lane);
+                if (longest.waiting() > 2 * lane_length) longest.give_half(lane);
             }
         }
         std::array<Lane, kLanes> lanes_;
         std::size_t waiting_ = 0;  // in all of them
     };
 
+    std::size_t lane_length_;
     std::vector<Bucket> buckets_;  // of the octaves from lowest_ on
     std::size_t lowest_ = 0;
     std::size_t longest_ = 0;  // the last bucket that is not empty, or beyond

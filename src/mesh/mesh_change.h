@@ -18,6 +18,7 @@ class TopologyEdit {
 
     bool is_split() const { return (bits_ & kUnsplit) == 0; }
     EdgeId edge() const { return EdgeId{bits_ & ~kUnsplit}; }
+    bool operator==(const TopologyEdit&) const = default;
 
   private:
     static constexpr std::uint32_t kUnsplit = 0x80000000u;

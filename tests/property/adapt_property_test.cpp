@@ -30,10 +30,14 @@ AdaptLimits random_limits(const Warp& warp, double diagonal, Random& random) {
     if (random.chance(0.2)) settings.flatness = Setting::of(random.scale(1e-3, 1.0));
     if (random.chance(0.1)) settings.flatness = Setting::off();
     if (random.chance(0.3)) settings.propagation = random.uniform(1.0, 1.49);
+    // Short lanes, so that small meshes have several.
+    const int lane_length = random.chance(0.6) ? random.integer(1, 8) : 512;
     // Small thresholds on large zones need millions of triangles; a floor keeps the cases small
     // and is itself part of what is tested.
     settings.floor = Setting::of(diagonal * random.scale(8e-3, 6e-2));
-    return settings.limits(warp.smallest_cell_extent(), diagonal);
+    AdaptLimits limits = settings.limits(warp.smallest_cell_extent(), diagonal);
+    limits.lane_length = static_cast<std::size_t>(lane_length);
+    return limits;
 }
 
 std::uint64_t active_edges_needing_refinement(const ActiveSet& active, const Criteria& criteria,

@@ -51,19 +51,19 @@ TEST(RefinementQueue, ServesManyInLanesThatLieFarApart) {
     EXPECT_FALSE(first.is_one_lane);
     std::vector<std::uint32_t> begins;
     for (const auto& lane : first.lanes) {
-        ASSERT_EQ(lane.size(), Queue::kInLane);
+        ASSERT_EQ(lane.size(), kLaneLength);
         begins.push_back(index(lane.front()));
         for (std::size_t i = 0; i < lane.size(); ++i) {
             EXPECT_EQ(index(lane[i]), begins.back() + i);
         }
     }
     const Queue::Entries second = queue.take();
-    for (std::size_t i = 0; i < Queue::kLanes; ++i) {
-        EXPECT_EQ(index(second.lanes[i].front()), begins[i] + Queue::kInLane);
+    for (std::size_t i = 0; i < kLanes; ++i) {
+        EXPECT_EQ(index(second.lanes[i].front()), begins[i] + kLaneLength);
     }
     std::ranges::sort(begins);
     for (std::size_t i = 1; i < begins.size(); ++i) {
-        EXPECT_GE(begins[i] - begins[i - 1], count / (2 * Queue::kLanes));
+        EXPECT_GE(begins[i] - begins[i - 1], count / (2 * kLanes));
     }
 }
 
