@@ -102,7 +102,7 @@ double LaneSplits::spoke(EdgeId split, VertexId apex) const {
     const HalfEdgeId h = active_.mesh().half_edge(split);
     const Vec3 m = 0.5 * active_.rest_position(active_.mesh().origin(h)) +
                    0.5 * active_.rest_position(active_.mesh().target(h));
-    return static_cast<double>(static_cast<float>(glm::distance(active_.rest_position(apex), m)));
+    return static_cast<double>(active_.spoke_at_rest(apex, m));
 }
 
 // --- Splitting them
@@ -115,14 +115,14 @@ std::uint32_t LaneSplits::number_lanes() {
         count += static_cast<std::uint32_t>(lane.order.size());
     }
     const TriMesh& mesh = active_.mesh();
-    if (mesh.may_split_any(count) && mesh.face_count() + std::size_t{2} * count <= limits_.budget)
+    if (mesh.has_levels_for(count) && mesh.face_count() + std::size_t{2} * count <= limits_.budget)
         return count;
-    for (Lane& lane : lanes_) hold(lane);
+    for (Lane& lane : lanes_) leave_all(lane);
     return 0;
 }
 
 // All of it has to be looked at one by one.
-void LaneSplits::hold(Lane& lane) {
+void LaneSplits::leave_all(Lane& lane) {
     forget(lane);
     for (Candidate& candidate : lane.candidates) candidate.goes = false;
     lane.order.clear();
@@ -142,7 +142,7 @@ void LaneSplits::allocate(std::uint32_t count) {
 void LaneSplits::make(Lane& lane) {
     lane.inserted.clear();
     for (std::size_t i = 0; i < lane.order.size(); ++i) {
-        lane.inserted.push_back(active_.split(lane.order[i], places_, lane.first + i));
+        lane.inserted.push_back(active_.split_apart(lane.order[i], places_, lane.first + i));
     }
     embedding_.place(lane.inserted, lane.scratch);
     lane.made.clear();

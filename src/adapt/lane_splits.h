@@ -80,7 +80,7 @@ class LaneSplits {
     double spoke(EdgeId split, VertexId apex) const;
     bool is_chosen(EdgeId e) const;
     std::uint32_t number_lanes();
-    void hold(Lane& lane);
+    void leave_all(Lane& lane);
     void allocate(std::uint32_t count);
     void make(Lane& lane);
     void forget(Lane& lane);

@@ -147,10 +147,12 @@ class ActiveSet {
         return split(e, inserted);
     }
     // Room for `count` splits of edges with one or two sides, here and in the mesh, so that these
-    // move no array.
+    // move no array and do not throw.
     void reserve_splits(std::uint32_t count);
-    // The same on several threads, of active edges that are smooth (TriMesh says which may go at
-    // the same time): what is taken for each must be used. The second changes no array's size.
+    // --- The same on several threads, of active edges that are smooth; TriMesh says which may go
+    // at the same time. allocate_splits takes ids, entries and room in the log for so many, or
+    // throws std::bad_alloc and has changed nothing. Until split_apart has been called once with
+    // each, in any order, nothing else may be asked of what it took. That changes no array's size.
     struct SplitPlaces {
         struct Entries {
             std::uint32_t vertex, wedge;
@@ -161,10 +163,15 @@ class ActiveSet {
         std::size_t first_edit, first_face;  // in the log, of the first
     };
     void allocate_splits(std::uint32_t count, SplitPlaces& places);
-    Inserted split(EdgeId e, const SplitPlaces& places, std::size_t i);
-    // Precondition: star.m has an entry.
+    Inserted split_apart(EdgeId e, const SplitPlaces& places, std::size_t i);
+    // The length of the edge from an apex to the midpoint m, both at rest, as rest_length has it.
+    float spoke_at_rest(VertexId apex, const Vec3& m) const {
+        return static_cast<float>(glm::distance(rest_position(apex), m));
+    }
+
+    // Precondition: star.m has an entry. Throws std::bad_alloc before anything is changed.
     void unsplit(const Star& star);
-    // The same on several threads. Two calls may run at the same time if no corner of the one's
+    // --- The same on several threads. Two calls may run at the same time if no corner of the one's
     // faces is one of the other's. What they return is logged, and what they removed is free, when
     // log_unsplits has it, in that order. Precondition: may_unsplit_apart(star).
     struct Unsplit {

@@ -47,6 +47,7 @@ std::uint32_t ActiveSet::allocate_edge_entry(EdgeId e, bool one_look) {
 }
 
 void ActiveSet::enter(std::uint32_t entry, VertexId v, const Vec3& rest, bool was_deformed) {
+    assert(index(v) < vertex_entry_.size());
     vertex_entry_[index(v)] = entry;
     vertices_[entry] = v;
     rest_positions_[entry] = rest;
@@ -61,12 +62,13 @@ void ActiveSet::enter(std::uint32_t entry, WedgeId w, const Vec3f& rest, std::ui
 }
 
 void ActiveSet::enter(std::uint32_t entry, EdgeId e, float rest_length) {
+    assert(index(e) < edge_states_.size());
     edge_states_[index(e)] = {entry, rest_length};
 }
 
 // am or dm.
 void ActiveSet::enter_spoke(std::uint32_t entry, EdgeId e, VertexId apex, const Vec3& m) {
-    const auto length = static_cast<float>(glm::distance(rest_position(apex), m));
+    const float length = spoke_at_rest(apex, m);
     enter(entry, e, length);
     note_length(length);
 }
@@ -178,7 +180,7 @@ void ActiveSet::allocate_splits(std::uint32_t count, SplitPlaces& places) {
     splits_ += count;
 }
 
-ActiveSet::Inserted ActiveSet::split(EdgeId e, const SplitPlaces& places, std::size_t i) {
+ActiveSet::Inserted ActiveSet::split_apart(EdgeId e, const SplitPlaces& places, std::size_t i) {
     EdgeState& state = edge_states_[index(e)];
     assert(state.entry != kNoEntry && one_look_[state.entry] != 0);
     const float length = keep_rest_length(e), half_length = 0.5f * length;

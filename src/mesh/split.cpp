@@ -103,7 +103,7 @@ bool TriMesh::may_split(EdgeId e) const {
     return highest_level_ < kMostLevel || highest_level_round(e) < kMostLevel;
 }
 
-bool TriMesh::may_split_any(std::uint32_t count) const {
+bool TriMesh::has_levels_for(std::uint32_t count) const {
     return highest_level_ + std::size_t{count} < kMostLevel;
 }
 

@@ -186,11 +186,12 @@ class TriMesh {
     void reserve_splits(std::uint32_t count);
     // Whether the level of the midpoint would still fit in 16 bits.
     bool may_split(EdgeId e) const;
-    // The same of all edges, also after `count` splits. O(1); false says little.
-    bool may_split_any(std::uint32_t count) const;
+    // Whether it would for any edge, also after `count` splits. O(1); false says little.
+    bool has_levels_for(std::uint32_t count) const;
 
     // --- Splits on several threads. allocate_splits takes what so many splits of smooth edges
-    // would; the mesh is whole again when insert_midpoint has been called once with each.
+    // would, or throws std::bad_alloc and has changed nothing; the mesh is whole again when
+    // insert_midpoint has been called once with each.
     // Two such calls may run at the same time if no corner of the one's faces is one of the
     // other's; then all comes out as if they went one after another, in the order of their ids.
     // Preconditions: may_split(e), is_smooth(e).

@@ -127,7 +127,7 @@ double mean_edge(const TriMesh& mesh) {
 void refine_to_half_mean(benchmark::State& state) {
     const TriMesh mesh = sphere(7);
     const AdaptLimits half{.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6};
-    double count = 0.0, taken = 0.0;
+    double count = 0.0, in_lanes = 0.0, taken = 0.0;
     for (auto _ : state) {
         Scene scene(mesh, {0, 0, 1}, {0, 0, 1e-3}, 4.0);
         Refinement done;
@@ -135,8 +135,10 @@ void refine_to_half_mean(benchmark::State& state) {
         state.SetIterationTime(seconds([&] { done = scene.refine(half); }));
         taken += resident_bytes() - before;
         count += static_cast<double>(done.splits);
+        in_lanes += static_cast<double>(done.splits_in_lanes);
     }
     state.counters["new_bytes_per_split"] = taken / count;
+    state.counters["in_lanes"] = in_lanes / count;
     state.counters["M_per_s"] = benchmark::Counter(1e-6 * count, benchmark::Counter::kIsRate);
 }
 BENCHMARK(refine_to_half_mean)->UseManualTime()->Unit(benchmark::kMillisecond);

@@ -7,114 +7,24 @@
 #include <set>
 
 #include "mesh/build_mesh.h"
-#include "mesh/face_tree.h"
 #include "mesh/midpoint_normal.h"
 #include "mesh/shapes.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "unit/mesh_active_set_random.h"
 
 namespace pectin {
 namespace {
 
+using test::begin;
+using test::deform_at_random;
 using test::edge_between;
+using test::edit_at_random;
+using test::expect_same;
+using test::kValid;
 using test::Random;
-
-const std::vector<std::string> kValid;
-
-Box random_zone(const TriMesh& mesh, Random& random) {
-    const Box all = mesh.bounding_box();
-    const Vec3 share{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
-    const Vec3 centre = all.min + share * all.extent();
-    const double half = all.diagonal() * random.scale(0.05, 0.7);
-    return {.min = centre - half, .max = centre + half};
-}
-
-void begin(ActiveSet& active, const Box& zone) {
-    active.begin(FaceTree(active.mesh()).faces_meeting(zone, active.mesh()), zone);
-}
-
-// Gives every influenced vertex and wedge any position, mark and normal.
-void deform_at_random(ActiveSet& active, Random& random) {
-    TriMesh& mesh = active.mesh();
-    for (std::uint32_t i = 0; i < active.vertex_entries(); ++i) {
-        const VertexId v = active.vertex(i);
-        const bool moves = random.chance(0.7);
-        if (!moves || !exists(v) || !active.is_influenced_at(i)) continue;
-        mesh.set_position(v, mesh.position(v) + 0.1 * random.direction());
-        mesh.set_deformed(v, true);
-    }
-    for (std::uint32_t i = 0; i < active.wedge_entries(); ++i) {
-        const WedgeId w = active.wedge(i);
-        const bool turns = random.chance(0.7);
-        if (!turns || !exists(w) || !active.is_influenced_at(active.wedge_owner(i))) continue;
-        mesh.set_normal(w, Vec3f{random.direction()});
-    }
-}
-
-EdgeId random_edge(const TriMesh& mesh, Random& random) {
-    const auto edges = test::live_edges(mesh);
-    const int last = static_cast<int>(edges.size()) - 1;
-    return edges[static_cast<std::size_t>(random.integer(0, last))];
-}
-
-// Splits and measures anywhere in the mesh, as propagation may; unsplits only what has an entry.
-void edit_at_random(ActiveSet& active, Random& random, int edits) {
-    for (int i = 0; i < edits; ++i) {
-        if (random.chance(0.5)) active.rest_length(random_edge(active.mesh(), random));
-        if (random.chance(0.55) || active.vertex_entries() == 0) {
-            active.split(random_edge(active.mesh(), random));
-        } else {
-            const VertexId v = active.vertex(static_cast<std::uint32_t>(
-                random.integer(0, static_cast<int>(active.vertex_entries()) - 1)));
-            if (!exists(v)) continue;
-            if (const auto star = active.mesh().removable(v)) active.unsplit(*star);
-        }
-        if (i % 7 == 0) deform_at_random(active, random);
-    }
-}
-
-// Everything an active set says of itself.
-void expect_same(ActiveSet& x, ActiveSet& y) {
-    ASSERT_EQ(x.vertex_entries(), y.vertex_entries());
-    ASSERT_EQ(x.wedge_entries(), y.wedge_entries());
-    EXPECT_EQ(x.influenced_at_begin(), y.influenced_at_begin());
-    EXPECT_EQ(x.influenced_wedges_at_begin(), y.influenced_wedges_at_begin());
-    EXPECT_EQ(x.splits(), y.splits());
-    EXPECT_EQ(x.unsplits(), y.unsplits());
-    for (std::uint32_t i = 0; i < x.vertex_entries(); ++i) {
-        EXPECT_EQ(x.vertex(i), y.vertex(i));
-        EXPECT_EQ(x.rest_position_at(i), y.rest_position_at(i));
-        EXPECT_EQ(x.was_deformed_at(i), y.was_deformed_at(i));
-    }
-    for (std::uint32_t i = 0; i < x.wedge_entries(); ++i) {
-        EXPECT_EQ(x.wedge(i), y.wedge(i));
-        EXPECT_EQ(x.rest_normal_at(i), y.rest_normal_at(i));
-        EXPECT_EQ(x.wedge_owner(i), y.wedge_owner(i));
-    }
-    EXPECT_TRUE(std::ranges::equal(x.edges(), y.edges()));
-    EXPECT_TRUE(std::ranges::equal(x.one_look_edges(), y.one_look_edges()));
-    for (std::uint32_t v = 0; v < x.mesh().vertex_slots(); ++v) {
-        EXPECT_EQ(x.rest_position(VertexId{v}), y.rest_position(VertexId{v}));
-    }
-    for (std::uint32_t w = 0; w < x.mesh().wedge_slots(); ++w) {
-        EXPECT_EQ(x.rest_normal(WedgeId{w}), y.rest_normal(WedgeId{w}));
-    }
-    for (EdgeId e : test::live_edges(x.mesh())) EXPECT_EQ(x.rest_length(e), y.rest_length(e));
-}
-
-void expect_same(const MeshChange& x, const MeshChange& y) {
-    EXPECT_EQ(x.slots_before, y.slots_before);
-    EXPECT_EQ(x.faces, y.faces);
-    ASSERT_EQ(x.edits.size(), y.edits.size());
-    for (std::size_t i = 0; i < x.edits.size(); ++i) {
-        EXPECT_EQ(x.edits[i].is_split(), y.edits[i].is_split());
-        EXPECT_EQ(x.edits[i].edge(), y.edits[i].edge());
-    }
-    EXPECT_EQ(x.before.vertices, y.before.vertices);
-    EXPECT_EQ(x.before.wedges, y.before.wedges);
-    EXPECT_EQ(x.after.vertices, y.after.vertices);
-    EXPECT_EQ(x.after.wedges, y.after.wedges);
-}
+using test::random_edge;
+using test::random_zone;
 
 TEST(ActiveSet, RollsBackUndoesAndRedoesAnyEditsToTheByte) {
     const int cases = test::case_count(300);
@@ -362,101 +272,6 @@ TEST(ActiveSet, HasRoomForSplits) {
         active.finish();
         plain.finish();
     }
-}
-
-// Whether none of these has been taken; then they are.
-bool takes_corners(std::initializer_list<VertexId> corners, std::set<VertexId>& taken) {
-    if (std::ranges::any_of(corners, [&](VertexId v) { return taken.contains(v); })) return false;
-    taken.insert(corners);
-    return true;
-}
-
-// Smooth active edges that no two faces with a corner in common are at.
-std::vector<EdgeId> edges_apart(const ActiveSet& active, Random& random) {
-    const TriMesh& mesh = active.mesh();
-    std::set<VertexId> taken;
-    std::vector<EdgeId> apart;
-    for (int i = 0; i < 100; ++i) {
-        const EdgeId e = random_edge(mesh, random);
-        if (!active.entry_of(e) || !mesh.is_smooth(e)) continue;
-        const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
-        if (takes_corners({mesh.origin(h), mesh.target(h), mesh.origin(TriMesh::prev(h)),
-                           mesh.origin(TriMesh::prev(twin))},
-                          taken)) {
-            apart.push_back(e);
-        }
-    }
-    return apart;
-}
-
-// The same of vertices that may go.
-std::vector<VertexId> vertices_apart(const ActiveSet& active) {
-    std::set<VertexId> taken;
-    std::vector<VertexId> apart;
-    for (VertexId m : active.vertices()) {
-        if (!exists(m)) continue;
-        const auto star = active.mesh().removable(m);
-        if (star && active.may_unsplit_apart(*star) &&
-            takes_corners({star->a, star->b, star->c, star->d}, taken)) {
-            apart.push_back(m);
-        }
-    }
-    return apart;
-}
-
-// What has no corner in common may go in any order, and so at the same time: all comes out as one
-// after another, in new slots and in those that were free, in the mesh and in what is logged.
-TEST(ActiveSet, SplitsAndUnsplitsApartInAnyOrderAsOneAfterAnother) {
-    std::size_t splits = 0, unsplits = 0;
-    const int cases = test::case_count(200);
-    for (int i = 0; i < cases; ++i) {
-        const auto seed = 7000 + static_cast<std::uint64_t>(i);
-        SCOPED_TRACE("seed " + std::to_string(seed));
-        Random random(seed);
-        TriMesh mesh = test::random_mesh(random).mesh;
-        for (int split = 0; split < 20; ++split) mesh.split(random_edge(mesh, random));
-        const TriMesh before = mesh;
-        TriMesh other = mesh;
-        ActiveSet apart(mesh), in_turn(other);
-        const Box zone = random_zone(mesh, random);
-        begin(apart, zone);
-        begin(in_turn, zone);
-        for (int round = 0; round < 3; ++round) {
-            const std::vector<EdgeId> edges = edges_apart(apart, random);
-            ActiveSet::SplitPlaces split_places;
-            apart.allocate_splits(static_cast<std::uint32_t>(edges.size()), split_places);
-            for (std::size_t k = edges.size(); k-- > 0;) {
-                const ActiveSet::Inserted made = apart.split(edges[k], split_places, k);
-                EXPECT_EQ(made.vertex_entry, split_places.entries[k].vertex);
-            }
-            for (EdgeId e : edges) in_turn.split(e);
-            EXPECT_TRUE(mesh == other);
-            expect_same(apart, in_turn);
-            EXPECT_EQ(apart.longest_at_rest(), in_turn.longest_at_rest());
-
-            const std::vector<VertexId> vertices = vertices_apart(apart);
-            std::vector<ActiveSet::Unsplit> done(vertices.size());
-            for (std::size_t k = vertices.size(); k-- > 0;) {
-                done[k] = apart.unsplit_apart(*mesh.removable(vertices[k]));
-            }
-            apart.log_unsplits(done);
-            for (VertexId m : vertices) in_turn.unsplit(*other.removable(m));
-            EXPECT_TRUE(mesh == other);
-            EXPECT_EQ(mesh.validate(), kValid);
-            expect_same(apart, in_turn);
-            splits += edges.size();
-            unsplits += vertices.size();
-            Random same(seed);
-            edit_at_random(apart, same, 20);
-            same = Random(seed);
-            edit_at_random(in_turn, same, 20);
-        }
-        apart.roll_back();
-        EXPECT_TRUE(mesh == before);
-        apart.finish();
-    }
-    EXPECT_GT(splits, 5 * static_cast<std::size_t>(cases));
-    EXPECT_GT(unsplits, 5 * static_cast<std::size_t>(cases));
 }
 
 TEST(ActiveSet, UsesTheEntriesOfRemovedVerticesAgain) {

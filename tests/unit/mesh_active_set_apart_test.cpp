@@ -1,0 +1,120 @@
+// Splits and unsplits of an active set that may go at the same time.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <initializer_list>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "mesh/active_set.h"
+#include "unit/mesh_active_set_random.h"
+
+namespace pectin {
+namespace {
+
+using test::begin;
+using test::edit_at_random;
+using test::expect_same;
+using test::kValid;
+using test::Random;
+using test::random_edge;
+using test::random_zone;
+
+// Whether none of these has been taken; then they are.
+bool takes_corners(std::initializer_list<VertexId> corners, std::set<VertexId>& taken) {
+    if (std::ranges::any_of(corners, [&](VertexId v) { return taken.contains(v); })) return false;
+    taken.insert(corners);
+    return true;
+}
+
+// Smooth active edges that no two faces with a corner in common are at.
+std::vector<EdgeId> edges_apart(const ActiveSet& active, Random& random) {
+    const TriMesh& mesh = active.mesh();
+    std::set<VertexId> taken;
+    std::vector<EdgeId> apart;
+    for (int i = 0; i < 100; ++i) {
+        const EdgeId e = random_edge(mesh, random);
+        if (!active.entry_of(e) || !mesh.is_smooth(e)) continue;
+        const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
+        if (takes_corners({mesh.origin(h), mesh.target(h), mesh.origin(TriMesh::prev(h)),
+                           mesh.origin(TriMesh::prev(twin))},
+                          taken)) {
+            apart.push_back(e);
+        }
+    }
+    return apart;
+}
+
+// The same of vertices that may go.
+std::vector<VertexId> vertices_apart(const ActiveSet& active) {
+    std::set<VertexId> taken;
+    std::vector<VertexId> apart;
+    for (VertexId m : active.vertices()) {
+        if (!exists(m)) continue;
+        const auto star = active.mesh().removable(m);
+        if (star && active.may_unsplit_apart(*star) &&
+            takes_corners({star->a, star->b, star->c, star->d}, taken)) {
+            apart.push_back(m);
+        }
+    }
+    return apart;
+}
+
+// What has no corner in common may go in any order, and so at the same time: all comes out as one
+// after another, in new slots and in those that were free, in the mesh and in what is logged.
+TEST(ActiveSet, SplitsAndUnsplitsApartInAnyOrderAsOneAfterAnother) {
+    std::size_t splits = 0, unsplits = 0;
+    const int cases = test::case_count(200);
+    for (int i = 0; i < cases; ++i) {
+        const auto seed = 7000 + static_cast<std::uint64_t>(i);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        for (int split = 0; split < 20; ++split) mesh.split(random_edge(mesh, random));
+        const TriMesh before = mesh;
+        TriMesh other = mesh;
+        ActiveSet apart(mesh), in_turn(other);
+        const Box zone = random_zone(mesh, random);
+        begin(apart, zone);
+        begin(in_turn, zone);
+        for (int round = 0; round < 3; ++round) {
+            const std::vector<EdgeId> edges = edges_apart(apart, random);
+            ActiveSet::SplitPlaces split_places;
+            apart.allocate_splits(static_cast<std::uint32_t>(edges.size()), split_places);
+            for (std::size_t k = edges.size(); k-- > 0;) {
+                const ActiveSet::Inserted made = apart.split_apart(edges[k], split_places, k);
+                EXPECT_EQ(made.vertex_entry, split_places.entries[k].vertex);
+            }
+            for (EdgeId e : edges) in_turn.split(e);
+            EXPECT_TRUE(mesh == other);
+            expect_same(apart, in_turn);
+            EXPECT_EQ(apart.longest_at_rest(), in_turn.longest_at_rest());
+
+            const std::vector<VertexId> vertices = vertices_apart(apart);
+            std::vector<ActiveSet::Unsplit> done(vertices.size());
+            for (std::size_t k = vertices.size(); k-- > 0;) {
+                done[k] = apart.unsplit_apart(*mesh.removable(vertices[k]));
+            }
+            apart.log_unsplits(done);
+            for (VertexId m : vertices) in_turn.unsplit(*other.removable(m));
+            EXPECT_TRUE(mesh == other);
+            EXPECT_EQ(mesh.validate(), kValid);
+            expect_same(apart, in_turn);
+            splits += edges.size();
+            unsplits += vertices.size();
+            Random same(seed);
+            edit_at_random(apart, same, 20);
+            same = Random(seed);
+            edit_at_random(in_turn, same, 20);
+        }
+        apart.roll_back();
+        EXPECT_TRUE(mesh == before);
+        apart.finish();
+    }
+    EXPECT_GT(splits, 5 * static_cast<std::size_t>(cases));
+    EXPECT_GT(unsplits, 5 * static_cast<std::size_t>(cases));
+}
+
+}  // namespace
+}  // namespace pectin
