@@ -13,8 +13,7 @@
 
 namespace pectin {
 
-// Blocks of at least a huge page begin at most so many bytes behind one.
-inline constexpr std::size_t kHugePage = std::size_t{1} << 21, kMostOffset = std::size_t{1} << 16;
+inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
 
 // A block of bytes, which keeps them as it grows; `size` is what it was made with, 0 with no block.
 // From a huge page on, what is written first costs a fault for each of these instead of for each
@@ -115,9 +114,8 @@ class GrowingArray {
     [[gnu::noinline]] void grow_to(std::size_t least) {
         std::size_t capacity = std::max(least, 2 * capacity_);
         if (capacity_ > 0 && capacity >= kHugePage / sizeof(T) && capacity <= kMost) {
-            const std::size_t bytes = capacity * sizeof(T) + kMostOffset;
-            const std::size_t pages = (bytes + kHugePage - 1) / kHugePage;
-            capacity = (pages * kHugePage - kMostOffset) / sizeof(T);
+            const std::size_t pages = (capacity * sizeof(T) + kHugePage - 1) / kHugePage;
+            capacity = pages * kHugePage / sizeof(T);
         }
         move_to(capacity);
     }
