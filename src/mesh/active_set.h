@@ -147,7 +147,7 @@ class ActiveSet {
         return split(e, inserted);
     }
     // Room for `count` splits of edges with one or two sides, here and in the mesh, so that these
-    // move no array and do not throw.
+    // move no array.
     void reserve_splits(std::uint32_t count);
     // --- The same on several threads, of active edges that are smooth; TriMesh says which may go
     // at the same time. allocate_splits takes ids, entries and room in the log for so many, or

@@ -62,7 +62,8 @@ class GrowingArray {
     T& back() { return data_[size_ - 1]; }
     const T& back() const { return data_[size_ - 1]; }
 
-    // Exactly this much at least; make_room, as much as it takes to do this seldom.
+    // reserve: this many in all, no more. make_room: so many further ones, and some ahead, so that
+    // it seldom moves what there is.
     void reserve(std::size_t capacity) {
         if (capacity > capacity_) move_to(capacity);
     }
