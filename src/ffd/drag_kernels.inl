@@ -1,38 +1,191 @@
 // The loops of a frame over many elements, as drag_field.h has them for one, to the bit.
-// drag_stream.cpp includes this file once for each width of vector, inside a namespace: vectors of
-// a compiler's own are cut to the width of the function that names them.
+// drag_stream.cpp includes this file once for each width of vector, inside a namespace with that
+// width as kLanes, in floats: vectors of a compiler's own are cut to the width of the function that
+// names them.
 //
 // Elements lie one after the other (three numbers a point or normal, four a weight); vectors hold
 // one number each of several elements. What is left over at the end is done one by one.
 
-using Vec4f [[gnu::vector_size(16)]] = float;
-using Vec8f [[gnu::vector_size(32)]] = float;
-using Vec8i [[gnu::vector_size(32)]] = std::int32_t;
-using Vec4d [[gnu::vector_size(32)]] = double;
+using Floats [[gnu::vector_size(kLanes * 4)]] = float;
+using Ints [[gnu::vector_size(kLanes * 4)]] = std::int32_t;
+using Doubles [[gnu::vector_size(kLanes * 4)]] = double;
+using HalfFloats [[gnu::vector_size(kLanes * 2)]] = float;
+
+constexpr std::size_t kDoubles = kLanes / 2;
 
 template <typename Vector, typename Number>
-Vector load(const Number* p) {
+inline Vector load(const Number* p) {
     Vector v;
     std::memcpy(&v, p, sizeof v);
     return v;
 }
 template <typename Vector, typename Number>
-void store(Number* p, const Vector& v) {
+inline void store(Number* p, const Vector& v) {
     std::memcpy(p, &v, sizeof v);
 }
 
-// w of four weights.
-inline Vec4d four_shares(const DragWeight* weights) {
-    const float* const p = &weights->w;
-    const Vec4f a = load<Vec4f>(p), b = load<Vec4f>(p + 4), c = load<Vec4f>(p + 8),
-                d = load<Vec4f>(p + 12);
-    const Vec4f ab = __builtin_shufflevector(a, b, 0, 4, 1, 5);
-    const Vec4f cd = __builtin_shufflevector(c, d, 0, 4, 1, 5);
-    return __builtin_convertvector(__builtin_shufflevector(ab, cd, 0, 1, 4, 5), Vec4d);
+// Lane i becomes lane from(i) of a, or of b, whose lanes are counted on from those of a.
+template <typename From, typename Vector, std::size_t... I>
+inline auto shuffle(const Vector& a, const Vector& b, std::index_sequence<I...>) {
+    return __builtin_shufflevector(a, b, From::lane(I)...);
+}
+template <typename From>
+inline Floats shuffle(const Floats& a, const Floats& b) {
+    return shuffle<From>(a, b, std::make_index_sequence<kLanes>{});
 }
 
-inline Vec4d magnitude(const Vec4d& v) { return v < 0.0 ? -v : v; }
-inline Vec4d greater(const Vec4d& a, const Vec4d& b) { return a > b ? a : b; }
+// Has the machine fetch what will be read or written kAhead elements on, which it would notice too
+// late where passes go from one array to the next every few elements. Nothing happens past the end.
+constexpr std::size_t kAhead = 128, kCacheLine = 64;
+enum class For { reading, writing };
+
+template <For kFor, typename Element>
+inline void fetch_ahead(const Element* elements, std::size_t count) {
+    const std::uintptr_t first =
+        reinterpret_cast<std::uintptr_t>(elements) + kAhead * sizeof *elements;
+    for (std::size_t i = 0; i < count * sizeof *elements; i += kCacheLine) {
+        __builtin_prefetch(reinterpret_cast<const void*>(first + i), kFor == For::writing);
+    }
+}
+
+// --- Weights: four vectors of them
+
+// A square of four weights lies in one quarter of their vectors (16 bytes), and is transposed
+// there: the weights of four vectors come to lie in this order.
+constexpr std::size_t weight_in(std::size_t lane) { return lane % 4 * (kLanes / 4) + lane / 4; }
+constexpr std::size_t lane_of(std::size_t weight) {
+    return weight % (kLanes / 4) * 4 + weight / (kLanes / 4);
+}
+
+// One number of each of two, and the next one: 0 and 1 of their quarters, or 2 and 3.
+template <std::size_t kFirst>
+struct Interleaved {
+    static constexpr std::size_t lane(std::size_t i) {
+        return i / 4 * 4 + kFirst + i % 4 / 2 + i % 2 * kLanes;
+    }
+};
+// Two numbers of each of two.
+template <std::size_t kFirst>
+struct Paired {
+    static constexpr std::size_t lane(std::size_t i) {
+        return i / 4 * 4 + kFirst + i % 2 + i % 4 / 2 * kLanes;
+    }
+};
+
+// One coordinate of kLanes elements each, in the order of weight_in.
+struct Coordinates {
+    Floats x, y, z;
+};
+
+inline Coordinates load_gradients(const DragWeight* weights) {
+    const float* const p = &weights->w;
+    const Floats a = load<Floats>(p), b = load<Floats>(p + kLanes),
+                 c = load<Floats>(p + 2 * kLanes), d = load<Floats>(p + 3 * kLanes);
+    const Floats wx_ab = shuffle<Interleaved<0>>(a, b), wx_cd = shuffle<Interleaved<0>>(c, d);
+    const Floats yz_ab = shuffle<Interleaved<2>>(a, b), yz_cd = shuffle<Interleaved<2>>(c, d);
+    return {shuffle<Paired<2>>(wx_ab, wx_cd), shuffle<Paired<0>>(yz_ab, yz_cd),
+            shuffle<Paired<2>>(yz_ab, yz_cd)};
+}
+
+// w of kDoubles weights.
+struct FirstOfFours {
+    static constexpr std::size_t lane(std::size_t i) { return i * 4; }
+};
+inline Doubles load_shares(const DragWeight* weights) {
+    const float* const p = &weights->w;
+    const Floats a = load<Floats>(p), b = load<Floats>(p + kLanes);
+    const HalfFloats w = shuffle<FirstOfFours>(a, b, std::make_index_sequence<kDoubles>{});
+    return __builtin_convertvector(w, Doubles);
+}
+
+// --- Points and normals: three vectors of them
+
+// Lane i of the v-th vector holds coordinate (v kLanes + i) % 3, and each lane holds each
+// coordinate in one of the three, as kLanes is no multiple of 3. So two blends, which cost next to
+// nothing, gather one coordinate of all, and one permutation puts it in order.
+constexpr std::size_t coordinate_in(std::size_t vector, std::size_t lane) {
+    return (vector * kLanes + lane) % 3;
+}
+constexpr std::size_t vector_with(std::size_t coordinate, std::size_t lane) {
+    return coordinate_in(0, lane) == coordinate ? 0 : coordinate_in(1, lane) == coordinate ? 1 : 2;
+}
+
+// Lanes of b where a coordinate lies in the kVector-th of three, else of a.
+template <std::size_t kCoordinate, std::size_t kVector>
+struct Gathered {
+    static constexpr std::size_t lane(std::size_t i) {
+        return vector_with(kCoordinate, i) == kVector ? kLanes + i : i;
+    }
+};
+template <std::size_t kCoordinate>
+struct InOrder {
+    static constexpr std::size_t lane(std::size_t i) {
+        return (3 * weight_in(i) + kCoordinate) % kLanes;
+    }
+};
+template <std::size_t kCoordinate>
+inline Floats coordinate(const Floats& a, const Floats& b, const Floats& c) {
+    const Floats ab = shuffle<Gathered<kCoordinate, 1>>(a, b);
+    const Floats abc = shuffle<Gathered<kCoordinate, 2>>(ab, c);
+    return shuffle<InOrder<kCoordinate>>(abc, abc);
+}
+inline Coordinates load_normals(const Vec3f* normals) {
+    const float* const p = &normals->x;
+    const Floats a = load<Floats>(p), b = load<Floats>(p + kLanes),
+                 c = load<Floats>(p + 2 * kLanes);
+    return {coordinate<0>(a, b, c), coordinate<1>(a, b, c), coordinate<2>(a, b, c)};
+}
+
+// And back.
+template <std::size_t kCoordinate>
+struct Spread {
+    static constexpr std::size_t lane(std::size_t i) {
+        std::size_t element = 0;
+        while ((3 * element + kCoordinate) % kLanes != i) ++element;
+        return lane_of(element);
+    }
+};
+template <std::size_t kVector, std::size_t kCoordinate>
+struct Scattered {
+    static constexpr std::size_t lane(std::size_t i) {
+        return coordinate_in(kVector, i) == kCoordinate ? kLanes + i : i;
+    }
+};
+template <std::size_t kVector>
+inline Floats mixed(const Coordinates& spread) {
+    const Floats xy = shuffle<Scattered<kVector, 1>>(spread.x, spread.y);
+    return shuffle<Scattered<kVector, 2>>(xy, spread.z);
+}
+inline void store_normals(const Coordinates& v, Vec3f* normals) {
+    const Coordinates spread{shuffle<Spread<0>>(v.x, v.x), shuffle<Spread<1>>(v.y, v.y),
+                             shuffle<Spread<2>>(v.z, v.z)};
+    float* const p = &normals->x;
+    store(p, mixed<0>(spread));
+    store(p + kLanes, mixed<1>(spread));
+    store(p + 2 * kLanes, mixed<2>(spread));
+}
+
+// --- Positions
+
+// Three vectors hold the coordinates of kDoubles points: whose, and which one, in each lane.
+template <std::size_t kVector>
+struct Owner {
+    static constexpr std::size_t lane(std::size_t i) { return (kVector * kDoubles + i) / 3; }
+};
+template <std::size_t kVector>
+inline Doubles to_owners(const Doubles& w) {
+    return shuffle<Owner<kVector>>(w, w, std::make_index_sequence<kDoubles>{});
+}
+inline Doubles coordinates_of(const Vec3& d, std::size_t vector) {
+    Doubles v;
+    for (std::size_t i = 0; i < kDoubles; ++i) {
+        v[i] = d[static_cast<int>((vector * kDoubles + i) % 3)];
+    }
+    return v;
+}
+
+inline Doubles magnitude(const Doubles& v) { return v < 0.0 ? -v : v; }
+inline Doubles greater(const Doubles& a, const Doubles& b) { return a > b ? a : b; }
 
 // Of many points: the least |w|, and the size of the greatest coordinate.
 struct Extremes {
@@ -41,22 +194,26 @@ struct Extremes {
 
 inline Extremes displace_all(const Vec3* __restrict rest, const DragWeight* __restrict weights,
                              const Vec3 d, Vec3* __restrict to, std::size_t count) {
-    const Vec4d d0{d.x, d.y, d.z, d.x}, d1{d.y, d.z, d.x, d.y}, d2{d.z, d.x, d.y, d.z};
-    Vec4d least = Vec4d{} + std::numeric_limits<double>::infinity(), greatest{};
+    const Doubles d0 = coordinates_of(d, 0), d1 = coordinates_of(d, 1), d2 = coordinates_of(d, 2);
+    Doubles least = Doubles{} + std::numeric_limits<double>::infinity(), greatest{};
     std::size_t i = 0;
-    for (; i + 4 <= count; i += 4) {
-        const Vec4d w = four_shares(weights + i);
+    for (; i + kDoubles <= count; i += kDoubles) {
+        fetch_ahead<For::reading>(rest + i, kDoubles);
+        fetch_ahead<For::reading>(weights + i, kDoubles);
+        fetch_ahead<For::writing>(to + i, kDoubles);
+        const Doubles w = load_shares(weights + i);
         const double* const p = &rest[i].x;
-        const Vec4d p0 = load<Vec4d>(p), p1 = load<Vec4d>(p + 4), p2 = load<Vec4d>(p + 8);
+        const Doubles p0 = load<Doubles>(p), p1 = load<Doubles>(p + kDoubles),
+                      p2 = load<Doubles>(p + 2 * kDoubles);
         double* const q = &to[i].x;
-        store(q, p0 + __builtin_shufflevector(w, w, 0, 0, 0, 1) * d0);
-        store(q + 4, p1 + __builtin_shufflevector(w, w, 1, 1, 2, 2) * d1);
-        store(q + 8, p2 + __builtin_shufflevector(w, w, 2, 3, 3, 3) * d2);
+        store(q, p0 + to_owners<0>(w) * d0);
+        store(q + kDoubles, p1 + to_owners<1>(w) * d1);
+        store(q + 2 * kDoubles, p2 + to_owners<2>(w) * d2);
         least = -greater(-least, -magnitude(w));
         greatest = greater(greatest, greater(greater(magnitude(p0), magnitude(p1)), magnitude(p2)));
     }
     Extremes found;
-    for (int lane = 0; lane < 4; ++lane) {
+    for (std::size_t lane = 0; lane < kDoubles; ++lane) {
         found.least_share = std::min(found.least_share, least[lane]);
         found.greatest_coordinate = std::max(found.greatest_coordinate, greatest[lane]);
     }
@@ -70,87 +227,45 @@ inline Extremes displace_all(const Vec3* __restrict rest, const DragWeight* __re
     return found;
 }
 
-// One coordinate of eight elements each.
-struct Eight {
-    Vec8f x, y, z;
-};
+// --- Normals
 
-// Blends first, which cost next to nothing, then one permutation a coordinate.
-inline Eight eight_normals(const Vec3f* normals) {
-    const float* const p = &normals->x;
-    const Vec8f a = load<Vec8f>(p), b = load<Vec8f>(p + 8), c = load<Vec8f>(p + 16);
-    const Vec8f ab_x = __builtin_shufflevector(a, b, 0, 9, 2, 3, 12, 5, 6, 15);
-    const Vec8f ab_y = __builtin_shufflevector(a, b, 0, 1, 10, 3, 4, 13, 6, 7);
-    const Vec8f ab_z = __builtin_shufflevector(a, b, 8, 1, 2, 11, 4, 5, 14, 7);
-    const Vec8f x = __builtin_shufflevector(ab_x, c, 0, 1, 10, 3, 4, 13, 6, 7);
-    const Vec8f y = __builtin_shufflevector(ab_y, c, 8, 1, 2, 11, 4, 5, 14, 7);
-    const Vec8f z = __builtin_shufflevector(ab_z, c, 0, 9, 2, 3, 12, 5, 6, 15);
-    return {__builtin_shufflevector(x, x, 0, 3, 6, 1, 4, 7, 2, 5),
-            __builtin_shufflevector(y, y, 1, 4, 7, 2, 5, 0, 3, 6),
-            __builtin_shufflevector(z, z, 2, 5, 0, 3, 6, 1, 4, 7)};
-}
-
-inline void store_eight(const Eight& v, Vec3f* normals) {
-    const Vec8f x = __builtin_shufflevector(v.x, v.x, 0, 3, 6, 1, 4, 7, 2, 5);
-    const Vec8f y = __builtin_shufflevector(v.y, v.y, 5, 0, 3, 6, 1, 4, 7, 2);
-    const Vec8f z = __builtin_shufflevector(v.z, v.z, 2, 5, 0, 3, 6, 1, 4, 7);
-    const Vec8f xy_a = __builtin_shufflevector(x, y, 0, 9, 2, 3, 12, 5, 6, 15);
-    const Vec8f xy_b = __builtin_shufflevector(x, y, 0, 1, 10, 3, 4, 13, 6, 7);
-    const Vec8f xy_c = __builtin_shufflevector(x, y, 8, 1, 2, 11, 4, 5, 14, 7);
-    float* const p = &normals->x;
-    store(p, __builtin_shufflevector(xy_a, z, 0, 1, 10, 3, 4, 13, 6, 7));
-    store(p + 8, __builtin_shufflevector(xy_b, z, 8, 1, 2, 11, 4, 5, 14, 7));
-    store(p + 16, __builtin_shufflevector(xy_c, z, 0, 9, 2, 3, 12, 5, 6, 15));
-}
-
-// ∇w of eight weights.
-inline Eight eight_gradients(const DragWeight* weights) {
-    const float* const p = &weights->w;
-    const auto rows = [&](int i, int j) {
-        return __builtin_shufflevector(load<Vec4f>(p + 4 * i), load<Vec4f>(p + 4 * j), 0, 1, 2, 3,
-                                       4, 5, 6, 7);
-    };
-    const Vec8f r04 = rows(0, 4), r15 = rows(1, 5), r26 = rows(2, 6), r37 = rows(3, 7);
-    const Vec8f low01 = __builtin_shufflevector(r04, r15, 0, 8, 1, 9, 4, 12, 5, 13);
-    const Vec8f low23 = __builtin_shufflevector(r26, r37, 0, 8, 1, 9, 4, 12, 5, 13);
-    const Vec8f high01 = __builtin_shufflevector(r04, r15, 2, 10, 3, 11, 6, 14, 7, 15);
-    const Vec8f high23 = __builtin_shufflevector(r26, r37, 2, 10, 3, 11, 6, 14, 7, 15);
-    return {__builtin_shufflevector(low01, low23, 2, 3, 10, 11, 6, 7, 14, 15),
-            __builtin_shufflevector(high01, high23, 0, 1, 8, 9, 4, 5, 12, 13),
-            __builtin_shufflevector(high01, high23, 2, 3, 10, 11, 6, 7, 14, 15)};
-}
-
-inline Vec8f square_root(Vec8f v) {
-    for (int i = 0; i < 8; ++i) v[i] = std::sqrt(v[i]);
+inline Floats square_root(Floats v) {
+    for (std::size_t i = 0; i < kLanes; ++i) v[i] = std::sqrt(v[i]);
     return v;
 }
 
-inline bool any(const Vec8i& lanes) {
-    using Vec4l [[gnu::vector_size(32)]] = std::int64_t;
-    const Vec4l v = reinterpret_cast<const Vec4l&>(lanes);
-    return (v[0] | v[1] | v[2] | v[3]) != 0;
+inline bool any(const Ints& lanes) {
+    using Longs [[gnu::vector_size(kLanes * 4)]] = std::int64_t;
+    const Longs v = reinterpret_cast<const Longs&>(lanes);
+    std::int64_t bits = 0;
+    for (std::size_t i = 0; i < kDoubles; ++i) bits |= v[i];
+    return bits != 0;
 }
 
 inline void turn_all(const Vec3f* __restrict rest, const DragWeight* __restrict weights,
                      const Vec3 d, Vec3f* __restrict to, std::size_t count) {
     const Vec3f e{d};
     std::size_t i = 0;
-    for (; i + 8 <= count; i += 8) {
-        const Eight n = eight_normals(rest + i), g = eight_gradients(weights + i);
-        const Vec8f stretch = 1.0f + (g.x * e.x + g.y * e.y + g.z * e.z);
-        const Vec8f along = e.x * n.x + e.y * n.y + e.z * n.z;
-        const Vec8f x = stretch * n.x - along * g.x;
-        const Vec8f y = stretch * n.y - along * g.y;
-        const Vec8f z = stretch * n.z - along * g.z;
-        const Vec8f squared = x * x + y * y + z * z;
-        const Vec8f scale = 1.0f / square_root(squared);
-        const Vec8i bent = (g.x != 0.0f) | (g.y != 0.0f) | (g.z != 0.0f);
-        store_eight({bent ? x * scale : n.x, bent ? y * scale : n.y, bent ? z * scale : n.z},
-                    to + i);
-        const Vec8i is_exact = (squared >= kLeastSquare) & (squared <= kGreatestSquare) &
-                               (squared >= kLeastSquare * (stretch * stretch));
+    for (; i + kLanes <= count; i += kLanes) {
+        fetch_ahead<For::reading>(rest + i, kLanes);
+        fetch_ahead<For::writing>(to + i, kLanes);
+        const Coordinates n = load_normals(rest + i), g = load_gradients(weights + i);
+        const Floats stretch = 1.0f + (g.x * e.x + g.y * e.y + g.z * e.z);
+        const Floats along = e.x * n.x + e.y * n.y + e.z * n.z;
+        const Floats x = stretch * n.x - along * g.x;
+        const Floats y = stretch * n.y - along * g.y;
+        const Floats z = stretch * n.z - along * g.z;
+        const Floats squared = x * x + y * y + z * z;
+        const Floats scale = 1.0f / square_root(squared);
+        const Ints bent = (g.x != 0.0f) | (g.y != 0.0f) | (g.z != 0.0f);
+        store_normals({bent ? x * scale : n.x, bent ? y * scale : n.y, bent ? z * scale : n.z},
+                      to + i);
+        const Ints is_exact = (squared >= kLeastSquare) & (squared <= kGreatestSquare) &
+                              (squared >= kLeastSquare * (stretch * stretch));
         if (!any(bent & ~is_exact)) continue;
-        for (std::size_t k = i; k < i + 8; ++k) to[k] = covariant_normal(rest[k], weights[k], d);
+        for (std::size_t k = i; k < i + kLanes; ++k) {
+            to[k] = covariant_normal(rest[k], weights[k], d);
+        }
     }
     for (; i < count; ++i) to[i] = covariant_normal(rest[i], weights[i], d);
 }

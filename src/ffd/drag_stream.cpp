@@ -5,8 +5,7 @@
 #include <cmath>
 #include <cstring>
 #include <limits>
-
-#include "ffd/vectorised.h"
+#include <utility>
 
 namespace pectin {
 namespace {
@@ -15,32 +14,48 @@ namespace {
 constexpr double kSurelyMoves = 2.0 * std::numeric_limits<double>::epsilon();
 
 namespace plain {
+constexpr std::size_t kLanes = 4;
 #include "ffd/drag_kernels.inl"
-}
-#if PECTIN_HAS_AVX2_VERSIONS
+}  // namespace plain
+#if PECTIN_HAS_WIDE_VERSIONS
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2 {
+constexpr std::size_t kLanes = 8;
 #include "ffd/drag_kernels.inl"
-}
+}  // namespace avx2
+#pragma GCC pop_options
+#pragma GCC push_options
+#pragma GCC target("avx512f")
+namespace avx512 {
+constexpr std::size_t kLanes = 16;
+#include "ffd/drag_kernels.inl"
+}  // namespace avx512
 #pragma GCC pop_options
 #else
 namespace avx2 = plain;
+namespace avx512 = plain;
 #endif
 
 }  // namespace
 
 bool displace(std::span<const Vec3> rest, std::span<const DragWeight> weights, const Vec3& d,
-              std::span<Vec3> to) {
+              std::span<Vec3> to, Vectors vectors) {
     assert(rest.size() == to.size() && weights.size() == to.size());
     const double farthest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
-    const auto moves_all = [&](const auto& extremes) {
+    const auto moves_all = [&](const auto& displace_all) {
+        const auto extremes = displace_all(rest.data(), weights.data(), d, to.data(), to.size());
         return extremes.least_share * farthest > kSurelyMoves * extremes.greatest_coordinate;
     };
-    return runs_avx2()
-               ? moves_all(avx2::displace_all(rest.data(), weights.data(), d, to.data(), to.size()))
-               : moves_all(
-                     plain::displace_all(rest.data(), weights.data(), d, to.data(), to.size()));
+    switch (vectors) {
+        case Vectors::avx512:
+            return moves_all(avx512::displace_all);
+        case Vectors::avx2:
+            return moves_all(avx2::displace_all);
+        case Vectors::plain:
+            break;
+    }
+    return moves_all(plain::displace_all);
 }
 
 void mark_moved(std::span<const Vec3> rest, std::span<const Vec3> to,
@@ -50,9 +65,11 @@ void mark_moved(std::span<const Vec3> rest, std::span<const Vec3> to,
 }
 
 void turn(std::span<const Vec3f> rest, std::span<const DragWeight> weights, const Vec3& d,
-          std::span<Vec3f> to) {
+          std::span<Vec3f> to, Vectors vectors) {
     assert(rest.size() == to.size() && weights.size() == to.size());
-    const auto turn_all = runs_avx2() ? avx2::turn_all : plain::turn_all;
+    const auto turn_all = vectors == Vectors::avx512 ? avx512::turn_all
+                          : vectors == Vectors::avx2 ? avx2::turn_all
+                                                     : plain::turn_all;
     if (d == Vec3{0.0}) {
         std::copy(rest.begin(), rest.end(), to.begin());
     } else {

@@ -7,8 +7,6 @@
 #include <cstring>
 #include <limits>
 
-#include "ffd/vectorised.h"
-
 namespace pectin {
 namespace {
 
@@ -34,7 +32,7 @@ struct Grid {
 namespace plain {
 #include "ffd/lattice_kernels.inl"
 }
-#if PECTIN_HAS_AVX2_VERSIONS
+#if PECTIN_HAS_WIDE_VERSIONS
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2 {
@@ -59,9 +57,9 @@ Grid grid_of(const Lattice& lattice, const IVec3& size,
 
 }  // namespace
 
-LatticeEvaluator::LatticeEvaluator(const LatticeField& field, Kernels kernels)
+LatticeEvaluator::LatticeEvaluator(const LatticeField& field, Vectors vectors)
     : lattice_(field.lattice()),
-      kernels_(kernels),
+      vectors_(vectors),
       size_(lattice_.deformable + (kBefore + kAfter)) {
     const auto count = static_cast<std::size_t>(size_.x) * static_cast<std::size_t>(size_.y) *
                        static_cast<std::size_t>(size_.z);
@@ -88,7 +86,7 @@ void LatticeEvaluator::update(const LatticeField& field) {
 
 void LatticeEvaluator::displace(std::span<const Vec3> points, std::span<Vec3> to) const {
     assert(to.size() == points.size());
-    const bool is_wide = kernels_ == Kernels::fastest && runs_avx2();
+    const bool is_wide = vectors_ >= Vectors::avx2;
     const auto displace_all = is_wide ? avx2::displace_all : plain::displace_all;
     displace_all(grid_of(lattice_, size_, {x_.data(), y_.data(), z_.data()}), points.data(),
                  to.data(), points.size());
@@ -98,7 +96,7 @@ void LatticeEvaluator::transform(std::span<const Vec3> points, std::span<const V
                                  std::span<Vec3> to, std::span<Vec3f> turned) const {
     assert(normals.size() == points.size() && to.size() == points.size() &&
            turned.size() == points.size());
-    const bool is_wide = kernels_ == Kernels::fastest && runs_avx2();
+    const bool is_wide = vectors_ >= Vectors::avx2;
     const auto transform_all = is_wide ? avx2::transform_all : plain::transform_all;
     transform_all(grid_of(lattice_, size_, {x_.data(), y_.data(), z_.data()}), points.data(),
                   normals.data(), to.data(), turned.data(), points.size());

@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstddef>
-#include <cstdint>
 #include <span>
 #include <vector>
 
 #include "ffd/lattice_field.h"
+#include "ffd/vectorised.h"
 
 namespace pectin {
 
@@ -19,11 +19,9 @@ namespace pectin {
 // machine. Cost: about 200 instructions a point with AVX2, 420 with a normal.
 class LatticeEvaluator {
   public:
-    // Which loops run; their results are the same.
-    enum class Kernels : std::uint8_t { fastest, plain };
-
+    // Vectors up to the widest that the machine has; the results are the same.
     // Cost: O(control points); 24 bytes each.
-    explicit LatticeEvaluator(const LatticeField& field, Kernels kernels = Kernels::fastest);
+    explicit LatticeEvaluator(const LatticeField& field, Vectors vectors = widest_vectors());
 
     // Takes over the displacements of a field on the same lattice. Cost: O(control points).
     void update(const LatticeField& field);
@@ -41,7 +39,7 @@ class LatticeEvaluator {
 
   private:
     Lattice lattice_;
-    Kernels kernels_;
+    Vectors vectors_;
     IVec3 size_;                     // control points held, static ones included
     std::vector<double> x_, y_, z_;  // displacements from (−3, −3, −3) on, i fastest
 };

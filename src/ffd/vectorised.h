@@ -2,22 +2,27 @@
 // machine may have. All versions round alike: no multiplication is fused with an addition.
 #pragma once
 
-// A version for AVX2 is compiled beside the plain one.
+#include <cstdint>
+
+// Versions for AVX2 and AVX-512 are compiled beside the plain one.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
-#define PECTIN_HAS_AVX2_VERSIONS 1
+#define PECTIN_HAS_WIDE_VERSIONS 1
 #else
-#define PECTIN_HAS_AVX2_VERSIONS 0
+#define PECTIN_HAS_WIDE_VERSIONS 0
 #endif
 
 namespace pectin {
 
-// Whether the machine that this runs on has it.
-inline bool runs_avx2() {
-#if PECTIN_HAS_AVX2_VERSIONS
-    return __builtin_cpu_supports("avx2") != 0;
-#else
-    return false;
+// The versions, from the narrowest to the widest: vectors of 16, 32 and 64 bytes.
+enum class Vectors : std::uint8_t { plain, avx2, avx512 };
+
+// The widest that the machine that this runs on has.
+inline Vectors widest_vectors() {
+#if PECTIN_HAS_WIDE_VERSIONS
+    if (__builtin_cpu_supports("avx512f") != 0) return Vectors::avx512;
+    if (__builtin_cpu_supports("avx2") != 0) return Vectors::avx2;
 #endif
+    return Vectors::plain;
 }
 
 }  // namespace pectin

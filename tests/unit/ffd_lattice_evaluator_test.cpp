@@ -9,11 +9,10 @@
 #include "ffd/cofactor.h"
 #include "ffd/lattice_evaluator.h"
 #include "ffd_random.h"
+#include "ffd_vectors.h"
 
 namespace pectin {
 namespace {
-
-using Kernels = LatticeEvaluator::Kernels;
 
 template <typename T>
 bool same(const T& x, const T& y) {
@@ -90,14 +89,16 @@ TEST(LatticeEvaluator, GivesTheSameBitsWithEveryWidthOfVector) {
     LatticeRandom random(seed);
     for (int i = 0; i < 60; ++i) {
         const Scene scene(random);
-        const Result fastest =
-            result_at(LatticeEvaluator(scene.field, Kernels::fastest), scene.points, scene.normals);
         const Result plain =
-            result_at(LatticeEvaluator(scene.field, Kernels::plain), scene.points, scene.normals);
-        for (std::size_t p = 0; p < scene.points.size(); ++p) {
-            ASSERT_TRUE(same(fastest.displaced[p], plain.displaced[p])) << p;
-            ASSERT_TRUE(same(fastest.transformed[p], plain.transformed[p])) << p;
-            ASSERT_TRUE(same(fastest.turned[p], plain.turned[p])) << p;
+            result_at(LatticeEvaluator(scene.field, Vectors::plain), scene.points, scene.normals);
+        for (const Vectors vectors : all_vectors()) {
+            const Result wide =
+                result_at(LatticeEvaluator(scene.field, vectors), scene.points, scene.normals);
+            for (std::size_t p = 0; p < scene.points.size(); ++p) {
+                ASSERT_TRUE(same(wide.displaced[p], plain.displaced[p])) << p;
+                ASSERT_TRUE(same(wide.transformed[p], plain.transformed[p])) << p;
+                ASSERT_TRUE(same(wide.turned[p], plain.turned[p])) << p;
+            }
         }
     }
 }
@@ -106,9 +107,9 @@ TEST(LatticeEvaluator, GivesAPointTheSameBitsInAnyCompany) {
     const unsigned seed = 7400;
     SCOPED_TRACE("seed " + std::to_string(seed));
     LatticeRandom random(seed);
-    for (const Kernels kernels : {Kernels::fastest, Kernels::plain}) {
+    for (const Vectors vectors : all_vectors()) {
         const Scene scene(random);
-        const LatticeEvaluator evaluator(scene.field, kernels);
+        const LatticeEvaluator evaluator(scene.field, vectors);
         const Result all = result_at(evaluator, scene.points, scene.normals);
         for (int i = 0; i < 300; ++i) {
             const auto first = static_cast<std::size_t>(random.count(0, 229));
@@ -164,9 +165,9 @@ TEST(LatticeEvaluator, LeavesTheBorderAndWhatIsOutsideToTheBit) {
         points.insert(points.end(), {Vec3{kInfinite}, Vec3{-kInfinite}, Vec3{1e300},
                                      Vec3{std::numeric_limits<double>::quiet_NaN()}});
         scene.normals.resize(points.size());
-        for (const Kernels kernels : {Kernels::fastest, Kernels::plain}) {
+        for (const Vectors vectors : all_vectors()) {
             const Result result =
-                result_at(LatticeEvaluator(scene.field, kernels), points, scene.normals);
+                result_at(LatticeEvaluator(scene.field, vectors), points, scene.normals);
             for (std::size_t p = 0; p < points.size(); ++p) {
                 ASSERT_TRUE(same(result.displaced[p], points[p])) << p;
                 ASSERT_TRUE(same(result.transformed[p], points[p])) << p;
@@ -200,17 +201,17 @@ TEST(LatticeEvaluator, GivesZeroWhereANormalHasNoImageAndKeepsItWhereNothingBend
     shifted.assign(lattice.control_count(), Vec3{1, -2, 4});
     const std::vector<Vec3> points{{3.5, 3.5, 3.5}, {3, 4, 3}};
     const std::vector<Vec3f> normals(2, Vec3f{0.6f, 0.0f, 0.8f});
-    for (const Kernels kernels : {Kernels::fastest, Kernels::plain}) {
+    for (const Vectors vectors : all_vectors()) {
         const Result point =
-            result_at(LatticeEvaluator(LatticeField(lattice, squeezed), kernels), points, normals);
+            result_at(LatticeEvaluator(LatticeField(lattice, squeezed), vectors), points, normals);
         for (std::size_t p = 0; p < 2; ++p) EXPECT_LT(glm::length(point.transformed[p]), 1e-14);
         const Result still = result_at(
             LatticeEvaluator(LatticeField(lattice, std::vector(lattice.control_count(), Vec3{0.0})),
-                             kernels),
+                             vectors),
             points, normals);
         for (std::size_t p = 0; p < 2; ++p) EXPECT_TRUE(same(still.turned[p], normals[p]));
         const Result aside =
-            result_at(LatticeEvaluator(LatticeField(lattice, shifted), kernels), points, normals);
+            result_at(LatticeEvaluator(LatticeField(lattice, shifted), vectors), points, normals);
         for (std::size_t p = 0; p < 2; ++p) {
             EXPECT_LT(glm::distance(aside.displaced[p], points[p] + Vec3(1, -2, 4)), 1e-14);
             EXPECT_LT(glm::distance(aside.turned[p], normals[p]), 1e-6f);

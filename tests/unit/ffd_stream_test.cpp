@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "ffd/drag_stream.h"
+#include "ffd_vectors.h"
 
 namespace pectin {
 namespace {
@@ -26,35 +27,64 @@ bool same(const T& x, const T& y) {
     return std::memcmp(&x, &y, sizeof(T)) == 0;
 }
 
+struct Elements {
+    explicit Elements(std::size_t count) : rest(count), normals(count), weights(count) {}
+    std::vector<Vec3> rest;
+    std::vector<Vec3f> normals;
+    std::vector<DragWeight> weights;
+};
+
+// None folds or is nearly flattened by any d of up to 5 along each axis: vectors can do them all.
+Elements gentle(std::size_t count, Numbers& numbers) {
+    Elements all(count);
+    for (std::size_t i = 0; i < count; ++i) {
+        all.rest[i] = 10.0 * numbers.vector();
+        all.normals[i] = Vec3f{unit_or_zero(numbers.vector())};
+        all.weights[i] = {static_cast<float>(numbers()), Vec3f{0.03 * numbers.vector()}};
+        if (i % 5 == 4) all.weights[i] = {};
+    }
+    return all;
+}
+
+// With some that only the plain functions can do: no normal, a fold, and 1 + ∇w·d = 0 = d·n.
+Elements wild(std::size_t count, const Vec3& d, Numbers& numbers) {
+    Elements all = gentle(count, numbers);
+    for (std::size_t i = 0; i < count; ++i) {
+        if (i % 7 == 3) all.normals[i] = Vec3f{0.0f};
+        if (i % 5 != 4) all.weights[i].gradient *= 33.0f;
+    }
+    if (count > 2 && d != Vec3{0.0}) {
+        all.weights[1].gradient = Vec3f{-d / glm::dot(d, d)};
+        all.normals[1] = Vec3f{unit_or_zero(glm::cross(d, Vec3{1, 2, 3}))};
+    }
+    return all;
+}
+
+void expect_plain_results(const Elements& all, const Vec3& d) {
+    const std::size_t count = all.rest.size();
+    std::vector<Vec3> to(count);
+    std::vector<Vec3f> turned(count);
+    for (const Vectors vectors : all_vectors()) {
+        const bool all_move = displace(all.rest, all.weights, d, to, vectors);
+        turn(all.normals, all.weights, d, turned, vectors);
+        for (std::size_t i = 0; i < count; ++i) {
+            SCOPED_TRACE(std::to_string(i) + " of " + std::to_string(count));
+            ASSERT_TRUE(same(to[i], displaced(all.rest[i], all.weights[i], d)));
+            ASSERT_TRUE(same(turned[i], covariant_normal(all.normals[i], all.weights[i], d)));
+            ASSERT_TRUE(!all_move || to[i] != all.rest[i]);
+        }
+    }
+}
+
 // Of every length up to some vectors' worth, so that what a loop does at its end is seen, too.
 TEST(DragStream, IsDisplacedAndCovariantNormalToTheBit) {
     const unsigned seed = 7100;
     SCOPED_TRACE("seed " + std::to_string(seed));
     Numbers numbers(seed);
     for (std::size_t count = 1; count < 70; ++count) {
-        std::vector<Vec3> rest(count), to(count);
-        std::vector<Vec3f> normals(count), turned(count);
-        std::vector<DragWeight> weights(count);
         const Vec3 d = count % 10 == 0 ? Vec3{0.0} : 5.0 * numbers.vector();
-        for (std::size_t i = 0; i < count; ++i) {
-            rest[i] = 10.0 * numbers.vector();
-            normals[i] = i % 7 == 3 ? Vec3f{0.0f} : Vec3f{unit_or_zero(numbers.vector())};
-            if (i % 5 == 4) continue;  // no weight at all
-            weights[i] = {static_cast<float>(numbers()), Vec3f{numbers.vector()}};
-        }
-        // A fold whose image vanishes: 1 + ∇w·d = 0 and d·n = 0.
-        if (count > 2 && d != Vec3{0.0}) {
-            weights[1].gradient = Vec3f{-d / glm::dot(d, d)};
-            normals[1] = Vec3f{unit_or_zero(glm::cross(d, Vec3{1, 2, 3}))};
-        }
-        const bool all_move = displace(rest, weights, d, to);
-        turn(normals, weights, d, turned);
-        for (std::size_t i = 0; i < count; ++i) {
-            ASSERT_TRUE(same(to[i], displaced(rest[i], weights[i], d))) << i << " of " << count;
-            ASSERT_TRUE(same(turned[i], covariant_normal(normals[i], weights[i], d)))
-                << i << " of " << count;
-            ASSERT_TRUE(!all_move || to[i] != rest[i]) << i << " of " << count;
-        }
+        expect_plain_results(gentle(count, numbers), d);
+        expect_plain_results(wild(count, d, numbers), d);
     }
 }
 
@@ -62,21 +92,23 @@ TEST(DragStream, KnowsThatAllMoveWhereNoneIsNearRounding) {
     const unsigned seed = 7150;
     SCOPED_TRACE("seed " + std::to_string(seed));
     Numbers numbers(seed);
-    for (std::size_t count = 1; count < 20; ++count) {
-        std::vector<Vec3> rest(count), to(count);
-        std::vector<DragWeight> weights(count, DragWeight{.w = 0.5f});
-        for (Vec3& x : rest) x = 1e6 * numbers.vector();
-        EXPECT_TRUE(displace(rest, weights, Vec3{0, -1e-3, 0}, to));
-        // Any one that stays is noticed, whichever of them it is.
-        for (std::size_t still = 0; still < count; ++still) {
-            weights[still].w = still % 2 == 0 ? 0.0f : 1e-9f;
-            rest[still].x = 1e6;
-            EXPECT_FALSE(displace(rest, weights, Vec3{-1e-3, 0, 0}, to)) << still;
-            EXPECT_EQ(to[still], rest[still]);
-            weights[still].w = -0.5f;
+    for (const Vectors vectors : all_vectors()) {
+        for (std::size_t count = 1; count < 40; ++count) {
+            std::vector<Vec3> rest(count), to(count);
+            std::vector<DragWeight> weights(count, DragWeight{.w = 0.5f});
+            for (Vec3& x : rest) x = 1e6 * numbers.vector();
+            EXPECT_TRUE(displace(rest, weights, Vec3{0, -1e-3, 0}, to, vectors));
+            // Any one that stays is noticed, whichever of them it is.
+            for (std::size_t still = 0; still < count; ++still) {
+                weights[still].w = still % 2 == 0 ? 0.0f : 1e-9f;
+                rest[still].x = 1e6;
+                EXPECT_FALSE(displace(rest, weights, Vec3{-1e-3, 0, 0}, to, vectors)) << still;
+                EXPECT_EQ(to[still], rest[still]);
+                weights[still].w = -0.5f;
+            }
+            EXPECT_TRUE(displace(rest, weights, Vec3{0, -1e-3, 0}, to, vectors));
+            EXPECT_FALSE(displace(rest, weights, Vec3{0.0}, to, vectors));
         }
-        EXPECT_TRUE(displace(rest, weights, Vec3{0, -1e-3, 0}, to));
-        EXPECT_FALSE(displace(rest, weights, Vec3{0.0}, to));
     }
 }
 
