@@ -23,12 +23,19 @@ std::uint64_t LaneUnsplits::unsplit(std::span<const VertexId> level) {
         unsplit_waiting(lane);
         removed += lane.unsplits.size();
     }
-    for (const Lane& lane : lanes_) active_.log_unsplits(lane.unsplits);
+    log();
     for (const Lane& lane : lanes_) {
         for (VertexId m : lane.last) active_.unsplit(*active_.mesh().removable(m));
         removed += lane.last.size();
     }
     return removed;
+}
+
+// One lane after another.
+void LaneUnsplits::log() {
+    for_each_of(lanes_, [this](Lane& lane) { lane.count = active_.count(lane.unsplits); });
+    for (Lane& lane : lanes_) lane.places = active_.allocate_unsplits(lane.count);
+    for_each_of(lanes_, [this](Lane& lane) { active_.log_unsplits(lane.unsplits, lane.places); });
 }
 
 // By their base faces, those of one base face in their order; about as many in each.

@@ -36,6 +36,8 @@ class LaneUnsplits {
         CornerClaims::Lane number = 0;
         std::vector<VertexId> vertices;
         std::vector<ActiveSet::Unsplit> unsplits;
+        ActiveSet::UnsplitCount count;
+        ActiveSet::UnsplitPlaces places;
         std::vector<std::size_t> waiting;  // which of these have yet to be done
         std::vector<VertexId> last;
     };
@@ -45,6 +47,7 @@ class LaneUnsplits {
     std::optional<CornerClaims::Corners> corners_of(const Star& star) const;
     void unsplit(Lane& lane);
     void unsplit_waiting(Lane& lane);
+    void log();
 
     ActiveSet& active_;
     const Criteria& criteria_;

@@ -173,7 +173,7 @@ class ActiveSet {
     void unsplit(const Star& star);
     // --- The same on several threads. Two calls may run at the same time if no corner of the one's
     // faces is one of the other's. What they return is logged, and what they removed is free, when
-    // log_unsplits has it, in that order. Precondition: may_unsplit_apart(star).
+    // log_unsplits has had it. Precondition: may_unsplit_apart(star).
     struct Unsplit {
         SplitIds ids;
         EdgeId bc = kNone<EdgeId>;
@@ -181,8 +181,19 @@ class ActiveSet {
         std::uint32_t vertex_entry = kNoEntry, wedge_entry = kNoEntry;
     };
     Unsplit unsplit_apart(const Star& star);
-    void log_unsplits(std::span<const Unsplit> unsplits);
-    // Room for so many, which then do not throw.
+    // Takes places in the log for the next ones, behind those taken before; log_unsplits may then
+    // be called with them while others are. O(1), without the count.
+    struct UnsplitCount {
+        std::size_t unsplits = 0, vertex_entries = 0, wedge_entries = 0;  // entries that get free
+    };
+    struct UnsplitPlaces {  // of the first
+        std::size_t edit, face, vertex_entry, wedge_entry;
+        FreedPlaces freed;
+    };
+    UnsplitCount count(std::span<const Unsplit> unsplits) const;
+    UnsplitPlaces allocate_unsplits(const UnsplitCount& count);
+    void log_unsplits(std::span<const Unsplit> unsplits, UnsplitPlaces at);
+    // Room for so many, so that none of all this throws.
     void reserve_unsplits(std::size_t count);
     // Whether bm and mc are smooth, and star.m, its wedge and bm have entries.
     bool may_unsplit_apart(const Star& star) const;

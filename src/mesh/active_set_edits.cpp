@@ -287,17 +287,38 @@ ActiveSet::Unsplit ActiveSet::unsplit_apart(const Star& star) {
     return done;
 }
 
-void ActiveSet::log_unsplits(std::span<const Unsplit> unsplits) {
-    room_ = 0;
+ActiveSet::UnsplitCount ActiveSet::count(std::span<const Unsplit> unsplits) const {
+    UnsplitCount count{.unsplits = unsplits.size()};
     for (const Unsplit& done : unsplits) {
-        edits_.push_back(TopologyEdit::unsplit(done.bc));
+        if (done.vertex_entry >= original_vertices_) ++count.vertex_entries;
+        if (done.wedge_entry >= original_wedges_) ++count.wedge_entries;
+    }
+    return count;
+}
+
+ActiveSet::UnsplitPlaces ActiveSet::allocate_unsplits(const UnsplitCount& count) {
+    const UnsplitPlaces first{edits_.size(), faces_.size(), free_vertex_entries_.size(),
+                              free_wedge_entries_.size(), mesh_.allocate_freed(count.unsplits)};
+    edits_.grow_into_room(count.unsplits);
+    faces_.grow_into_room(4 * count.unsplits);
+    free_vertex_entries_.grow_into_room(count.vertex_entries);
+    free_wedge_entries_.grow_into_room(count.wedge_entries);
+    room_ = 0;
+    return first;
+}
+
+void ActiveSet::log_unsplits(std::span<const Unsplit> unsplits, UnsplitPlaces at) {
+    for (std::size_t i = 0; i < unsplits.size(); ++i) {
+        const Unsplit& done = unsplits[i];
+        edits_[at.edit++] = TopologyEdit::unsplit(done.bc);
         for (FaceId f : {done.ids.face3, done.kept_faces[0], done.kept_faces[1], done.ids.face4}) {
-            faces_.push_back(f);
+            faces_[at.face++] = f;
         }
-        mesh_.free_split(done.ids);
+        mesh_.free_split(done.ids, at.freed, i);
         if (done.vertex_entry >= original_vertices_)
-            free_vertex_entries_.push_back(done.vertex_entry);
-        if (done.wedge_entry >= original_wedges_) free_wedge_entries_.push_back(done.wedge_entry);
+            free_vertex_entries_[at.vertex_entry++] = done.vertex_entry;
+        if (done.wedge_entry >= original_wedges_)
+            free_wedge_entries_[at.wedge_entry++] = done.wedge_entry;
     }
 }
 

@@ -2,6 +2,7 @@
 // Source: Gain & Dodgson 1999, section 4, figure 3.
 #pragma once
 
+#include <cstddef>
 #include <optional>
 
 #include "mesh/ids.h"
@@ -33,6 +34,12 @@ struct SplitIds {
     WedgeId wedge = kNone<WedgeId>;
     EdgeId mc = kNone<EdgeId>, am = kNone<EdgeId>, dm = kNone<EdgeId>;
     FaceId face3 = kNone<FaceId>, face4 = kNone<FaceId>;
+};
+
+// Where in the lists of what is free that goes which several such splits took, once they are
+// undone: of the first of them.
+struct FreedPlaces {
+    std::size_t vertex = 0, wedge = 0, edge = 0, face = 0;
 };
 
 // The surroundings of an inserted vertex that unsplit may remove (figure 3, after the split); along

@@ -199,11 +199,13 @@ class TriMesh {
     Split insert_midpoint(EdgeId e, const SplitIds& ids);
     // Whether e has two sides that share the corners at both ends.
     bool is_smooth(EdgeId e) const;
-    // The inverse, likewise: what it returns is free when free_split has it, in the order of these
-    // calls. Precondition: as unsplit's, and bm and mc are smooth.
+    // The inverse, likewise. What it returns is free when free_split has had it, which may be
+    // called at the same time, too: once with each of those that allocate_freed has taken places
+    // for, whose order counts. Precondition: as unsplit's, and bm and mc are smooth.
     SplitIds remove_midpoint(const Star& star);
-    void free_split(const SplitIds& ids);
-    // Room for what so many unsplits of one sheet free, so that these do not throw.
+    FreedPlaces allocate_freed(std::size_t splits);
+    void free_split(const SplitIds& ids, const FreedPlaces& first, std::size_t i);
+    // Room for what so many unsplits of one sheet free, so that none of all this throws.
     void reserve_unsplits(std::size_t count);
 
     // m's surroundings, if it may go: not a base vertex, exactly four edges (three on a

@@ -1,6 +1,7 @@
 // Undoing the split of an edge exactly.
 // Source: Gain & Dodgson 1999, section 4, figure 3.
 #include <algorithm>
+#include <array>
 #include <cassert>
 
 #include "mesh/tri_mesh.h"
@@ -165,12 +166,22 @@ void TriMesh::reserve_unsplits(std::size_t count) {
     free_faces_.make_room(2 * count);
 }
 
+FreedPlaces TriMesh::allocate_freed(std::size_t splits) {
+    const FreedPlaces first{free_vertices_.size(), free_wedges_.size(), free_edges_.size(),
+                            free_faces_.size()};
+    free_vertices_.grow_into_room(splits);
+    free_wedges_.grow_into_room(splits);
+    free_edges_.grow_into_room(3 * splits);
+    free_faces_.grow_into_room(2 * splits);
+    return first;
+}
+
 // In the order that unsplit would.
-void TriMesh::free_split(const SplitIds& ids) {
-    for (FaceId f : {ids.face4, ids.face3}) free_faces_.push_back(f);
-    for (EdgeId e : {ids.dm, ids.am, ids.mc}) free_edges_.push_back(e);
-    free_wedges_.push_back(ids.wedge);
-    free_vertices_.push_back(ids.m);
+void TriMesh::free_split(const SplitIds& ids, const FreedPlaces& first, std::size_t i) {
+    std::ranges::copy(std::array{ids.face4, ids.face3}, &free_faces_[first.face + 2 * i]);
+    std::ranges::copy(std::array{ids.dm, ids.am, ids.mc}, &free_edges_[first.edge + 3 * i]);
+    free_wedges_[first.wedge + i] = ids.wedge;
+    free_vertices_[first.vertex + i] = ids.m;
 }
 
 // What the split took; on a boundary there is no dm and no face4. Of a crease only the left wedge.
