@@ -72,11 +72,11 @@ def main():
     for name, result in results.items():
         seconds = result["real_time"] * SECONDS[result["time_unit"]]
         print(f"{name:44}{1e6 * seconds:9.1f} us")
-    print(f"\n{'promise':44}{'ours':>12}{'beside':>12}{'wanted':>9}{'ratio':>8}")
+    print(f"\n{'promise':52}{'ours':>12}{'beside':>12}{'wanted':>9}{'ratio':>11}")
     for what, ours, beside, wanted in PROMISES:
         x, y = figure(results, ours), figure(results, beside)
         ratio = x / y if x is not None and y else None
-        print(f"{what:44}{shown(x):>12}{shown(y):>12}{wanted:>9}{shown(ratio):>8}")
+        print(f"{what:52}{shown(x):>12}{shown(y):>12}{wanted:>9}{shown(ratio):>11}")
 
 
 main()
