@@ -1,5 +1,7 @@
 #include "adapt/lane_splits.h"
 
+#include <type_traits>
+
 #include "adapt/parallel.h"
 
 namespace pectin {
@@ -79,30 +81,62 @@ bool LaneSplits::is_chosen(EdgeId e) const {
 // Whether no edge of its faces will have to go before it, once those chosen so far have been split.
 bool LaneSplits::goes_next(EdgeId e) {
     if (is_chosen(e)) return false;  // comes again
-    const double longest = limits_.propagation * static_cast<double>(active_.keep_rest_length(e));
-    const HalfEdgeId h = active_.mesh().half_edge(e);
-    return lets_go(h, longest) && lets_go(active_.mesh().twin(h), longest);
+    return limits_.symmetry ? is_let_go<RestEdge>(e) : is_let_go<double>(e);
 }
 
-bool LaneSplits::lets_go(HalfEdgeId h, double longest) {
+// Edge: where there is no symmetry, a length tells all of it.
+template <typename Edge>
+bool LaneSplits::is_let_go(EdgeId e) {
+    const Edge own = at_rest<Edge>(e);
+    const HalfEdgeId h = active_.mesh().half_edge(e);
+    return lets_go(h, own) && lets_go(active_.mesh().twin(h), own);
+}
+
+template <typename Edge>
+bool LaneSplits::lets_go(HalfEdgeId h, const Edge& own) {
     const TriMesh& mesh = active_.mesh();
     const EdgeId next = mesh.edge(TriMesh::next(h)), prev = mesh.edge(TriMesh::prev(h));
-    const auto length = [&](EdgeId e) { return static_cast<double>(active_.keep_rest_length(e)); };
     const bool next_goes = is_chosen(next), prev_goes = is_chosen(prev);
-    if (!next_goes && !prev_goes) return length(next) <= longest && length(prev) <= longest;
+    if (!next_goes && !prev_goes) {
+        return order_.fits_beside(at_rest<Edge>(next), own) &&
+               order_.fits_beside(at_rest<Edge>(prev), own);
+    }
     // The face at h has half of the one that goes first then, and its spoke; it may be either.
-    const auto fits = [&](EdgeId split, VertexId apex) {
-        return 0.5 * length(split) <= longest && spoke(split, apex) <= longest;
+    const auto fits = [&](EdgeId split, VertexId near, VertexId apex) {
+        const Vec3 m = middle(split);
+        const double half = 0.5 * static_cast<double>(active_.keep_rest_length(split)),
+                     spoke = static_cast<double>(active_.spoke_at_rest(apex, m));
+        return order_.fits_beside(to_middle<Edge>(half, near, m), own) &&
+               order_.fits_beside(to_middle<Edge>(spoke, apex, m), own);
     };
-    return (!next_goes || fits(next, mesh.origin(h))) && (!prev_goes || fits(prev, mesh.target(h)));
+    return (!next_goes || fits(next, mesh.target(h), mesh.origin(h))) &&
+           (!prev_goes || fits(prev, mesh.origin(h), mesh.target(h)));
 }
 
-// How long the edge to the midpoint will be at rest.
-double LaneSplits::spoke(EdgeId split, VertexId apex) const {
-    const HalfEdgeId h = active_.mesh().half_edge(split);
-    const Vec3 m = 0.5 * active_.rest_position(active_.mesh().origin(h)) +
-                   0.5 * active_.rest_position(active_.mesh().target(h));
-    return static_cast<double>(active_.spoke_at_rest(apex, m));
+template <typename Edge>
+Edge LaneSplits::at_rest(EdgeId e) {
+    const auto length = static_cast<double>(active_.keep_rest_length(e));
+    if constexpr (std::is_same_v<Edge, RestEdge>) {
+        return order_.at_rest(active_, e, length);
+    } else {
+        return length;
+    }
+}
+
+// Of an edge that will be there: from v to the midpoint m.
+template <typename Edge>
+Edge LaneSplits::to_middle(double length, VertexId v, const Vec3& m) const {
+    if constexpr (std::is_same_v<Edge, RestEdge>) {
+        return {length, active_.rest_position(v), m};
+    } else {
+        return length;
+    }
+}
+
+Vec3 LaneSplits::middle(EdgeId e) const {
+    const HalfEdgeId h = active_.mesh().half_edge(e);
+    return 0.5 * active_.rest_position(active_.mesh().origin(h)) +
+           0.5 * active_.rest_position(active_.mesh().target(h));
 }
 
 // --- Splitting them

@@ -12,6 +12,7 @@
 #include "adapt/edge_looks.h"
 #include "adapt/embedding.h"
 #include "adapt/refinement_queue.h"
+#include "adapt/split_order.h"
 #include "mesh/active_set.h"
 
 namespace pectin {
@@ -25,7 +26,7 @@ class LaneSplits {
   public:
     LaneSplits(ActiveSet& active, Embedding& embedding, const EdgeLooks& looks,
                const AdaptLimits& limits)
-        : active_(active), embedding_(embedding), looks_(looks), limits_(limits) {}
+        : active_(active), embedding_(embedding), looks_(looks), limits_(limits), order_(limits) {}
 
     // Splits those that still need it and places what this inserts. Throws std::bad_alloc before
     // anything has been changed. Cost: O(edges), if few have to go before others of their lane that
@@ -76,8 +77,15 @@ class LaneSplits {
     Candidate candidate(EdgeId e) const;
     void choose(Lane& lane);
     bool goes_next(EdgeId e);
-    bool lets_go(HalfEdgeId h, double longest);
-    double spoke(EdgeId split, VertexId apex) const;
+    template <typename Edge>
+    bool is_let_go(EdgeId e);
+    template <typename Edge>
+    bool lets_go(HalfEdgeId h, const Edge& own);
+    template <typename Edge>
+    Edge at_rest(EdgeId e);
+    template <typename Edge>
+    Edge to_middle(double length, VertexId v, const Vec3& m) const;
+    Vec3 middle(EdgeId e) const;
     bool is_chosen(EdgeId e) const;
     std::uint32_t number_lanes();
     void leave_all(Lane& lane);
@@ -89,6 +97,7 @@ class LaneSplits {
     Embedding& embedding_;
     const EdgeLooks& looks_;
     const AdaptLimits& limits_;
+    SplitOrder order_;
     std::array<Lane, kLanes> lanes_;
     CornerClaims claims_;
     std::vector<std::uint8_t> chosen_;  // edge entries: whether split in this call

@@ -5,7 +5,7 @@
 #include <functional>
 #include <utility>
 
-#include "adapt/criteria.h"
+#include "adapt/split_order.h"
 #include "mesh/active_set.h"
 
 namespace pectin {
@@ -17,7 +17,10 @@ class Propagation {
   public:
     using MaySplit = std::function<bool(EdgeId)>;
     Propagation(ActiveSet& active, const AdaptLimits& limits, MaySplit may_split)
-        : active_(active), limits_(limits), may_split_(std::move(may_split)) {}
+        : active_(active),
+          order_(limits),
+          breaks_ties_(limits.symmetry.has_value()),
+          may_split_(std::move(may_split)) {}
 
     // From e to its longest neighbour, and on from there.
     struct Chain {
@@ -33,12 +36,8 @@ class Propagation {
         EdgeId edge;
         bool any_blocked = false;
     };
-    Next longest_neighbour(EdgeId e);
     Next first_neighbour(EdgeId e);
     bool is_too_thin_beside_blocked(EdgeId e);
-    bool goes_before(EdgeId candidate, EdgeId e, bool by_propagation);
-    bool is_between_images(EdgeId e);
-    double folded_key(EdgeId e) const;
     bool thins_too_far(HalfEdgeId h);
 
     template <typename Visit>
@@ -50,9 +49,11 @@ class Propagation {
         });
     }
     double rest_length(EdgeId e) { return static_cast<double>(active_.rest_length(e)); }
+    RestEdge at_rest(EdgeId e) { return order_.at_rest(active_, e, rest_length(e)); }
 
     ActiveSet& active_;
-    const AdaptLimits& limits_;
+    SplitOrder order_;
+    bool breaks_ties_;  // with symmetry on
     MaySplit may_split_;
 };
 

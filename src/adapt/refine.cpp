@@ -53,7 +53,7 @@ class Refiner {
     void split_queued() {
         while (!result_.budget_hit && !queue_.is_empty()) {
             const RefinementQueue::Entries next = queue_.take();
-            if (next.is_one_lane || criteria_.limits().symmetry) {
+            if (next.is_one_lane) {
                 wait_in_order(next);
             } else {
                 split_lanes(next);

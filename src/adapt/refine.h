@@ -27,8 +27,7 @@ struct Refinement {
 // them at their midpoints, test the edges round the new vertices (Gain & Dodgson 1999, section 4).
 // That goes in batches, so that memory is walked through once; an edge that a split makes waits for
 // the next batch, also where it is longer. Where thousands wait, batches come from several parts of
-// the surface and go on up to four threads (LaneSplits); with symmetry on, on one. The same comes
-// out on any number.
+// the surface and go on up to four threads (LaneSplits). The same comes out on any number.
 //
 // Before an edge is split, any edge of its two faces that is more than rho times as long at rest
 // is split first, repeatedly (longest-edge propagation, Rivara 1984); such chains end, since they

@@ -123,10 +123,12 @@ double mean_edge(const TriMesh& mesh) {
 }
 
 // A whole sphere of 330 k faces to half its mean edge, longest first, as peers do it; and all of it
-// taken back. A drag of next to nothing acts, so that normals are turned, too.
+// taken back. A drag of next to nothing acts, so that normals are turned, too. Mirrored: with
+// symmetry on, at a plane through the middle.
 void refine_to_half_mean(benchmark::State& state) {
     const TriMesh mesh = sphere(7);
-    const AdaptLimits half{.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6};
+    AdaptLimits half{.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6};
+    if (state.range(0) != 0) half.symmetry = MirrorPlane{};
     double count = 0.0, in_lanes = 0.0, taken = 0.0;
     for (auto _ : state) {
         Scene scene(mesh, {0, 0, 1}, {0, 0, 1e-3}, 4.0);
@@ -141,7 +143,12 @@ void refine_to_half_mean(benchmark::State& state) {
     state.counters["in_lanes"] = in_lanes / count;
     state.counters["M_per_s"] = benchmark::Counter(1e-6 * count, benchmark::Counter::kIsRate);
 }
-BENCHMARK(refine_to_half_mean)->UseManualTime()->Unit(benchmark::kMillisecond);
+BENCHMARK(refine_to_half_mean)
+    ->ArgName("mirrored")
+    ->Arg(0)
+    ->Arg(1)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond);
 
 void unsplit_all(benchmark::State& state) {
     const TriMesh mesh = sphere(7);

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <filesystem>
+#include <limits>
+#include <utility>
 
 #include "geometry/ray.h"
 #include "io/obj_reader.h"
@@ -82,6 +84,34 @@ std::size_t crossings(const TriMesh& mesh) {
         }
     }
     return found;
+}
+
+double asymmetry(const TriMesh& mesh) {
+    // Sorted along a direction in which few points of a regular mesh lie alike.
+    using Place = std::pair<double, Vec3>;
+    const auto place = [](const Vec3& p) {
+        return Place(glm::dot(p, Vec3{0.7390851, 0.4142135, 0.5671432}), p);
+    };
+    std::vector<Place> all;
+    for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
+        if (mesh.is_live(VertexId{v})) all.push_back(place(mesh.position(VertexId{v})));
+    }
+    for (EdgeId e : live_edges(mesh)) {
+        const HalfEdgeId h = mesh.half_edge(e);
+        all.push_back(place(0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)))));
+    }
+    std::ranges::sort(all, {}, &Place::first);
+    double worst = 0.0;
+    for (const auto& [key, p] : all) {
+        const auto [at, image] = place({-p.x, p.y, p.z});
+        double nearest = std::numeric_limits<double>::infinity();
+        const auto first = std::ranges::lower_bound(all, at - 1e-4, {}, &Place::first);
+        for (auto q = first; q != all.end() && q->first <= at + 1e-4; ++q) {
+            nearest = std::min(nearest, glm::distance(q->second, image));
+        }
+        worst = std::max(worst, nearest);
+    }
+    return worst;
 }
 
 bool has_the_faces_of(const TriMesh& mesh, const TriMesh& base) {

@@ -29,6 +29,10 @@ EdgeId edge_between(const TriMesh& mesh, std::uint32_t v, std::uint32_t w);
 // Edges that pass through a face they share no corner with, and those faces: how many pairs.
 std::size_t crossings(const TriMesh& mesh);
 
+// The farthest that the image of a vertex or of the middle of an edge, mirrored at x = 0, is from
+// the nearest of them.
+double asymmetry(const TriMesh& mesh);
+
 // Whether `mesh` has the faces, corners and positions of `base`, in the same slots, and no others.
 bool has_the_faces_of(const TriMesh& mesh, const TriMesh& base);
 

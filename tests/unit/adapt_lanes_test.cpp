@@ -5,6 +5,7 @@
 #include <tbb/task_arena.h>
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -39,10 +40,11 @@ struct Scene {
     int resolution;
     Box zone;
     bool is_all_active = true;
-    int steps = 0;  // of the warp
+    int steps = 0;             // of the warp
+    bool is_mirrored = false;  // symmetric at x = 0, and refined so
 };
 // Smooth and closed; with creases and texture coordinates; with a border of the active set; with a
-// boundary; in a drag, and in one after another.
+// boundary; in a drag, and in one after another; and with symmetry on.
 const Scene kScenes[] = {
     {"sphere", ShapeKind::sphere, 5, kAll},
     {"cube", ShapeKind::cube, 40, kAll},
@@ -50,6 +52,9 @@ const Scene kScenes[] = {
     {"plane", ShapeKind::plane, 100, kAll},
     {"dragged sphere", ShapeKind::sphere, 5, kAll, true, 1},
     {"sphere dragged twice", ShapeKind::sphere, 5, kAll, true, 2},
+    {"mirrored sphere", ShapeKind::sphere, 5, kAll, true, 0, true},
+    {"mirrored cube", ShapeKind::cube, 40, kAll, true, 0, true},
+    {"mirrored dragged sphere", ShapeKind::sphere, 5, kAll, true, 1, true},
 };
 
 TriMesh mesh_of(const Scene& scene) {
@@ -62,9 +67,14 @@ Warp warp_of(const Scene& scene) {
     const auto solver =
         std::get<DragSolver>(DragSolver::create(brush_lattice(grabbed, 4.0, 3), {&grabbed, 1}, {}));
     for (int step = 0; step < scene.steps; ++step) {
-        warp.steps.push_back(DragStep{solver.field(), {Vec3{0.1, 0.2 * step, 0.3}}});
+        const double across = scene.is_mirrored ? 0.0 : 0.1;
+        warp.steps.push_back(DragStep{solver.field(), {Vec3{across, 0.2 * step, 0.3}}});
     }
     return warp;
+}
+
+std::optional<MirrorPlane> symmetry_of(const Scene& scene) {
+    return scene.is_mirrored ? std::optional(MirrorPlane{}) : std::nullopt;
 }
 
 // The scene's mesh in its warp, all of it or what lies in the zone active, refined and thinned by
@@ -72,17 +82,18 @@ Warp warp_of(const Scene& scene) {
 class Refined {
   public:
     explicit Refined(const Scene& scene)
-        : mesh_(mesh_of(scene)), active_(mesh_), zone_(scene.zone), warp_(warp_of(scene)) {
-        active_.begin(FaceTree(mesh_).faces_meeting(zone_, mesh_), zone_);
+        : scene_(scene), mesh_(mesh_of(scene)), active_(mesh_), warp_(warp_of(scene)) {
+        active_.begin(FaceTree(mesh_).faces_meeting(scene.zone, mesh_), scene.zone);
         embedding_ = std::make_unique<Embedding>(active_, warp_);
         embedding_->embed();
         embedding_->deform();
     }
-    Refinement refine(const AdaptLimits& limits) {
-        return pectin::refine(active_, *embedding_, Criteria(limits, zone_, zone_));
+    Refinement refine(AdaptLimits limits) {
+        limits.symmetry = symmetry_of(scene_);
+        return pectin::refine(active_, *embedding_, Criteria(limits, scene_.zone, scene_.zone));
     }
     Decimation decimate(const AdaptLimits& limits) {
-        return pectin::decimate(active_, Criteria(limits, zone_, zone_));
+        return pectin::decimate(active_, Criteria(limits, scene_.zone, scene_.zone));
     }
     void deform() { embedding_->deform(); }
     MeshChange finish() { return active_.finish(); }
@@ -92,9 +103,9 @@ class Refined {
     Embedding& embedding() { return *embedding_; }
 
   private:
+    const Scene& scene_;
     TriMesh mesh_;
     ActiveSet active_;
-    Box zone_;
     Warp warp_;
     std::unique_ptr<Embedding> embedding_;
 };
@@ -139,6 +150,22 @@ TEST(Lanes, SplitAndRemoveAsOneAfterAnother) {
         EXPECT_TRUE(again == refined.mesh());
         undo(change, refined.mesh());
         EXPECT_TRUE(refined.mesh() == before);
+    }
+}
+
+TEST(Lanes, KeepAMirroredMeshMirrored) {
+    for (const Scene& scene : kScenes) {
+        if (!scene.is_mirrored) continue;
+        SCOPED_TRACE(scene.name);
+        Refined refined(scene);
+        const AdaptLimits half = half_of(refined.mesh());
+        ASSERT_LT(test::asymmetry(refined.mesh()), 1e-9);
+        const Refinement halved = refined.refine(half);
+        EXPECT_GT(halved.splits_in_lanes, halved.splits / 2);
+        EXPECT_LT(test::asymmetry(refined.mesh()), 1e-9);
+        refined.refine({.l_max = 0.7 * half.l_max, .floor = 1e-6});
+        EXPECT_LT(test::asymmetry(refined.mesh()), 1e-9);
+        refined.finish();
     }
 }
 
@@ -214,7 +241,8 @@ TEST(LaneSplits, SplitTheLongestOfTheirFacesAndLeaveTheOthers) {
         SCOPED_TRACE(scene.name);
         Refined refined(scene);
         TriMesh in_turn = refined.mesh();
-        const AdaptLimits limits = half_of(refined.mesh());
+        AdaptLimits limits = half_of(refined.mesh());
+        limits.symmetry = symmetry_of(scene);
         const Criteria criteria(limits, scene.zone, scene.zone);
         const EdgeLooks looks(refined.active(), criteria);
         RefinementQueue queue;

@@ -58,24 +58,6 @@ std::vector<Vec3> positions(const TriMesh& mesh) {
     return all;
 }
 
-// The farthest that the image of a vertex is from the nearest vertex.
-double asymmetry(const TriMesh& mesh) {
-    std::vector<Vec3> all = positions(mesh);
-    std::sort(all.begin(), all.end(), [](const Vec3& a, const Vec3& b) { return a.y < b.y; });
-    double worst = 0.0;
-    for (const Vec3& p : all) {
-        const Vec3 image{-p.x, p.y, p.z};
-        double nearest = 1e9;
-        const auto first = std::lower_bound(all.begin(), all.end(), p.y - 1e-4,
-                                            [](const Vec3& a, double y) { return a.y < y; });
-        for (auto q = first; q != all.end() && q->y <= p.y + 1e-4; ++q) {
-            nearest = std::min(nearest, glm::distance(*q, image));
-        }
-        worst = std::max(worst, nearest);
-    }
-    return worst;
-}
-
 // --- Symmetry
 
 TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverAHundredDrags) {
@@ -100,7 +82,7 @@ TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverAHundredDrags) {
             EXPECT_GT(session.mesh().face_count(), 2000u);
         }
         EXPECT_FALSE(session.statistics().budget_hit);
-        EXPECT_LT(asymmetry(session.mesh()), 1e-6 * session.mesh().bounding_box().diagonal());
+        EXPECT_LT(test::asymmetry(session.mesh()), 1e-6 * session.mesh().bounding_box().diagonal());
         EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
     }
 }
@@ -354,7 +336,7 @@ TEST(ControlPoints, AreSymmetricWhereTheCageIs) {
     expect_done(session, kCage);
     expect_done(session, command::Symmetry{.plane = Plane::x});
     expect_done(session, Control{{{{2, 1, 1}, {1.7, 0.2, 0}}, {{1, 2, 1}, {0, 1.5, 0.3}}}});
-    EXPECT_LT(asymmetry(session.mesh()), 1e-6);
+    EXPECT_LT(test::asymmetry(session.mesh()), 1e-6);
     EXPECT_TRUE(contains(refusal_of(session, Control{{{{1, 1, 1}, {0.5, 1, 2}}}}), "(0, 1, 2)"));
     EXPECT_TRUE(
         contains(refusal_of(session, Control{{{{0, 1, 1}, {-1, 1, 0}}, {{2, 1, 1}, {1, 2, 0}}}}),
