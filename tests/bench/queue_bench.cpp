@@ -1,0 +1,114 @@
+// The queue of refinement alone, beside a binary heap: edges go through longest first, and each
+// that is too long leaves two halves and two spokes, as in a refinement.
+#include <benchmark/benchmark.h>
+
+#include <cstdint>
+#include <queue>
+#include <utility>
+#include <vector>
+
+#include "adapt/refinement_queue.h"
+
+namespace pectin::bench {
+namespace {
+
+// By octaves of the squared length, some hundreds at a time; within an octave first come, first
+// served.
+class Octaves {
+  public:
+    void push(double squared, std::uint32_t e) {
+        queue_.push(EdgeId{e}, RefinementQueue::octave_of(squared));
+    }
+    // visit(edge) of those that go next; false if there are none.
+    template <typename Visit>
+    bool take(Visit visit) {
+        if (queue_.is_empty()) return false;
+        const RefinementQueue::Entries next = queue_.take();
+        taken_.clear();  // the entries are valid until the next push
+        for (const auto& lane : next.lanes) taken_.insert(taken_.end(), lane.begin(), lane.end());
+        for (EdgeId e : taken_) visit(index(e));
+        return true;
+    }
+
+  private:
+    RefinementQueue queue_;
+    std::vector<EdgeId> taken_;
+};
+
+// By the length itself.
+class BinaryHeap {
+  public:
+    void push(double squared, std::uint32_t e) { heap_.emplace(squared, e); }
+    template <typename Visit>
+    bool take(Visit visit) {
+        if (heap_.empty()) return false;
+        const std::uint32_t e = heap_.top().second;
+        heap_.pop();
+        visit(e);
+        return true;
+    }
+
+  private:
+    std::priority_queue<std::pair<double, std::uint32_t>> heap_;
+};
+
+// Lengths that depend on an edge's ancestors alone, so that the job is the same in any order.
+class Edges {
+  public:
+    static constexpr std::uint32_t kFirst = 491'520;  // of a sphere of 330 k faces
+    static constexpr double kMost = 0.25;             // no longer than half of 1
+
+    Edges() {
+        edges_.reserve(16 * std::size_t{kFirst});
+        for (std::uint64_t e = 0; e < kFirst; ++e) edges_.push_back({1.0 + 0.3 * share(e), e});
+    }
+    std::uint32_t count() const { return static_cast<std::uint32_t>(edges_.size()); }
+    double squared(std::uint32_t e) const { return edges_[e].squared; }
+    bool is_too_long(std::uint32_t e) const { return edges_[e].squared > kMost; }
+    // visit(edge) of those that a split of e makes.
+    template <typename Visit>
+    void split(std::uint32_t e, Visit visit) {
+        const Edge whole = edges_[e];
+        for (std::uint64_t k = 0; k < 4; ++k) {
+            const std::uint64_t seed = 4 * whole.seed + k + 1;
+            const double of_whole = k < 2 ? 0.25 : 0.4 + 0.35 * share(seed);
+            edges_.push_back({of_whole * whole.squared, seed});
+            visit(count() - 1);
+        }
+    }
+
+  private:
+    struct Edge {
+        double squared;
+        std::uint64_t seed;
+    };
+    // In [0, 1), from the upper bits of a product (Knuth's multiplicative hash).
+    static double share(std::uint64_t seed) {
+        return static_cast<double>((seed * 0x9e3779b97f4a7c15u) >> 11) * 0x1p-53;
+    }
+    std::vector<Edge> edges_;
+};
+
+template <typename Queue>
+void longest_first(benchmark::State& state) {
+    double through = 0.0;
+    for (auto _ : state) {
+        Edges edges;
+        Queue queue;
+        for (std::uint32_t e = 0; e < edges.count(); ++e) queue.push(edges.squared(e), e);
+        while (queue.take([&](std::uint32_t e) {
+            edges.split(e, [&](std::uint32_t made) {
+                if (edges.is_too_long(made)) queue.push(edges.squared(made), made);
+            });
+            ++through;
+        })) {
+        }
+    }
+    state.counters["edges"] = through / static_cast<double>(state.iterations());
+    state.counters["M_per_s"] = benchmark::Counter(1e-6 * through, benchmark::Counter::kIsRate);
+}
+BENCHMARK(longest_first<Octaves>)->Unit(benchmark::kMillisecond);
+BENCHMARK(longest_first<BinaryHeap>)->Unit(benchmark::kMillisecond);
+
+}  // namespace
+}  // namespace pectin::bench
