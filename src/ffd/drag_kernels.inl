@@ -24,7 +24,7 @@ inline void store(Number* p, const Vector& v) {
     std::memcpy(p, &v, sizeof v);
 }
 
-// Lane i becomes lane from(i) of a, or of b, whose lanes are counted on from those of a.
+// Lane i becomes lane From::lane(i) of a, or of b, whose lanes are counted on from those of a.
 template <typename From, typename Vector, std::size_t... I>
 inline auto shuffle(const Vector& a, const Vector& b, std::index_sequence<I...>) {
     return __builtin_shufflevector(a, b, From::lane(I)...);
