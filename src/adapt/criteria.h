@@ -30,7 +30,8 @@ struct AdaptLimits {
     double propagation = 1.0;  // rho in [1, 1.5): longest-edge propagation
     std::uint64_t budget = std::numeric_limits<std::uint64_t>::max();  // triangles
     // Ties are broken alike on both sides of it, so that a symmetric mesh stays so (with a
-    // propagation of 1; beyond, what is split first depends on the order).
+    // propagation of 1; beyond, what is split first depends on the order, as it does for edges
+    // longer than l_max where the border of the zone crosses their faces).
     std::optional<MirrorPlane> symmetry{};
     // The warp folds nothing: a commit leaves no faces that cut each other (adapt_without_cuts).
     bool without_cuts = false;

@@ -20,8 +20,8 @@ namespace pectin {
 // Edges come in lanes. What is split in different lanes has no corner of its faces in common, so
 // that lanes may go at the same time and the mesh comes out as if they went one after another. Left
 // over is an edge of whose corners one belongs to another lane, one that something has to be split
-// before, a crease, a boundary, and one at the rim of what is active. All of it depends on the
-// lanes alone, not on the threads.
+// before, one between mirrored ends beside a longer one, a crease, a boundary, and one at the rim
+// of what is active. All of it depends on the lanes alone, not on the threads.
 class LaneSplits {
   public:
     LaneSplits(ActiveSet& active, Embedding& embedding, const EdgeLooks& looks,

@@ -17,8 +17,8 @@ namespace pectin {
 // lanes are served at once, so that each may have a thread. An edge goes to the lane of what it
 // came of, and a lane that has run out takes over half of the longest, so each has a part of the
 // surface to itself and that part stays in a thread's cache. push: O(1). take: O(1), but for
-// octaves passed and edges taken over. That order within an octave does not matter is what makes it
-// several times as fast as a binary heap (tests/bench/queue_bench.cpp), whose order is by lengths.
+// octaves passed and edges taken over. The queue alone is several times as fast as a binary heap by
+// length (tests/bench/queue_bench.cpp).
 class RefinementQueue {
   public:
     static constexpr std::size_t kOctaves = 2048;    // the exponents of a double

@@ -9,7 +9,7 @@
 
 namespace pectin {
 
-// An edge at rest, which may have yet to be made: its length, and the mean of its ends matter. The
+// An edge at rest, which may have yet to be made: its length and its ends, in either order. The
 // ends are left out where there is no symmetry.
 struct RestEdge {
     double length = 0.0;

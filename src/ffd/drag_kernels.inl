@@ -236,7 +236,7 @@ inline Floats square_root(Floats v) {
 
 inline bool any(const Ints& lanes) {
     using Longs [[gnu::vector_size(kLanes * 4)]] = std::int64_t;
-    const Longs v = reinterpret_cast<const Longs&>(lanes);
+    const Longs v = load<Longs>(&lanes);
     std::int64_t bits = 0;
     for (std::size_t i = 0; i < kDoubles; ++i) bits |= v[i];
     return bits != 0;

@@ -19,7 +19,8 @@ namespace pectin {
 // machine. Cost: about 200 instructions a point with AVX2, 420 with a normal.
 class LatticeEvaluator {
   public:
-    // Vectors up to the widest that the machine has; the results are the same.
+    // Vectors up to the widest that the machine has (no wider than AVX2's are used: wider ones gain
+    // nothing here); the results are the same.
     // Cost: O(control points); 24 bytes each.
     explicit LatticeEvaluator(const LatticeField& field, Vectors vectors = widest_vectors());
 

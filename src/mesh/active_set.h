@@ -182,13 +182,14 @@ class ActiveSet {
     };
     Unsplit unsplit_apart(const Star& star);
     // Takes places in the log for the next ones, behind those taken before; log_unsplits may then
-    // be called with them while others are. O(1), without the count.
+    // be called with them while others are, and has to be before anything else is asked of the log.
+    // count, log_unsplits: O(unsplits). allocate_unsplits: O(1).
     struct UnsplitCount {
         std::size_t unsplits = 0, vertex_entries = 0, wedge_entries = 0;  // entries that get free
     };
     struct UnsplitPlaces {  // of the first
-        std::size_t edit, face, vertex_entry, wedge_entry;
-        FreedPlaces freed;
+        std::size_t edit = 0, face = 0, vertex_entry = 0, wedge_entry = 0;
+        FreedPlaces freed{};
     };
     UnsplitCount count(std::span<const Unsplit> unsplits) const;
     UnsplitPlaces allocate_unsplits(const UnsplitCount& count);

@@ -303,7 +303,7 @@ ActiveSet::UnsplitPlaces ActiveSet::allocate_unsplits(const UnsplitCount& count)
     faces_.grow_into_room(4 * count.unsplits);
     free_vertex_entries_.grow_into_room(count.vertex_entries);
     free_wedge_entries_.grow_into_room(count.wedge_entries);
-    room_ = 0;
+    room_ = 0;  // splits find less now
     return first;
 }
 

@@ -1,5 +1,5 @@
-// The queue of refinement alone, beside a binary heap: edges go through longest first, and each
-// that is too long leaves two halves and two spokes, as in a refinement.
+// The queue of refinement beside a binary heap: edges go through longest first, and each leaves two
+// halves and two spokes, as in a refinement. Making these is in the time of both.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -12,8 +12,8 @@
 namespace pectin::bench {
 namespace {
 
-// By octaves of the squared length, some hundreds at a time; within an octave first come, first
-// served.
+// By octaves of the squared length, up to some thousands at a time; within an octave first come,
+// first served in each lane.
 class Octaves {
   public:
     void push(double squared, std::uint32_t e) {

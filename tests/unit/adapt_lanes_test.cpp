@@ -153,19 +153,24 @@ TEST(Lanes, SplitAndRemoveAsOneAfterAnother) {
     }
 }
 
+// Also where lanes are short, and so border on each other in many places.
 TEST(Lanes, KeepAMirroredMeshMirrored) {
     for (const Scene& scene : kScenes) {
         if (!scene.is_mirrored) continue;
-        SCOPED_TRACE(scene.name);
-        Refined refined(scene);
-        const AdaptLimits half = half_of(refined.mesh());
-        ASSERT_LT(test::asymmetry(refined.mesh()), 1e-9);
-        const Refinement halved = refined.refine(half);
-        EXPECT_GT(halved.splits_in_lanes, halved.splits / 2);
-        EXPECT_LT(test::asymmetry(refined.mesh()), 1e-9);
-        refined.refine({.l_max = 0.7 * half.l_max, .floor = 1e-6});
-        EXPECT_LT(test::asymmetry(refined.mesh()), 1e-9);
-        refined.finish();
+        for (const std::size_t lane_length : {kLaneLength, std::size_t{60}}) {
+            SCOPED_TRACE(scene.name + (", " + std::to_string(lane_length)));
+            Refined refined(scene);
+            AdaptLimits half = half_of(refined.mesh());
+            half.lane_length = lane_length;
+            ASSERT_LT(test::asymmetry(refined.mesh()), 1e-9);
+            const Refinement halved = refined.refine(half);
+            EXPECT_GT(halved.splits_in_lanes, halved.splits / 2);
+            EXPECT_LT(test::asymmetry(refined.mesh()), 1e-9);
+            half.l_max *= 0.7;
+            refined.refine(half);
+            EXPECT_LT(test::asymmetry(refined.mesh()), 1e-9);
+            refined.finish();
+        }
     }
 }
 
