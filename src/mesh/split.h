@@ -36,8 +36,8 @@ struct SplitIds {
     FaceId face3 = kNone<FaceId>, face4 = kNone<FaceId>;
 };
 
-// Where in the lists of what is free that goes which several such splits took, once they are
-// undone: of the first of them.
+// Places in the lists of what is free, for what several such splits took and now give back: those
+// of the first split.
 struct FreedPlaces {
     std::size_t vertex = 0, wedge = 0, edge = 0, face = 0;
 };

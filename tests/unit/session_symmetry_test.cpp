@@ -87,6 +87,20 @@ TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverAHundredDrags) {
     }
 }
 
+// By angle, so that what needs refinement does not depend on the zone; so much at a time that it
+// goes in lanes.
+TEST(SymmetricSession, KeepsALargeMeshSymmetricWhereThousandsAreSplit) {
+    Session session = session_with(Shape::Kind::sphere, 5, 1.6);
+    expect_done(session, Adapt{.theta_max = Setting::of(1.5)});
+    expect_done(session, command::Symmetry{.plane = Plane::x});
+    expect_done(session, Drag{.moves = {{{0.6, 0, 0.8}, {1.0, 0.3, 1.5}}}});
+    EXPECT_GT(session.mesh().face_count(), 80'000u);
+    EXPECT_LT(test::asymmetry(session.mesh()), 1e-6 * session.mesh().bounding_box().diagonal());
+    expect_done(session, Drag{.moves = {{{0, 1, 0}, {0, 1.8, 0.2}}}});
+    EXPECT_LT(test::asymmetry(session.mesh()), 1e-6 * session.mesh().bounding_box().diagonal());
+    EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
+}
+
 TEST(SymmetricSession, MovesBothSidesAndKeepsThePlane) {
     Session session = session_with(Shape::Kind::sphere, 4, 0.4);
     expect_done(session, command::Symmetry{.plane = Plane::y});
