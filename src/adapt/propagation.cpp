@@ -23,12 +23,11 @@ Propagation::Chain Propagation::chain(EdgeId e) {
 }
 
 // Of the other edges of e's faces that may be split and go before e, the one that goes first; e
-// itself if there is none. One not waited for may be longer also where e has mirrored ends, with
-// symmetry on: then it does not wait for longer ones either.
+// itself if there is none.
 Propagation::Next Propagation::first_neighbour(EdgeId e) {
     const RestEdge own = at_rest(e);
     RestEdge first = own;
-    Next next{e, breaks_ties_};
+    Next next{e, may_pass_longer_};
     for_each_neighbour(e, [&](EdgeId id) {
         const RestEdge candidate = at_rest(id);
         const bool goes = next.edge == e ? order_.propagates(candidate, own)

@@ -19,7 +19,7 @@ class Propagation {
     Propagation(ActiveSet& active, const AdaptLimits& limits, MaySplit may_split)
         : active_(active),
           order_(limits),
-          breaks_ties_(limits.symmetry.has_value()),
+          may_pass_longer_(limits.symmetry.has_value()),
           may_split_(std::move(may_split)) {}
 
     // From e to its longest neighbour, and on from there.
@@ -53,7 +53,7 @@ class Propagation {
 
     ActiveSet& active_;
     SplitOrder order_;
-    bool breaks_ties_;  // with symmetry on
+    bool may_pass_longer_;  // with symmetry on, by edges between mirrored ends
     MaySplit may_split_;
 };
 
