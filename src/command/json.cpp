@@ -9,6 +9,8 @@
 #include <numeric>
 #include <set>
 #include <stdexcept>
+#include <string>
+#include <string_view>
 
 #include "command/reference.h"
 #include "command/spelling.h"
@@ -164,15 +166,17 @@ Setting setting(const json& value, const std::string& where, const std::string& 
 
 // ---- Objects to commands
 
-const json* find(const json& object, const char* key) {
-    const auto found = object.find(key);
+const json* find(const json& object, std::string_view key) {
+    const auto found = object.find(std::string(key));
     return found == object.end() ? nullptr : &*found;
 }
 
-const json& require(const json& object, const std::string& key, const std::string& right,
-                    const std::string& prefix = "") {
-    if (const json* value = find(object, key.c_str())) return *value;
-    throw Problem(prefix + key + " is missing; it must be " + right);
+const json& require(const json& object, std::string_view key, std::string_view right,
+                    std::string_view prefix = "") {
+    if (const json* value = find(object, key)) return *value;
+    std::string missing(prefix);
+    missing.append(key).append(" is missing; it must be ").append(right);
+    throw Problem(missing);
 }
 
 template <class Range>

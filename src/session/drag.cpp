@@ -143,8 +143,7 @@ Refusal Session::State::embed(InHand& begun) {
                               planned.points.end());
         begun.is_one_step_left = true;
     }
-    begun.guard.reset();
-    if (begun.drag.fold_free) begun.guard.emplace(planned.last);
+    begun.guard = begun.drag.fold_free ? std::make_unique<FoldGuard>(planned.last) : nullptr;
     begun.solver.emplace(std::move(planned.last));
     begun.measured.seconds.solve = stopwatch.lap();
 

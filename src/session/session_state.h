@@ -47,7 +47,7 @@ struct Session::State {
         Lattice lattice{};                   // of the last step
         double reach = 0.0;                  // diagonal of the first step's zone
         std::optional<DragSolver> solver{};  // of the last step
-        std::optional<FoldGuard> guard{};    // of the solver, if folds are to be prevented
+        std::unique_ptr<FoldGuard> guard{};  // of the solver; null unless the drag is fold-free
         bool is_one_step_left = true;        // whether the last segment is the last step
         Statistics::Last measured{};         // so far
         std::unique_ptr<Gesture> gesture{};  // refers to the active set; none if memory gave out

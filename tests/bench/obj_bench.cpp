@@ -165,7 +165,7 @@ Memory memory_of(Work work) {
     if (child == 0) {
         ::malloc_trim(0);
         const double before = process_figure("VmRSS");
-        const auto result = work();
+        auto result = work();
         const Memory memory{process_figure("VmHWM") - before, process_figure("VmRSS") - before};
         benchmark::DoNotOptimize(result);
         ::_exit(::write(ends[1], &memory, sizeof memory) == sizeof memory ? 0 : 1);
