@@ -25,12 +25,26 @@ enum class Key : int {
     none = 0,
     escape = 256,
     enter,
-    home,
+    tab,
+    space,
+    backspace,
+    insert,
     delete_key,
+    left,
+    right,
+    up,
+    down,
+    home,
+    end,
+    page_up,
+    page_down,
     keypad_1,
     keypad_3,
     keypad_7
 };
+
+// The shape of the cursor over what lies under it.
+enum class CursorShape { arrow, text, hand, resize_horizontally, resize_vertically };
 
 namespace event {
 
@@ -71,12 +85,15 @@ struct Drop {
 struct Resize {
     IVec2 size{0};
 };
+struct Focus {
+    bool gained = false;  // else lost: keys are released without a KeyUp from now on
+};
 struct Close {};
 
 }  // namespace event
 
 using InputEvent = std::variant<event::Press, event::Release, event::Move, event::Leave,
                                 event::Scroll, event::KeyDown, event::KeyUp, event::Character,
-                                event::Drop, event::Resize, event::Close>;
+                                event::Drop, event::Resize, event::Focus, event::Close>;
 
 }  // namespace pectin

@@ -1,7 +1,6 @@
 #include "app/window.h"
 
 #include <imgui.h>
-#include <imgui_impl_glfw.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -11,10 +10,9 @@
 
 #include "app/editor.h"
 #include "app/editor_scene.h"
+#include "app/host/window_host.h"
 #include "app/object_view.h"
-#include "app/panels.h"
-#include "app/theme.h"
-#include "app/window_host.h"
+#include "app/ui/interface.h"
 #include "app/window_viewport.h"
 #include "render/imgui_renderer.h"
 
@@ -30,26 +28,6 @@ constexpr double kLongestWait = 0.1;
 // And between frames that show how far a file is: what draws faster takes from what works on it.
 constexpr double kProgressWait = 1.0 / 15.0;
 
-// Dear ImGui's context, fed by the host's window.
-class Interface {
-  public:
-    explicit Interface(const WindowHost& host) {
-        IMGUI_CHECKVERSION();
-        ImGui::CreateContext();
-        ImGuiIO& io = ImGui::GetIO();
-        io.IniFilename = nullptr;
-        io.ConfigInputTextCursorBlink = false;  // so that the program may rest
-        apply_theme(host.content_scale());
-        ImGui_ImplGlfw_InitForOpenGL(host.handle(), true);
-    }
-    ~Interface() {
-        ImGui_ImplGlfw_Shutdown();
-        ImGui::DestroyContext();
-    }
-    Interface(const Interface&) = delete;
-    Interface& operator=(const Interface&) = delete;
-};
-
 // Of the whole program, as the system sees it; 0 where it does not say.
 std::size_t resident_bytes() {
     std::ifstream file("/proc/self/statm");
@@ -63,13 +41,15 @@ class Window {
     explicit Window(const WindowOptions& options)
         : editor_(options.record.empty() ? std::nullopt : std::optional<Recorder>(options.record)),
           host_("pectin", kFirstSize),
-          interface_(host_),
-          panels_(host_.content_scale()),
+          interface_(host_.content_scale(),
+                     {.read = [this] { return host_.clipboard_text(); },
+                      .write = [this](const std::string& t) { host_.set_clipboard_text(t); }}),
           renderer_(host_.gl()),
           panel_renderer_(host_.gl(), *ImGui::GetIO().Fonts),
           object_(host_.gl()),
           viewport_(host_.gl(), renderer_, object_) {
         editor_.workspace().session().set_viewport(&viewport_);
+        interface_.set_size(host_.size(), host_.framebuffer_size());
         editor_.handle(event::Resize{host_.size()});
         editor_.begin(options.model);
     }
@@ -88,6 +68,7 @@ class Window {
     }
 
   private:
+    // Handles all that has been done before the next frame is drawn, however slow the last one was.
     void take_input() {
         const bool shows_progress = editor_.workspace().file_task() != nullptr;
         const double rest = frames_to_draw_ == 0 ? kLongestWait : 0.0;
@@ -95,17 +76,16 @@ class Window {
             host_.take_events(shows_progress ? kProgressWait : rest);
         if (!events.empty() || shows_progress) frames_to_draw_ = kSettlingFrames;
         for (const InputEvent& event : events) {
-            if (const auto* move = std::get_if<event::Move>(&event)) cursor_ = move->at;
-            editor_.handle(event, panels_.claims(cursor_));
+            if (editor_.wants_to_end()) return;
+            interface_.handle(editor_, event);
         }
     }
 
     void lay_out_panels() {
-        ImGui_ImplGlfw_NewFrame();
-        ImGui::NewFrame();
+        interface_.set_size(host_.size(), host_.framebuffer_size());
         figures_.memory_bytes = resident_bytes();
-        panels_.draw(editor_, figures_);
-        ImGui::Render();
+        interface_.lay_out(editor_, figures_);
+        host_.set_cursor(interface_.cursor_shape());
         const Workspace& workspace = editor_.workspace();
         host_.set_title((workspace.is_modified() ? "*" : "") + workspace.object_name() +
                         " — pectin");
@@ -126,7 +106,7 @@ class Window {
             canvas_ = std::make_unique<Canvas>(host_.gl(), size);
         }
         renderer_.draw(object_.mesh(), editor_scene(editor_, pixel_scale()), *canvas_);
-        panel_renderer_.draw(*ImGui::GetDrawData(), *canvas_);
+        panel_renderer_.draw(interface_.draw_data(), *canvas_);
         canvas_->resolve();
         canvas_->blit_to(0);
     }
@@ -141,14 +121,12 @@ class Window {
     Editor editor_;
     WindowHost host_;
     Interface interface_;
-    Panels panels_;
     Renderer renderer_;
     ImGuiRenderer panel_renderer_;
     ObjectView object_;
     WindowViewport viewport_;
     std::unique_ptr<Canvas> canvas_;  // as large as the window
     PictureFigures figures_;
-    Vec2 cursor_{-1.0};
     int frames_to_draw_ = kSettlingFrames;
 };
 

@@ -3,11 +3,11 @@
 
 #include <gtest/gtest.h>
 
-#include <optional>
+#include <memory>
 #include <string>
 #include <vector>
 
-#include "app/offscreen_host.h"
+#include "app/host/offscreen_host.h"
 #include "command/json.h"
 #include "render/renderer.h"
 #include "session/session.h"
@@ -18,7 +18,7 @@ class OffscreenTest : public testing::Test {
   protected:
     void SetUp() override {
         try {
-            host_.emplace();
+            host_ = make_offscreen_host();
         } catch (const ContextError& error) {
             GTEST_SKIP() << "nothing can be drawn: " << error.what();
         }
@@ -26,7 +26,7 @@ class OffscreenTest : public testing::Test {
     const Gl& gl() const { return host_->gl(); }
 
   private:
-    std::optional<OffscreenHost> host_;
+    std::unique_ptr<OffscreenHost> host_;
 };
 
 // Executes the lines of a script; a refusal fails the test.

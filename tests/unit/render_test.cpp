@@ -62,17 +62,66 @@ TEST(RenderErrors, SayWhichVersionIsTooOld) {
     }
 }
 
-TEST(RenderErrors, NameThePackageToInstallWhereOsmesaIsAbsent) {
-    for (const char* library : {"libNoSuchMesa.so.8", "libm.so.6"}) {
-        try {
-            const OffscreenHost host(library);
-            FAIL() << "was made";
-        } catch (const ContextError& error) {
-            EXPECT_NE(std::string(error.what()).find("install the package libosmesa6"),
-                      std::string::npos)
-                << error.what();
-        }
+// What make_offscreen_host() says when it throws; empty if it creates a host.
+std::string error_of_host(std::string_view choice, const OffscreenLibraries& libraries = {}) {
+    try {
+        make_offscreen_host(choice, libraries);
+        return {};
+    } catch (const ContextError& error) {
+        return error.what();
     }
+}
+
+TEST(OffscreenHost, UsesEglWhereOsmesaIsAbsent) {
+    if (!error_of_host("egl").empty()) GTEST_SKIP() << error_of_host("egl");
+    EXPECT_EQ(error_of_host("", {.osmesa = "libNoSuchMesa.so.8"}), "");
+    EXPECT_NE(error_of_host("osmesa", {.osmesa = "libNoSuchMesa.so.8"}), "");
+}
+
+TEST(OffscreenHost, NamesThePackagesOfBothHostsWhereNeitherIsUsable) {
+    for (const char* library : {"libNoSuchLibrary.so.8", "libm.so.6"}) {
+        const std::string error = error_of_host("", {.osmesa = library, .egl = library});
+        for (const char* expected : {"libosmesa6", "libegl1", "libgl1-mesa-dri", library}) {
+            EXPECT_NE(error.find(expected), std::string::npos) << error;
+        }
+        EXPECT_EQ(error.find('\n'), std::string::npos);
+    }
+}
+
+TEST(OffscreenHost, NamesOnlyThePackageOfTheHostThatWasChosen) {
+    const OffscreenLibraries none{.osmesa = "libNoSuchMesa.so.8", .egl = "libNoSuchEgl.so.1"};
+    EXPECT_EQ(error_of_host("osmesa", none).find("libegl1"), std::string::npos);
+    EXPECT_EQ(error_of_host("egl", none).find("libosmesa6"), std::string::npos);
+}
+
+TEST(OffscreenHost, RefusesAnUnknownChoiceAndNamesThoseThereAre) {
+    const std::string error = error_of_host("glx");
+    EXPECT_NE(error.find("PECTIN_OFFSCREEN"), std::string::npos) << error;
+    EXPECT_NE(error.find("osmesa or egl"), std::string::npos) << error;
+    EXPECT_NE(error.find("\"glx\""), std::string::npos) << error;
+}
+
+// Both hosts in one process: each draws after make_current(), whatever the other did between.
+TEST(OffscreenHost, TwoHostsDrawInTurn) {
+    std::unique_ptr<OffscreenHost> first, second;
+    try {
+        first = make_offscreen_host();
+        second = make_offscreen_host();
+    } catch (const ContextError& error) {
+        GTEST_SKIP() << error.what();
+    }
+    const TriMesh sphere = build_mesh(make_shape(ShapeKind::sphere, 2)).mesh;
+    std::vector<Image> images;
+    for (OffscreenHost* host : {first.get(), second.get(), first.get()}) {
+        host->make_current();
+        images.push_back(draw(host->gl(), sphere, Scene{}, {64, 48}));
+    }
+    EXPECT_EQ(images[0].rgba, images[1].rgba);
+    EXPECT_EQ(images[0].rgba, images[2].rgba);
+    // Each host's objects are destroyed in its own context.
+    second->make_current();
+    second.reset();
+    first->make_current();
 }
 
 TEST_F(RenderTest, NamesTheShaderThatFailsAndWhatTheDriverSays) {

@@ -1,9 +1,10 @@
-#include "app/window_host.h"
+#include "app/host/window_host.h"
 
 #define GLFW_INCLUDE_NONE
 #include <GLFW/glfw3.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <cstring>
 #include <optional>
@@ -40,32 +41,53 @@ Modifiers held_modifiers(GLFWwindow* window) {
 
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
+// Keys that are named by what they do and not by a character.
+Key named_key_of(int key) {
+    struct Named {
+        int glfw;
+        Key key;
+    };
+    static constexpr std::array kNamed{
+        Named{GLFW_KEY_ESCAPE, Key::escape},   Named{GLFW_KEY_ENTER, Key::enter},
+        Named{GLFW_KEY_KP_ENTER, Key::enter},  Named{GLFW_KEY_TAB, Key::tab},
+        Named{GLFW_KEY_SPACE, Key::space},     Named{GLFW_KEY_BACKSPACE, Key::backspace},
+        Named{GLFW_KEY_INSERT, Key::insert},   Named{GLFW_KEY_DELETE, Key::delete_key},
+        Named{GLFW_KEY_LEFT, Key::left},       Named{GLFW_KEY_RIGHT, Key::right},
+        Named{GLFW_KEY_UP, Key::up},           Named{GLFW_KEY_DOWN, Key::down},
+        Named{GLFW_KEY_HOME, Key::home},       Named{GLFW_KEY_END, Key::end},
+        Named{GLFW_KEY_PAGE_UP, Key::page_up}, Named{GLFW_KEY_PAGE_DOWN, Key::page_down},
+        Named{GLFW_KEY_KP_1, Key::keypad_1},   Named{GLFW_KEY_KP_3, Key::keypad_3},
+        Named{GLFW_KEY_KP_7, Key::keypad_7},
+    };
+    const auto found = std::find_if(kNamed.begin(), kNamed.end(),
+                                    [key](const Named& named) { return named.glfw == key; });
+    return found == kNamed.end() ? Key::none : found->key;
+}
+
 // What is written on the key; where that is no Latin letter, what a US keyboard has there.
 Key key_of(int key, int scancode) {
-    switch (key) {
-        case GLFW_KEY_ESCAPE:
-            return Key::escape;
-        case GLFW_KEY_ENTER:
-        case GLFW_KEY_KP_ENTER:
-            return Key::enter;
-        case GLFW_KEY_HOME:
-            return Key::home;
-        case GLFW_KEY_DELETE:
-            return Key::delete_key;
-        case GLFW_KEY_KP_1:
-            return Key::keypad_1;
-        case GLFW_KEY_KP_3:
-            return Key::keypad_3;
-        case GLFW_KEY_KP_7:
-            return Key::keypad_7;
-        default:
-            break;
-    }
+    if (const Key named = named_key_of(key); named != Key::none) return named;
     const char* const name = glfwGetKeyName(key, scancode);
     if (name && std::strlen(name) == 1) {
         return Key{std::toupper(static_cast<unsigned char>(name[0]))};
     }
     return key >= GLFW_KEY_A && key <= GLFW_KEY_Z ? Key{key} : Key::none;
+}
+
+int glfw_shape_of(CursorShape shape) {
+    switch (shape) {
+        case CursorShape::arrow:
+            return GLFW_ARROW_CURSOR;
+        case CursorShape::text:
+            return GLFW_IBEAM_CURSOR;
+        case CursorShape::hand:
+            return GLFW_HAND_CURSOR;
+        case CursorShape::resize_horizontally:
+            return GLFW_HRESIZE_CURSOR;
+        case CursorShape::resize_vertically:
+            return GLFW_VRESIZE_CURSOR;
+    }
+    return GLFW_ARROW_CURSOR;
 }
 
 std::optional<MouseButton> button_of(int button) {
@@ -152,6 +174,24 @@ void WindowHost::show() { glfwSwapBuffers(window_.get()); }
 void WindowHost::set_title(const std::string& title) {
     if (title != title_) glfwSetWindowTitle(window_.get(), title.c_str());
     title_ = title;
+}
+
+void WindowHost::set_cursor(CursorShape shape) {
+    if (cursor_shape_ == shape) return;
+    cursor_shape_ = shape;
+    // Null where the desktop has no such shape, which gives the arrow. GLFW frees them at its end.
+    auto [entry, is_new] = cursors_.try_emplace(shape, nullptr);
+    if (is_new) entry->second = glfwCreateStandardCursor(glfw_shape_of(shape));
+    glfwSetCursor(window_.get(), entry->second);
+}
+
+std::string WindowHost::clipboard_text() const {
+    const char* const text = glfwGetClipboardString(window_.get());
+    return text ? text : "";
+}
+
+void WindowHost::set_clipboard_text(const std::string& text) {
+    glfwSetClipboardString(window_.get(), text.c_str());
 }
 
 IVec2 WindowHost::size() const {
@@ -242,6 +282,9 @@ void WindowHost::listen_to_window() {
     });
     glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) {
         host_of(w).events_.push_back(event::Resize{host_of(w).size()});
+    });
+    glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
+        host_of(w).events_.push_back(event::Focus{focused == GLFW_TRUE});
     });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides

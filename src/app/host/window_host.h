@@ -1,6 +1,7 @@
 // A window of the desktop with an OpenGL context, and what is done to it: GLFW.
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "app/input_event.h"
 #include "render/gl.h"
 
+struct GLFWcursor;
 struct GLFWwindow;
 
 namespace pectin {
@@ -23,12 +25,14 @@ class WindowHost {
 
     // Stays where it is as long as the host does.
     const Gl& gl() const { return gl_; }
-    GLFWwindow* handle() const { return window_.get(); }
 
     // What has been done since the last call; waits for something, as many seconds as this.
     std::vector<InputEvent> take_events(double longest_wait);
     void show();  // what has been drawn
     void set_title(const std::string& title);
+    void set_cursor(CursorShape shape);
+    std::string clipboard_text() const;  // UTF-8; empty if the clipboard holds no text
+    void set_clipboard_text(const std::string& text);
 
     IVec2 size() const;              // in window coordinates
     IVec2 framebuffer_size() const;  // in pixels; 0 while it is an icon
@@ -53,6 +57,8 @@ class WindowHost {
     std::vector<InputEvent> events_;
     Vec2 cursor_{0.0};  // as the cursor callback last said
     std::string title_;
+    CursorShape cursor_shape_ = CursorShape::arrow;
+    std::map<CursorShape, GLFWcursor*> cursors_;  // those that have been used
 };
 
 }  // namespace pectin

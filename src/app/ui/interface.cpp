@@ -1,0 +1,123 @@
+#include "app/ui/interface.h"
+
+#include <imgui.h>
+
+#include <algorithm>
+#include <utility>
+
+#include "app/theme.h"
+#include "app/ui/imgui_input.h"
+
+namespace pectin {
+namespace {
+
+// The layouts that Dear ImGui needs until a window that has just opened has its size and its text
+// field the keyboard.
+constexpr int kLayoutsToSettle = 3;
+constexpr float kShortestLayout = 1e-6f;  // seconds; Dear ImGui wants some time to have passed
+
+// Their effects can be given together: only the last one counts.
+bool is_movement(const InputEvent& input) {
+    return std::holds_alternative<event::Move>(input) ||
+           std::holds_alternative<event::Leave>(input) ||
+           std::holds_alternative<event::Resize>(input);
+}
+
+CursorShape shape_of(ImGuiMouseCursor cursor) {
+    switch (cursor) {
+        case ImGuiMouseCursor_TextInput:
+            return CursorShape::text;
+        case ImGuiMouseCursor_Hand:
+            return CursorShape::hand;
+        case ImGuiMouseCursor_ResizeEW:
+            return CursorShape::resize_horizontally;
+        case ImGuiMouseCursor_ResizeNS:
+            return CursorShape::resize_vertically;
+        default:
+            return CursorShape::arrow;
+    }
+}
+
+ImVec2 to_imgui(const Vec2& v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
+}  // namespace
+
+Interface::Interface(float scale, Clipboard clipboard)
+    : clipboard_(std::move(clipboard)), panels_(scale) {
+    IMGUI_CHECKVERSION();
+    ImGui::CreateContext();
+    ImGuiIO& io = ImGui::GetIO();
+    io.IniFilename = nullptr;
+    io.ConfigInputTextCursorBlink = false;  // so that an idle window draws nothing
+    io.BackendFlags |= ImGuiBackendFlags_HasMouseCursors;
+    io.ClipboardUserData = this;
+    io.GetClipboardTextFn = [](void* user) {
+        auto& self = *static_cast<Interface*>(user);
+        if (self.clipboard_.read) self.clipboard_text_ = self.clipboard_.read();
+        return self.clipboard_text_.c_str();
+    };
+    io.SetClipboardTextFn = [](void* user, const char* text) {
+        auto& self = *static_cast<Interface*>(user);
+        self.clipboard_text_ = text;
+        if (self.clipboard_.write) self.clipboard_.write(self.clipboard_text_);
+    };
+    set_up_imgui_input();
+    apply_theme(scale);
+    io.Fonts->Build();
+}
+
+Interface::~Interface() { ImGui::DestroyContext(); }
+
+void Interface::set_size(const IVec2& size, const IVec2& framebuffer_size) {
+    ImGuiIO& io = ImGui::GetIO();
+    io.DisplaySize = to_imgui(Vec2(size));
+    // A window that is minimised has no size, and then none of its pixels is drawn.
+    if (size.x > 0 && size.y > 0) {
+        io.DisplayFramebufferScale = to_imgui(Vec2(framebuffer_size) / Vec2(size));
+    }
+}
+
+void Interface::handle(Editor& editor, const InputEvent& input) {
+    const bool moves = is_movement(input);
+    // What is pressed now was under the mouse when it had moved there.
+    if (!moves && has_moved_) settle(editor, 1);
+    if (const auto* move = std::get_if<event::Move>(&input)) cursor_ = move->at;
+    if (const auto* resize = std::get_if<event::Resize>(&input)) {
+        ImGui::GetIO().DisplaySize = to_imgui(Vec2(resize->size));
+    }
+    feed_imgui(input);
+    editor.handle(input, panels_.claims(cursor_));
+    if (moves) {
+        has_moved_ = true;
+    } else {
+        settle(editor, kLayoutsToSettle);
+    }
+}
+
+void Interface::settle(Editor& editor, int layouts) {
+    for (int i = 0; i < layouts && !editor.wants_to_end(); ++i) {
+        begin_layout(editor);
+        ImGui::EndFrame();
+    }
+}
+
+void Interface::begin_layout(Editor& editor) {
+    const auto now = std::chrono::steady_clock::now();
+    const std::chrono::duration<float> passed = now - std::exchange(last_layout_, now);
+    ImGui::GetIO().DeltaTime = std::max(passed.count(), kShortestLayout);
+    has_moved_ = false;
+    ImGui::NewFrame();
+    panels_.draw(editor, figures_);
+}
+
+void Interface::lay_out(Editor& editor, const PictureFigures& figures) {
+    figures_ = figures;
+    begin_layout(editor);
+    ImGui::Render();
+}
+
+const ImDrawData& Interface::draw_data() const { return *ImGui::GetDrawData(); }
+
+CursorShape Interface::cursor_shape() const { return shape_of(ImGui::GetMouseCursor()); }
+
+}  // namespace pectin

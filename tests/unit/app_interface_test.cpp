@@ -1,0 +1,178 @@
+// What reaches panels and dialogs when much is done between two frames. The panels are laid out
+// without a window; nothing is drawn.
+#include "app/ui/interface.h"
+
+#include <thread>
+
+#include "unit/app_editor_fixture.h"
+
+namespace pectin {
+namespace {
+
+constexpr Modifiers kControl{.control = true};
+constexpr Modifiers kControlShift{.shift = true, .control = true};
+
+class InterfaceTest : public EditorTest {
+  protected:
+    void SetUp() override {
+        editor_.emplace(editor());
+        interface_.set_size(kSize, kSize);
+        interface_.lay_out(*editor_, {});
+    }
+
+    // All between the same two frames.
+    void give(const InputEvent& input) { interface_.handle(*editor_, input); }
+    void press_key(Key key, Modifiers modifiers = {}) {
+        give(event::KeyDown{key, modifiers});
+        give(event::KeyUp{key});
+    }
+    void type(const std::string& text) {
+        for (const char c : text) {
+            const int capital = std::toupper(static_cast<unsigned char>(c));
+            give(event::KeyDown{Key{capital}});
+            give(event::Character{static_cast<unsigned char>(c)});
+            give(event::KeyUp{Key{capital}});
+        }
+    }
+    void click(const Vec2& at) {
+        give(event::Move{at});
+        give(event::Press{MouseButton::left, at});
+        give(event::Release{MouseButton::left, at});
+    }
+
+    std::optional<Editor> editor_;
+    std::string clipboard_;
+    Interface interface_{1.0f,
+                         {.read = [this] { return clipboard_; },
+                          .write = [this](const std::string& text) { clipboard_ = text; }}};
+};
+
+TEST_F(InterfaceTest, EnterAcceptsThePathThatWasTypedBeforeItInTheSameFrame) {
+    press_key(Key{'S'}, kControlShift);
+    type(path("typed.obj"));
+    press_key(Key::enter);
+    EXPECT_FALSE(editor_->browser);
+    EXPECT_TRUE(fs::exists(path("typed.obj"))) << editor_->workspace().message();
+    EXPECT_EQ(editor_->workspace().path(), path("typed.obj"));
+}
+
+TEST_F(InterfaceTest, AWholeSequenceOfDialogsAndKeysNeedsNoFrameBetween) {
+    fs::create_directory(path("models"));
+    write("models/wedge.obj",
+          "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    press_key(Key{'O'}, kControl);
+    type(path("models"));  // a folder, where the dialog goes first
+    press_key(Key::enter);
+    ASSERT_TRUE(editor_->browser);
+    EXPECT_EQ(editor_->browser->folder(), path("models"));
+    type("wedge.obj");
+    EXPECT_EQ(editor_->browser->name, "wedge.obj");
+    press_key(Key::enter);
+    EXPECT_EQ(editor_->workspace().path(), path("models/wedge.obj"));
+    EXPECT_EQ(editor_->session().mesh().face_count(), 4u);
+    press_key(Key{'S'}, kControlShift);
+    type(path("copy.obj"));
+    press_key(Key::enter);
+    EXPECT_TRUE(fs::exists(path("copy.obj")));
+}
+
+TEST_F(InterfaceTest, EnterAnswersTheQuestionThatTheKeyBeforeItHasRaised) {
+    press_key(Key{'S'}, kControlShift);
+    type(path("ball.obj"));
+    press_key(Key::enter);
+    drag(*editor_, kMiddle, kMiddle + Vec2{60, -40});
+    ASSERT_TRUE(editor_->workspace().is_modified());
+    const std::string before = read("ball.obj");
+    press_key(Key{'Q'}, kControl);
+    press_key(Key::enter);  // Save
+    EXPECT_TRUE(editor_->wants_to_end());
+    EXPECT_NE(read("ball.obj"), before);
+}
+
+TEST_F(InterfaceTest, TextFieldsEditCopyAndPaste) {
+    press_key(Key{'S'}, kControlShift);
+    type("abc");
+    press_key(Key::backspace);
+    EXPECT_EQ(editor_->browser->name, "ab");
+    press_key(Key::home);
+    type("x");
+    EXPECT_EQ(editor_->browser->name, "xab");
+    press_key(Key{'A'}, kControl);
+    press_key(Key{'C'}, kControl);
+    EXPECT_EQ(clipboard_, "xab");
+    clipboard_ = "pasted";
+    press_key(Key{'V'}, kControl);
+    EXPECT_EQ(editor_->browser->name, "pasted");
+    press_key(Key::escape);
+    EXPECT_FALSE(editor_->browser);
+}
+
+TEST_F(InterfaceTest, LettersTypedIntoAFieldAreNoShortcuts) {
+    const bool wireframe = editor_->display.wireframe;
+    press_key(Key{'S'}, kControlShift);
+    type("w");
+    press_key(Key::escape);
+    EXPECT_EQ(editor_->display.wireframe, wireframe);
+    type("w");
+    EXPECT_NE(editor_->display.wireframe, wireframe);
+}
+
+// A menu opens under the press, and its entry is where the mouse goes next.
+TEST_F(InterfaceTest, AMenuAndItsEntryAreClickedInOneFrame) {
+    const bool wireframe = editor_->display.wireframe;
+    for (float y = 30.0f; y < 300.0f && editor_->display.wireframe == wireframe; y += 12.0f) {
+        click({105, 12});  // View
+        click({130, y});
+        press_key(Key::escape);
+    }
+    EXPECT_NE(editor_->display.wireframe, wireframe);
+}
+
+// A slow frame: the whole drag of a slider waits to be handled when it ends.
+TEST_F(InterfaceTest, ASliderFollowsADragThatWasOverBeforeTheNextFrame) {
+    const auto theta_max = [this] { return editor_->session().adapt_settings().theta_max; };
+    const auto before = theta_max();
+    for (double y = 145; y < 260 && theta_max() == before; y += 10) {
+        give(event::Move{{1110, y}});
+        give(event::Press{MouseButton::left, {1110, y}});
+        give(event::Move{{1085, y}});
+        give(event::Release{MouseButton::left, {1085, y}});
+        give(event::Move{{600, 700}});
+    }
+    EXPECT_NE(theta_max(), before);
+}
+
+TEST_F(InterfaceTest, AClickBesideThePanelsReachesTheObject) {
+    drag(*editor_, kMiddle, kMiddle);  // dismisses the hint
+    const std::size_t steps = editor_->session().undo_count();
+    give(event::Move{kMiddle});
+    give(event::Press{MouseButton::left, kMiddle});
+    give(event::Move{kMiddle + Vec2{50, -30}});
+    give(event::Release{MouseButton::left, kMiddle + Vec2{50, -30}});
+    EXPECT_EQ(editor_->session().undo_count(), steps + 1);
+}
+
+TEST_F(InterfaceTest, TheCursorTellsTextFieldsFromButtons) {
+    EXPECT_EQ(interface_.cursor_shape(), CursorShape::arrow);
+    press_key(Key{'O'}, kControl);
+    bool found = false;
+    for (double y = 540; y < 660 && !found; y += 6) {
+        give(event::Move{{600, y}});
+        interface_.lay_out(*editor_, {});
+        found = interface_.cursor_shape() == CursorShape::text;
+    }
+    EXPECT_TRUE(found);
+}
+
+TEST_F(InterfaceTest, AKeyHeldWhenTheWindowLosesTheFocusIsReleased) {
+    press_key(Key{'S'}, kControlShift);
+    type("kept");
+    give(event::KeyDown{Key::backspace});
+    give(event::Focus{false});
+    std::this_thread::sleep_for(std::chrono::milliseconds(600));  // longer than until it repeats
+    for (int i = 0; i < 3; ++i) interface_.lay_out(*editor_, {});
+    EXPECT_EQ(editor_->browser->name, "kep");
+}
+
+}  // namespace
+}  // namespace pectin
