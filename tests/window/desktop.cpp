@@ -18,8 +18,9 @@ using namespace std::chrono_literals;
 
 namespace {
 
-// The program sees each step of the hand by itself; with sanitizers it takes longer to draw.
-std::chrono::milliseconds moment() { return std::getenv("PECTIN_TEST_SANITIZED") ? 300ms : 100ms; }
+// Between two steps of the hand, so that frames are drawn while it moves, as with a person. No test
+// depends on it.
+constexpr std::chrono::milliseconds kMoment = 50ms;
 
 std::vector<std::string> with_environment(const Environment& changes) {
     std::vector<std::string> all;
@@ -88,6 +89,13 @@ std::optional<int> Process::wait(std::chrono::milliseconds most) {
     return status_;
 }
 
+void Process::pause() const {
+    ::kill(id_, SIGSTOP);
+    int status = 0;
+    ::waitpid(id_, &status, WUNTRACED);
+}
+void Process::resume() const { ::kill(id_, SIGCONT); }
+
 bool eventually(const std::function<bool()>& condition, std::chrono::milliseconds most) {
     const auto end = std::chrono::steady_clock::now() + most;
     while (!condition()) {
@@ -101,7 +109,7 @@ std::string missing_for_windows() {
     for (const char* program : {"Xvfb", "xdotool"}) {
         if (!is_installed(program)) return std::string(program) + " is not installed";
     }
-    if (Process({"/usr/bin/python3", "-c", "import Xlib"}, {}).wait(20s) != 0) {
+    if (Process({"/usr/bin/python3", "-c", "import Xlib"}, {}).wait() != 0) {
         return "python3-xlib is not installed";
     }
     return {};
@@ -112,7 +120,9 @@ Desktop::Desktop() {
     for (int i = 0; i < kTries; ++i) {
         const std::string display = ":" + std::to_string(kFirst + (::getpid() + i) % kNumbers);
         server_.emplace(std::vector<std::string>{"Xvfb", display, "-screen", "0", "1280x800x24",
-                                                 "-nolisten", "tcp", "-noreset"},
+                                                 "-nolisten", "tcp", "-noreset",
+                                                 // no repeated keys where xdotool is held up
+                                                 "-r"},
                         Environment{});
         // Mesa's own rasteriser, wherever the test runs. What drivers leak cannot be told by name:
         // they are unloaded before the leaks are looked for.
@@ -122,7 +132,7 @@ Desktop::Desktop() {
                         {"ASAN_OPTIONS", "detect_leaks=0"}};
         const auto has_ended = [this] { return server_->wait(0ms).has_value(); };
         const bool answers =
-            eventually([&] { return has_ended() || xdotool({"getdisplaygeometry"}) == 0; }, 20s);
+            eventually([&] { return has_ended() || xdotool({"getdisplaygeometry"}) == 0; });
         if (answers && !has_ended()) return;  // else another's display
     }
     environment_.clear();
@@ -131,16 +141,16 @@ Desktop::Desktop() {
 int Desktop::xdotool(const std::vector<std::string>& words) const {
     std::vector<std::string> all{"xdotool"};
     all.insert(all.end(), words.begin(), words.end());
-    const int status = Process(all, environment_).wait(20s).value_or(-1);
-    std::this_thread::sleep_for(moment());
+    const int status = Process(all, environment_).wait().value_or(-1);
+    std::this_thread::sleep_for(kMoment);
     return status;
 }
 
 bool Desktop::drop(const std::string& path) const {
     const std::vector<std::string> words{"/usr/bin/python3",
                                          PECTIN_SOURCE_DIR "/tests/window/drop_file.py", path};
-    const int status = Process(words, environment_).wait(20s).value_or(-1);
-    std::this_thread::sleep_for(moment());
+    const int status = Process(words, environment_).wait().value_or(-1);
+    std::this_thread::sleep_for(kMoment);
     return status == 0;
 }
 
@@ -163,8 +173,6 @@ void Desktop::drag(int from_x, int from_y, int to_x, int to_y) const {
     }
     release();
 }
-
-void Desktop::wait_for_dialog() const { std::this_thread::sleep_for(5 * moment()); }
 
 bool Desktop::shows_window() const {
     return eventually([this] {

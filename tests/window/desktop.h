@@ -11,6 +11,10 @@
 
 namespace pectin {
 
+// How long a condition may take to come true: only a failure has to wait for so long, and a machine
+// that does much else is slow.
+inline constexpr std::chrono::milliseconds kPatience = std::chrono::seconds(90);
+
 using Environment = std::vector<std::pair<std::string, std::string>>;  // empty value: not set
 
 // A program that is ended with this, at the latest.
@@ -24,7 +28,10 @@ class Process {
     Process& operator=(const Process&) = delete;
 
     // Its exit status; -1 where a signal ended it, none where it has not ended in time.
-    std::optional<int> wait(std::chrono::milliseconds most);
+    std::optional<int> wait(std::chrono::milliseconds most = kPatience);
+    // Stops it where it is, and lets it go on: between the two everything waits to be handled.
+    void pause() const;
+    void resume() const;
 
   private:
     pid_t id_ = -1;
@@ -32,8 +39,7 @@ class Process {
 };
 
 // Whether it came true within a while.
-bool eventually(const std::function<bool()>& condition,
-                std::chrono::milliseconds most = std::chrono::seconds(20));
+bool eventually(const std::function<bool()>& condition, std::chrono::milliseconds most = kPatience);
 
 // Why the window cannot be tested here; empty where it can.
 std::string missing_for_windows();
@@ -45,7 +51,8 @@ class Desktop {
     const Environment& environment() const { return environment_; }
     bool is_running() const { return !environment_.empty(); }
 
-    // --- What a hand does, each followed by a moment for the program to answer.
+    // --- What a hand does. The program handles it in this order, however slow it is, so nothing has
+    // to be waited for between two of these.
     void move(int x, int y) const;
     void press(int button = 1) const;
     void release(int button = 1) const;
@@ -55,7 +62,6 @@ class Desktop {
     void type(const std::string& text) const;
     void drag(int from_x, int from_y, int to_x, int to_y) const;
     bool drop(const std::string& path) const;  // a file on the window; whether it was taken
-    void wait_for_dialog() const;              // to come, to go or to show another folder
     // Until the program's window is on the display.
     bool shows_window() const;
 
