@@ -107,7 +107,7 @@ void Editor::on(const event::KeyDown& key, bool is_claimed) {
         if (!escape_gesture() && !escape_dialog() && !is_claimed) escape_state();
         return;
     }
-    if (key.key == Key::enter && !key.is_repeat) enter_ = browser || question;
+    if (key.key == Key::enter && !key.is_repeat) enter_ = browser || question || offered_session();
     const auto action = action_for(key.key, key.modifiers);
     if (workspace_.file_task() && action == Action::quit) return quit();
     if (is_claimed) return;
@@ -148,6 +148,8 @@ bool Editor::escape_dialog() {
         workspace_.cancel_file_task();
     } else if (!file_to_replace_.empty()) {
         keep_file();
+    } else if (offered_session()) {
+        answer_recovery(RecoveryAnswer::later);
     } else if (question) {
         answer(Answer::cancel);
     } else if (browser) {

@@ -104,7 +104,9 @@ class Editor {
     DragOptions drag_options{.connected = true, .fold_free = true};
     bool sets_pins = false;  // a click on the surface sets or removes one, in place of a drag
     // --- Dialogs, while they are open; one more tells of a file that is under way.
-    bool has_dialog() const { return browser || question || workspace_.file_task(); }
+    bool has_dialog() const {
+        return browser || question || offered_session() || workspace_.file_task();
+    }
     std::optional<FileBrowser> browser{};
     // Does with the file named in the browser what it is for and closes it; asks first where a
     // file would be replaced, and does nothing where no file is named.
@@ -123,6 +125,15 @@ class Editor {
     std::optional<Question> question{};
     enum class Answer { save, discard, cancel };
     void answer(Answer answer);
+    // Asks, for one after the other, whether these are to be restored.
+    void offer(std::vector<LostSession> sessions) { lost_sessions_ = std::move(sessions); }
+    // The one being asked for; null if none is, and while a file is under way.
+    const LostSession* offered_session() const {
+        return lost_sessions_.empty() || workspace_.file_task() ? nullptr : &lost_sessions_.front();
+    }
+    // later: it is offered again at the next start, like all that were not asked for.
+    enum class RecoveryAnswer { restore, discard, later };
+    void answer_recovery(RecoveryAnswer answer);
 
   private:
     void on(const event::Press& press, bool is_claimed);
@@ -161,6 +172,7 @@ class Editor {
     void begin_save();
     void save(const std::string& path, std::optional<Question> next);
     bool escape_dialog();
+    void restore(const LostSession& session);
     void use_file(FileBrowser::Purpose purpose, const std::string& path);
     void ask_or_do(Question question);
     void carry_out(const Question& question);
@@ -198,6 +210,7 @@ class Editor {
     std::optional<Question> next_;        // once the save that is under way is done
     bool quits_next_ = false;             // once the file that is under way is gone
     std::string file_to_replace_;
+    std::vector<LostSession> lost_sessions_;
     bool enter_ = false;
     bool shows_hint_ = true;
     bool wants_to_end_ = false;

@@ -185,4 +185,41 @@ void Editor::answer(Answer answer) {
     }
 }
 
+void Editor::answer_recovery(RecoveryAnswer answer) {
+    enter_ = false;
+    if (answer == RecoveryAnswer::discard) {
+        remove_lost_session(lost_sessions_.front());
+        lost_sessions_.erase(lost_sessions_.begin());
+        return;  // to the next one
+    }
+    const std::vector<LostSession> sessions = std::exchange(lost_sessions_, {});
+    if (answer == RecoveryAnswer::restore) restore(sessions.front());
+}
+
+// Does again all that was done. If a command fails, the file stays for the user, under a name that
+// is not offered again.
+void Editor::restore(const LostSession& session) {
+    std::size_t done = 0;
+    for (const Command& command : session.commands) {
+        if (is_restored(command) &&
+            workspace_.execute_to_the_end(command) != Workspace::Outcome::done) {
+            break;
+        }
+        ++done;
+    }
+    begin_object();
+    const std::string why = workspace_.message();
+    if (done == session.commands.size()) {
+        remove_lost_session(session);
+        workspace_.tell("Restored. Save the object to keep it.");
+        return;
+    }
+    std::error_code ignored;
+    const std::string kept = session.path + ".incomplete";
+    std::filesystem::rename(session.path, kept, ignored);
+    workspace_.tell("Restored up to command " + std::to_string(done) + " of " +
+                    std::to_string(session.commands.size()) + ": " + why +
+                    ". The whole script is in " + kept + ".");
+}
+
 }  // namespace pectin

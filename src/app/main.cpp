@@ -1,22 +1,33 @@
 #include <exception>
 #include <iostream>
 #include <new>
+#include <string>
 
 #include "app/command_line.h"
 #include "app/replay.h"
+#include "app/termination.h"
 #include "app/window.h"
 
 namespace {
 
 enum ExitStatus { kDone = 0, kFailed = 1, kBadUsage = 2 };
 
-int run(const pectin::CommandLine& command_line) {
+bool replay(const std::string& script, pectin::TerminationWatch& termination) {
+    pectin::ReplayStatus status;
+    termination.set_farewell([&status](const char* signal) { return status.farewell(signal); });
+    const bool is_done = pectin::replay(script, std::cerr, status);
+    termination.set_farewell({});  // before the status is gone
+    return is_done;
+}
+
+int run(const pectin::CommandLine& command_line, pectin::TerminationWatch& termination) {
     switch (command_line.action) {
         case pectin::CommandLine::Action::window:
-            pectin::run_window({.model = command_line.model, .record = command_line.record});
+            pectin::run_window({.model = command_line.model, .record = command_line.record},
+                               termination);
             return kDone;
         case pectin::CommandLine::Action::replay:
-            return pectin::replay(command_line.script, std::cerr) ? kDone : kFailed;
+            return replay(command_line.script, termination) ? kDone : kFailed;
         case pectin::CommandLine::Action::show:
             std::cout << command_line.text << std::flush;
             return std::cout ? kDone : kFailed;
@@ -31,7 +42,8 @@ int run(const pectin::CommandLine& command_line) {
 
 int main(int argc, char** argv) {
     try {
-        return run(pectin::read_command_line(argc, argv));
+        pectin::TerminationWatch termination;
+        return run(pectin::read_command_line(argc, argv), termination);
     } catch (const std::bad_alloc&) {
         std::cerr << "pectin: there is not enough memory\n";
         return kFailed;

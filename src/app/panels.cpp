@@ -109,6 +109,7 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     draw_settings(editor);
     draw_message(editor);
     draw_question(editor);
+    draw_recovery_question(editor);
     draw_file_panel(editor, scale_);
     draw_progress_panel(editor, scale_);
     // A dialog that has just been closed claims nothing more, though Dear ImGui knows it yet.
@@ -371,6 +372,27 @@ void Panels::draw_question(Editor& editor) {
     if (ImGui::Button("Cancel", size)) answer = Editor::Answer::cancel;
     ImGui::EndPopup();
     if (answer) editor.answer(*answer);
+}
+
+void Panels::draw_recovery_question(Editor& editor) {
+    const LostSession* const session = editor.offered_session();
+    if (!begin_dialog(session != nullptr, "Restore the last session?", scaled(460.0f), 0.0f)) {
+        return;
+    }
+    ImGui::TextWrapped("pectin ended unexpectedly, with changes to %s that were not saved.",
+                       session->object.c_str());
+    ImGui::Spacing();
+    const ImVec2 size(scaled(120.0f), 0.0f);
+    std::optional<Editor::RecoveryAnswer> answer;
+    if (ImGui::Button("Restore", size) || editor.take_enter()) {
+        answer = Editor::RecoveryAnswer::restore;
+    }
+    ImGui::SameLine();
+    if (ImGui::Button("Discard", size)) answer = Editor::RecoveryAnswer::discard;
+    ImGui::SameLine();
+    if (ImGui::Button("Later", size)) answer = Editor::RecoveryAnswer::later;
+    ImGui::EndPopup();
+    if (answer) editor.answer_recovery(*answer);
 }
 
 }  // namespace pectin

@@ -1,7 +1,11 @@
 #include "app/recorder.h"
 
+#include <sys/stat.h>
+
 #include <cstring>
+#include <filesystem>
 #include <fstream>
+#include <utility>
 
 #include "command/json.h"
 #include "io/file_error.h"
@@ -10,25 +14,47 @@ namespace pectin {
 
 namespace {
 
-// A slip of the hand must not turn a model into a record.
-const std::string& checked(const std::string& path) {
+constexpr const char* kHeader = "{\"pectin\": 1}";
+
+// Throws FileError unless the file holds a record: a slip of the hand must not change a model.
+void check_is_record(const std::string& path) {
     std::ifstream file(path);
     std::string line;
-    if (file && std::getline(file, line) && !line.starts_with("{\"pectin\"")) {
-        throw FileError(path, "is there already and is no record; record to a new file");
+    if (file && std::getline(file, line) && line.starts_with("{\"pectin\"")) return;
+    throw FileError(path, "is there already and is no record; record to a new file");
+}
+
+// Opens the file at the path, or the first beside it that is free, and makes the path its name.
+FileDescriptor begin_file(std::string& path) {
+    const std::filesystem::path wanted = path;
+    for (int number = 2;; ++number) {
+        // O_NONBLOCK: a pipe that nobody reads would be waited for.
+        FileDescriptor file(path.c_str(), O_WRONLY | O_CREAT | O_NONBLOCK, 0666);
+        struct stat status {};
+        const bool is_pipe = !file.is_open() && errno == ENXIO;
+        if (!is_pipe && (!file.is_open() || ::fstat(file.get(), &status) != 0)) {
+            throw FileError(path, std::string("cannot be written: ") + std::strerror(errno) +
+                                      "; record to a file in a folder of yours");
+        }
+        if (is_pipe || !S_ISREG(status.st_mode)) {
+            throw FileError(path, "is a device or a pipe; record to a file");
+        }
+        if (status.st_size == 0) return file;
+        check_is_record(path);
+        path = wanted.parent_path() / (wanted.stem().string() + "-" + std::to_string(number) +
+                                       wanted.extension().string());
     }
-    return path;
 }
 
 }  // namespace
 
-Recorder::Recorder(const std::string& path)
-    : path_(checked(path)), file_(path.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0666) {
-    if (!file_.is_open()) {
-        throw FileError(path_, std::string("cannot be written: ") + std::strerror(errno) +
-                                   "; record to a file in a folder of yours");
-    }
-    write_line("{\"pectin\": 1}");
+Recorder::Recorder(const std::string& path) : path_(path), file_(begin_file(path_)) {
+    write_line(kHeader);
+}
+
+Recorder::Recorder(std::string path, FileDescriptor file)
+    : path_(std::move(path)), file_(std::move(file)) {
+    write_line(kHeader);
 }
 
 void Recorder::record(const Command& command) {

@@ -10,8 +10,14 @@ namespace pectin {
 
 class Recorder {
   public:
-    // Begins the file anew. Throws FileError.
+    // Begins a new file at the path. If there is a record already, it stays, and this one goes on
+    // beside it under the first free name (NAME-2, NAME-3, …). Throws FileError; also if what is
+    // there is no record.
     explicit Recorder(const std::string& path);
+    // Begins a record in a file that is open and empty.
+    Recorder(std::string path, FileDescriptor file);
+
+    const std::string& path() const { return path_; }
 
     // One line, handed to the system before this returns, so that a crash loses none. Throws
     // FileError; also where a path of the command is not UTF-8, which a script cannot hold.

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <fstream>
 #include <iostream>
+#include <utility>
 
 #include "app/execute.h"
 #include "app/offscreen_viewport.h"
@@ -16,7 +17,7 @@ namespace pectin {
 namespace {
 
 bool replay_lines(std::istream& text, const std::string& title, const std::string& folder,
-                  std::ostream& errors) {
+                  std::ostream& errors, ReplayStatus& status) {
     OffscreenViewport viewport;
     Session session;
     session.set_viewport(&viewport);
@@ -33,7 +34,9 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
             return refuse(error->command, error->what);
         auto& command = std::get<Command>(line->command);
         resolve_paths(command, folder);
+        status.begin(title, line->number, name(command));
         if (const auto what = execute(session, command)) return refuse(name(command), *what);
+        status.finish();
         if (!session.remark().empty()) tell(name(command), session.remark());
     }
     return true;
@@ -41,8 +44,30 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
 
 }  // namespace
 
-bool replay(const std::string& script_path, std::ostream& errors) {
-    if (script_path == "-") return replay_lines(std::cin, "standard input", "", errors);
+void ReplayStatus::begin(std::string title, std::size_t line, std::string command) {
+    const std::lock_guard lock(mutex_);
+    title_ = std::move(title);
+    line_ = line;
+    command_ = std::move(command);
+}
+
+void ReplayStatus::finish() {
+    const std::lock_guard lock(mutex_);
+    command_.clear();
+    ++done_;
+}
+
+std::string ReplayStatus::farewell(const std::string& signal) const {
+    const std::lock_guard lock(mutex_);
+    const std::string commands = done_ == 1 ? "1 command" : std::to_string(done_) + " commands";
+    const std::string are_done = done_ == 1 ? " is done" : " are done";
+    if (command_.empty()) return "pectin: ended by " + signal + "; " + commands + are_done;
+    return title_ + ":" + std::to_string(line_) + ": " + command_ + ": ended by " + signal + "; " +
+           commands + " before it" + are_done;
+}
+
+bool replay(const std::string& script_path, std::ostream& errors, ReplayStatus& status) {
+    if (script_path == "-") return replay_lines(std::cin, "standard input", "", errors, status);
     const auto refuse = [&](const std::string& why) {
         errors << script_path << ": cannot be read: " << why << "; give the path of a script\n";
         return false;
@@ -52,7 +77,7 @@ bool replay(const std::string& script_path, std::ostream& errors) {
     std::ifstream text(script_path, std::ios::binary);
     if (!text) return refuse(std::strerror(errno));
     return replay_lines(text, script_path,
-                        std::filesystem::path(script_path).parent_path().string(), errors);
+                        std::filesystem::path(script_path).parent_path().string(), errors, status);
 }
 
 }  // namespace pectin

@@ -5,8 +5,11 @@
 
 #include <algorithm>
 #include <fstream>
+#include <iostream>
 #include <memory>
 #include <optional>
+#include <utility>
+#include <vector>
 
 #include "app/editor.h"
 #include "app/editor_scene.h"
@@ -38,7 +41,7 @@ std::size_t resident_bytes() {
 
 class Window {
   public:
-    explicit Window(const WindowOptions& options)
+    Window(const WindowOptions& options, TerminationWatch& termination)
         : editor_(options.record.empty() ? std::nullopt : std::optional<Recorder>(options.record)),
           host_("pectin", kFirstSize),
           interface_(host_.content_scale(),
@@ -51,7 +54,10 @@ class Window {
         editor_.workspace().session().set_viewport(&viewport_);
         interface_.set_size(host_.size(), host_.framebuffer_size());
         editor_.handle(event::Resize{host_.size()});
+        std::vector<LostSession> lost_sessions = begin_recovery(termination);
         editor_.begin(options.model);
+        editor_.offer(std::move(lost_sessions));
+        tell_of_record(options.record);
     }
 
     void run() {
@@ -65,9 +71,36 @@ class Window {
             draw();
             host_.show();
         }
+        editor_.workspace().end_recovery();
     }
 
   private:
+    // Keeps this session for recovery and returns those that are to be offered.
+    std::vector<LostSession> begin_recovery(TerminationWatch& termination) {
+        std::vector<LostSession> sessions;
+        const std::string folder = recovery_folder();
+        if (!folder.empty()) {
+            sessions = find_lost_sessions(folder);
+            editor_.workspace().begin_recovery(folder);
+        }
+        const bool is_kept = editor_.workspace().has_recovery();
+        termination.set_farewell([is_kept](const char* signal) {
+            return std::string("pectin: ended by ") + signal +
+                   (is_kept ? "; changes that were not saved are offered at the next start" : "");
+        });
+        return sessions;
+    }
+
+    // A record that was there already stays, and this one has another name.
+    void tell_of_record(const std::string& wanted) {
+        const std::string path = editor_.workspace().record_path();
+        if (path == wanted) return;
+        const std::string message =
+            wanted + " holds an earlier record, which stays; this one is in " + path;
+        editor_.workspace().tell(message);
+        std::cerr << "pectin: " << message << '\n';
+    }
+
     // Handles all that has been done before the next frame is drawn, however slow the last one was.
     void take_input() {
         const bool shows_progress = editor_.workspace().file_task() != nullptr;
@@ -132,6 +165,8 @@ class Window {
 
 }  // namespace
 
-void run_window(const WindowOptions& options) { Window(options).run(); }
+void run_window(const WindowOptions& options, TerminationWatch& termination) {
+    Window(options, termination).run();
+}
 
 }  // namespace pectin

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "app/termination.h"
+
 namespace pectin {
 
 struct WindowOptions {
@@ -12,6 +14,6 @@ struct WindowOptions {
 
 // Returns when the person ends it. Throws ContextError where no window can be opened, FileError
 // where the record cannot be written.
-void run_window(const WindowOptions& options);
+void run_window(const WindowOptions& options, TerminationWatch& termination);
 
 }  // namespace pectin

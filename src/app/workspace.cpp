@@ -64,6 +64,12 @@ Workspace::Outcome Workspace::execute(const Command& command) {
     return Outcome::done;
 }
 
+Workspace::Outcome Workspace::execute_to_the_end(const Command& command) {
+    Outcome outcome = execute(command);
+    while (outcome == Outcome::under_way) outcome = poll(std::chrono::hours(1));
+    return outcome;
+}
+
 Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     if (!file_task_->work.has_ended(longest_wait)) return Outcome::under_way;
     const std::unique_ptr<FileTask> task = std::move(file_task_);
@@ -105,12 +111,30 @@ void Workspace::note_drag(const Command& drag, bool has_changed) {
 }
 
 void Workspace::record(const Command& command) {
-    if (!recorder_) return;
     try {
-        recorder_->record(command);
+        if (recorder_) recorder_->record(command);
     } catch (const std::exception& error) {
         tell(error.what());
     }
+    try {
+        if (recovery_) recovery_->record(command);
+    } catch (const std::exception& error) {
+        recovery_.reset();
+        tell(std::string("This session is no longer kept for recovery: ") + error.what());
+    }
+}
+
+void Workspace::begin_recovery(const std::string& folder) {
+    try {
+        recovery_.emplace(folder);
+    } catch (const std::exception& error) {
+        tell(error.what());
+    }
+}
+
+void Workspace::end_recovery() {
+    if (recovery_) recovery_->remove();
+    recovery_.reset();
 }
 
 void Workspace::note(const Command& command) {

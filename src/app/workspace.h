@@ -12,6 +12,7 @@
 
 #include "app/background_task.h"
 #include "app/recorder.h"
+#include "app/recovery.h"
 #include "geometry/box.h"
 #include "session/session.h"
 
@@ -27,11 +28,22 @@ class Workspace {
                        std::chrono::milliseconds patience = kPatience)
         : recorder_(std::move(recorder)), patience_(patience) {}
 
+    // The file of the record; empty if nothing is recorded.
+    std::string record_path() const { return recorder_ ? recorder_->path() : ""; }
+    // Keeps a second record, of all that is done from now on, in this folder for recovery. Tells
+    // if it cannot.
+    void begin_recovery(const std::string& folder);
+    // The session ends as it should: nothing of it has to be recovered.
+    void end_recovery();
+    bool has_recovery() const { return recovery_.has_value(); }
+
     enum class Outcome { done, failed, under_way };
     // Does and records it, or tells why not and leaves everything as it was. A file that takes
     // longer is under way then: it is read or written in the background, the object stays as it is
     // until poll() says otherwise, and all commands fail.
     Outcome execute(const Command& command);
+    // The same, waiting until a file is read or written, however long that takes.
+    Outcome execute_to_the_end(const Command& command);
     // The same for a drag, of points or of control points, that the session has done already.
     void note_drag(const Command& drag, bool has_changed);
 
@@ -78,6 +90,7 @@ class Workspace {
 
     Session session_;
     std::optional<Recorder> recorder_;
+    std::optional<RecoveryFile> recovery_;
     std::chrono::milliseconds patience_;
     std::string message_;
     std::string path_;

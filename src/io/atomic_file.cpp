@@ -60,7 +60,7 @@ AtomicFile::AtomicFile(const std::string& path)
 }
 
 AtomicFile::~AtomicFile() {
-    if (!temporary_.empty()) ::unlink(temporary_.c_str());
+    if (!temporary_.path().empty()) ::unlink(temporary_.path().c_str());
 }
 
 void AtomicFile::open_temporary() {
@@ -69,9 +69,11 @@ void AtomicFile::open_temporary() {
     const std::string prefix = folder_ + "/.pectin-" + std::to_string(::getpid()) + "-";
     for (int i = 0; i < kMostTries; ++i) {
         std::string name = prefix + std::to_string(i) + ".tmp";
+        // Listed before it exists, so that no signal finds it unlisted.
+        TemporaryFileEntry entry(name);
         file_ = FileDescriptor(name.c_str(), O_WRONLY | O_CREAT | O_EXCL, kModeOfNewFiles);
         if (file_.is_open()) {
-            temporary_ = std::move(name);
+            temporary_ = std::move(entry);
             return;
         }
         if (errno != EEXIST) fail(errno);
@@ -93,8 +95,8 @@ void AtomicFile::commit() {
         if (errno != EINTR) fail(errno);
     }
     if (!file_.close()) fail(errno);
-    if (std::rename(temporary_.c_str(), target_.c_str()) != 0) fail(errno);
-    temporary_.clear();
+    if (std::rename(temporary_.path().c_str(), target_.c_str()) != 0) fail(errno);
+    temporary_ = {};
     // The new file is in place: that its name reaches the disk later is no failure any more.
     const FileDescriptor folder(folder_.c_str(), O_RDONLY | O_DIRECTORY);
     if (folder.is_open()) ::fsync(folder.get());
@@ -116,6 +118,10 @@ void AtomicFile::fail(int error) const {
         case ENOSPC:
         case EDQUOT:
             throw FileError(path_, "no space left; free some or save elsewhere");
+        case EFBIG:
+            throw FileError(path_,
+                            "is larger than files may be here (see ulimit -f, or the file "
+                            "system's limit); raise the limit or save elsewhere");
         case ENAMETOOLONG:
             throw FileError(path_, "the name is too long; give it a shorter one");
         default:

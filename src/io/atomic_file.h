@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "io/file_descriptor.h"
+#include "io/temporary_files.h"
 
 namespace pectin {
 
@@ -13,7 +14,8 @@ namespace pectin {
 //
 // Written to a temporary file in the same folder, flushed to the disk and renamed, so that a
 // crash or a power cut leaves the old file or the new one. The new file keeps the old one's
-// permissions; a symbolic link stays and its target is replaced.
+// permissions; a symbolic link stays and its target is replaced. remove_temporary_files() removes
+// the temporary file when a signal ends the program.
 // All members throw FileError.
 class AtomicFile {
   public:
@@ -32,7 +34,7 @@ class AtomicFile {
     std::string path_;    // as given, for messages
     std::string target_;  // the file behind symbolic links
     std::string folder_;
-    std::string temporary_;  // empty where there is none to remove
+    TemporaryFileEntry temporary_;  // its path is empty if there is no file to remove
     FileDescriptor file_;
 };
 

@@ -1,6 +1,8 @@
 // The real window, on a display in memory, driven by mouse and keyboard.
 #include <gtest/gtest.h>
 
+#include <signal.h>
+
 #include <algorithm>
 #include <cstdlib>
 #include <filesystem>
@@ -31,8 +33,11 @@ class WindowTest : public testing::Test {
     }
 
     void open_window(std::vector<std::string> arguments = {}) {
+        std::filesystem::remove(path("record.jsonl"));
         arguments.insert(arguments.begin(), {PECTIN_BINARY, "--record", path("record.jsonl")});
-        program_ = std::make_unique<Process>(arguments, desktop_->environment(), path("err"));
+        Environment environment = desktop_->environment();
+        environment.emplace_back("XDG_STATE_HOME", path("state"));
+        program_ = std::make_unique<Process>(arguments, environment, path("err"));
         ASSERT_TRUE(desktop_->shows_window());
         ASSERT_TRUE(eventually([&] { return recorded("\"shape\"") + recorded("\"open\"") > 0; }));
         desktop_->move(kMiddleX, kMiddleY);
@@ -79,9 +84,16 @@ class WindowTest : public testing::Test {
     bool records(const std::string& what, std::size_t times = 1) const {
         return eventually([&] { return recorded(what) >= times; });
     }
-    const Process& program() const { return *program_; }
+    Process& program() { return *program_; }
     const Desktop& desktop() const { return *desktop_; }
     const ScratchFolder& folder() const { return folder_; }
+    // What is kept for recovery, if anything.
+    std::size_t recovery_files() const {
+        const std::set<std::string> files = folder_.files();
+        return static_cast<std::size_t>(std::count_if(
+            files.begin(), files.end(),
+            [](const std::string& name) { return name.starts_with("state/pectin/"); }));
+    }
 
   private:
     ScratchFolder folder_;
@@ -322,6 +334,59 @@ TEST_F(WindowTest, QuittingWithChangesAsksAndSaves) {
     const std::string after = folder().read("ball.obj");
     EXPECT_TRUE(after != before);
     EXPECT_TRUE(after == replayed());
+}
+
+TEST_F(WindowTest, WhatACrashLeavesIsOfferedAndRestoredToTheByte) {
+    open_window();
+    desktop().drag(kMiddleX, kMiddleY, 760, 290);
+    ASSERT_TRUE(records("\"drag\""));
+    save_as("saved.obj");
+    desktop().drag(560, 420, 520, 470);
+    ASSERT_TRUE(records("\"drag\"", 2));
+    const std::string crashed = record();
+    program().signal(SIGKILL);
+    ASSERT_EQ(program().wait(), -1);
+    EXPECT_EQ(recovery_files(), 1u);
+    const std::string saved = folder().read("saved.obj");
+
+    open_window();
+    desktop().key("Return");  // Restore
+    ASSERT_TRUE(records("\"drag\"", 2)) << record();
+    EXPECT_TRUE(folder().read("saved.obj") == saved) << "restoring writes no file";
+    save_as("restored.obj");
+    quit();
+    EXPECT_EQ(recovery_files(), 0u);
+    const std::string restored = folder().read("restored.obj");
+    folder().write("record.jsonl", crashed + "{\"cmd\": \"save\", \"path\": \"at the end\"}\n");
+    EXPECT_TRUE(restored == replayed());
+}
+
+TEST_F(WindowTest, ASignalEndsTheWindowAndKeepsTheSession) {
+    open_window();
+    desktop().drag(kMiddleX, kMiddleY, 760, 290);
+    ASSERT_TRUE(records("\"drag\""));
+    program().signal(SIGTERM);
+    EXPECT_EQ(program().wait(), 143);
+    EXPECT_NE(folder().read("err").find("ended by SIGTERM"), std::string::npos);
+    EXPECT_EQ(recovery_files(), 1u);
+    // Not now: it is offered again the next time.
+    open_window();
+    desktop().key("Escape");
+    wait_until_handled();
+    quit();
+    EXPECT_EQ(recovery_files(), 1u);
+}
+
+TEST_F(WindowTest, ASessionWithoutUnsavedChangesIsNotOffered) {
+    open_window();
+    desktop().drag(kMiddleX, kMiddleY, 760, 290);
+    save_as("saved.obj");
+    program().signal(SIGKILL);
+    program().wait();
+    open_window();
+    wait_until_handled();
+    quit();
+    EXPECT_EQ(recovery_files(), 0u);
 }
 
 // What the program says and how it ends where there can be no window.

@@ -1,0 +1,142 @@
+// How a replay ends by a signal, and what does not end it.
+#include <gtest/gtest.h>
+#include <signal.h>
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <fstream>
+
+#include "replay/program.h"
+#include "support/process.h"
+
+namespace pectin {
+namespace {
+
+const std::string kSphere = R"({"cmd": "shape", "kind": "sphere", "resolution": 2})";
+const std::string kBrush = R"({"cmd": "brush", "radius": 0.5})";
+
+// A program that replays what is written to a pipe, and so waits for more.
+class WaitingReplay {
+  public:
+    explicit WaitingReplay(const ScratchFolder& folder, const std::vector<std::string>& lines)
+        : folder_(&folder) {
+        ::mkfifo(folder.path("pipe").c_str(), 0600);
+        program_.emplace(std::vector<std::string>{PECTIN_BINARY, "replay", "-"}, Environment{},
+                         folder.path("err"), folder.path("pipe"));
+        std::ofstream pipe(folder.path("pipe"));
+        pipe << "{\"pectin\": 1}\n";
+        for (const std::string& line : lines) pipe << line << '\n';
+    }
+    Process& program() { return *program_; }
+    std::string said() const { return folder_->read("err"); }
+
+  private:
+    const ScratchFolder* folder_;
+    std::optional<Process> program_;
+};
+
+TEST(ReplaySignals, EndItWith128AndTheSignalAndSayWhatWasDone) {
+    for (const auto& [signal, name] : {std::pair{SIGINT, "SIGINT"}, std::pair{SIGTERM, "SIGTERM"},
+                                       std::pair{SIGHUP, "SIGHUP"}}) {
+        const ScratchFolder folder;
+        WaitingReplay replay(
+            folder,
+            {kSphere, kBrush, R"({"cmd": "save", "path": ")" + folder.path("done.obj") + R"("})"});
+        ASSERT_TRUE(eventually([&] { return folder.holds("done.obj"); })) << replay.said();
+        replay.program().signal(signal);
+        EXPECT_EQ(replay.program().wait(), 128 + signal);
+        // The file is there a moment before the command that saves it is done.
+        const std::string ending = std::string("ended by ") + name + "; ";
+        EXPECT_TRUE(replay.said() == "pectin: " + ending + "3 commands are done\n" ||
+                    replay.said() ==
+                        "standard input:4: save: " + ending + "2 commands before it are done\n")
+            << replay.said();
+    }
+}
+
+TEST(ReplaySignals, DuringASaveLeaveTheOldFileAndNoTemporaryOne) {
+    const ScratchFolder folder;
+    folder.write("large.obj", "old\n");
+    const std::string script =
+        folder.write_script("s.jsonl", {R"({"cmd": "shape", "kind": "sphere", "resolution": 8})",
+                                        R"({"cmd": "save", "path": "large.obj"})"});
+    Process program({PECTIN_BINARY, "replay", script}, {}, folder.path("err"));
+    const auto writes = [&] {
+        const auto files = folder.files();
+        return std::any_of(files.begin(), files.end(),
+                           [](const std::string& name) { return name.ends_with(".tmp"); });
+    };
+    ASSERT_TRUE(eventually([&] { return writes() || program.wait({}); }));
+    program.signal(SIGINT);
+    EXPECT_EQ(program.wait(), 130) << "if it is 0, the save was over before the signal came";
+    EXPECT_FALSE(writes());
+    EXPECT_EQ(folder.read("large.obj"), "old\n");
+    EXPECT_NE(
+        folder.read("err").find("s.jsonl:3: save: ended by SIGINT; 1 command before it is done"),
+        std::string::npos)
+        << folder.read("err");
+}
+
+TEST(ReplaySignals, StayIgnoredWhereTheyWereIgnoredBefore) {
+    const ScratchFolder folder;
+    struct sigaction ignore {
+    }, before{};
+    ignore.sa_handler = SIG_IGN;
+    ::sigaction(SIGHUP, &ignore, &before);
+    WaitingReplay replay(folder, {kSphere});
+    ::sigaction(SIGHUP, &before, nullptr);
+    replay.program().signal(SIGHUP);
+    EXPECT_FALSE(replay.program().wait(std::chrono::milliseconds(300)));
+    replay.program().signal(SIGTERM);
+    EXPECT_EQ(replay.program().wait(), 143);
+}
+
+// Writes a script whose second command has something to say, and a last one that writes a file.
+std::string talkative_script(const ScratchFolder& folder) {
+    // A face with a vertex twice is kept, and this is said.
+    folder.write("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
+    return folder.write_script("s.jsonl", {R"({"cmd": "open", "path": "model.obj"})",
+                                           R"({"cmd": "save", "path": "last.obj"})"});
+}
+
+TEST(ReplaySignals, AClosedPipeDoesNotKeepItFromItsLaterCommands) {
+    const ScratchFolder folder;
+    const std::string script = talkative_script(folder);
+    ASSERT_NE(run_program({"replay", script}).err, "") << "it has something to say";
+    std::filesystem::remove(folder.path("last.obj"));
+    // The pipe's reader has ended before the program says anything.
+    Process shell(
+        {"/bin/sh", "-c", "(sleep 0.3; \"$0\" replay \"$1\" 2>&1; echo $? >\"$2\") | true",
+         PECTIN_BINARY, script, folder.path("status")},
+        {});
+    ASSERT_TRUE(
+        eventually([&] { return folder.holds("status") && !folder.read("status").empty(); }));
+    EXPECT_EQ(folder.read("status"), "0\n");
+    EXPECT_TRUE(folder.holds("last.obj"));
+}
+
+TEST(ReplaySignals, ALimitOfTheFilesSizeIsAnErrorOfThatFileAlone) {
+    const ScratchFolder folder;
+    const std::string script =
+        folder.write_script("s.jsonl", {R"({"cmd": "shape", "kind": "sphere", "resolution": 5})",
+                                        R"({"cmd": "save", "path": "large.obj"})"});
+    Process shell(
+        {"/bin/sh", "-c", "ulimit -f 8; exec \"$0\" replay \"$1\"", PECTIN_BINARY, script}, {},
+        folder.path("err"));
+    EXPECT_EQ(shell.wait(), 1);
+    EXPECT_NE(folder.read("err").find("larger than files may be"), std::string::npos)
+        << folder.read("err");
+    EXPECT_EQ(folder.files(), (std::set<std::string>{"err", "s.jsonl"}));
+}
+
+TEST(ReplaySignals, AFileOfEndlessZerosIsRefused) {
+    const Outcome outcome = run_program({"replay", "/dev/zero"});
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_NE(outcome.err.find("/dev/zero:1: script: the line is longer than 64 MiB"),
+              std::string::npos)
+        << outcome.err;
+}
+
+}  // namespace
+}  // namespace pectin
