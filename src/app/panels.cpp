@@ -379,7 +379,7 @@ void Panels::draw_recovery_question(Editor& editor) {
     if (!begin_dialog(session != nullptr, "Restore the last session?", scaled(460.0f), 0.0f)) {
         return;
     }
-    ImGui::TextWrapped("pectin ended unexpectedly, with changes to %s that were not saved.",
+    ImGui::TextWrapped("pectin ended unexpectedly, with changes to \"%s\" that were not saved.",
                        session->object.c_str());
     ImGui::Spacing();
     const ImVec2 size(scaled(120.0f), 0.0f);
