@@ -245,8 +245,8 @@ void Editor::perform(Action action) {
                 execute(command::Undo{});
             } else if (session().history().lost_undo_count() > 0) {
                 workspace_.tell(
-                    "Nothing is left to undo: older steps were let go. Edit, Memory for undo says "
-                    "how much they may take.");
+                    "Nothing is left to undo: older steps were dropped. Edit, Memory for undo sets "
+                    "how much memory they may take.");
             }
             break;
         case Action::redo:

@@ -65,7 +65,8 @@ class Session {
     // For save_model, and what follows it; the save command does both by itself.
     const std::vector<std::string>& material_folders() const;
     // What the last command or drag has to tell though it is done: what was found in the input,
-    // what was not copied along, where triangles cut each other. Mostly empty.
+    // what was not copied along, where triangles cut each other, how many steps the limit of the
+    // history has dropped. Mostly empty.
     const std::string& remark() const;
     void note_saved(const std::string& path);
 

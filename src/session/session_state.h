@@ -113,6 +113,8 @@ struct Session::State {
 
     // --- Steps (undo.cpp).
     void add_step(Command command, MeshChange change);
+    // Adds to the remark how many steps the limit of the history has dropped, if any.
+    void report_dropped_steps();
     // Of a bake's step: the mesh on its one side for that on its other.
     void exchange(TriMesh& other);
 
