@@ -43,6 +43,12 @@ std::uint64_t vertices_inside(const TriMesh& mesh, std::span<const Box> zones) {
     return count;
 }
 
+std::string refuse_counts(int most, const std::string& which) {
+    return "the cage must be finite, with cells above 0 and from " +
+           std::to_string(kMinDeformable) + " to " + std::to_string(most) +
+           " control points per axis " + which;
+}
+
 }  // namespace
 
 Refusal Session::State::run(const command::Open& open) {
@@ -88,16 +94,22 @@ Refusal Session::State::run(const command::Brush& brush) {
 Refusal Session::State::run(const command::Cage& cage) {
     Lattice lattice;
     if (const auto* grid = std::get_if<command::Cage::Grid>(&cage.lattice)) {
-        lattice = {grid->origin, grid->cell, grid->deformable};
+        lattice = {.origin = grid->origin - Vec3{grid->margin} * grid->cell,
+                   .cell = grid->cell,
+                   .deformable = grid->deformable + 2 * grid->margin,
+                   .margin = grid->margin};
     } else {
         if (!has_object()) return kNoObject;
-        lattice.deformable = std::get<command::Cage::Fit>(cage.lattice).deformable;
-        if (lattice.is_valid()) lattice = fit_lattice(mesh->bounding_box(), lattice.deformable);
+        const IVec3& counts = std::get<command::Cage::Fit>(cage.lattice).deformable;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (counts[axis] < kMinDeformable || counts[axis] > kMaxFitted) {
+                return refuse_counts(kMaxFitted, "on the object's box");
+            }
+        }
+        lattice = fit_lattice(mesh->bounding_box(), counts);
     }
     if (!lattice.is_valid()) {
-        return "the cage must be finite, with cells above 0 and from " +
-               std::to_string(kMinDeformable) + " to " + std::to_string(kMaxDeformable) +
-               " deformable control points an axis";
+        return refuse_counts(kMaxDeformable, "with the margins, which are from 0 to 2");
     }
     lattice_settings.cage = lattice;
     return std::nullopt;

@@ -89,7 +89,8 @@ class Session {
     void cancel_drag();  // gives everything back, to the byte; also of control points
     bool is_dragging() const;
 
-    // --- The same for control points of the cage. Several, each once.
+    // --- The same for control points of the cage, by the indices that users know
+    // (Lattice::user_index). Several, each once.
     std::optional<std::string> begin_control(std::span<const IVec3> indices);
     std::optional<std::string> control_to(std::span<const Vec3> targets);
     std::optional<command::Control> end_control();
