@@ -1,6 +1,7 @@
 // Commands that are done at once: objects, settings, refinement of the whole, files.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "command/json.h"
@@ -123,6 +124,14 @@ Refusal Session::State::run(const command::Symmetry& symmetry_command) {
     return std::nullopt;
 }
 
+// Where edges longer than l_max are refined: everywhere where the user gave the length, which then
+// has nothing to do with a lattice; else in the zones of the lattice that it comes from.
+std::vector<Box> Session::State::zones_of_readapt() const {
+    if (adapt_settings.l_max.kind != Setting::Kind::value) return zones_in_use;
+    constexpr double kFar = std::numeric_limits<double>::max();
+    return {Box{.min = Vec3{-kFar}, .max = Vec3{kFar}}};
+}
+
 Refusal Session::State::run(const command::Readapt& readapt) {
     if (!has_object()) return kNoObject;
     Stopwatch stopwatch;
@@ -141,7 +150,7 @@ Refusal Session::State::run(const command::Readapt& readapt) {
     const bool was_hit = outcome.budget_hit;
     if (was_hit) adapt_limits.budget = 0;
     const Adaptation adaptation =
-        adapt_without_cuts(*active, embedding, Criteria(adapt_limits, zones_in_use, {}));
+        adapt_without_cuts(*active, embedding, Criteria(adapt_limits, zones_of_readapt(), {}));
     MeshChange change = active->finish();
     Frame frame;
     frame.splits = adaptation.refinement.splits;

@@ -106,6 +106,7 @@ struct Session::State {
     Refusal run(const command::Redo& redo);
     Refusal run(const command::History& limit);
     Refusal run(const command::Readapt& readapt);
+    std::vector<Box> zones_of_readapt() const;
     Refusal run(const command::Bake& bake);
     Refusal run(const command::Save& save);
     Refusal run(const command::Stats& stats);
