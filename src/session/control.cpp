@@ -117,7 +117,9 @@ Refusal Session::State::begin_control(std::span<const IVec3> indices) {
     auto begun = std::make_unique<InHand>();
     begun->control = std::move(control);
     Warp warp{{LatticeField{*lattice_settings.cage, std::move(std::get<0>(displacements))}}};
-    const std::vector<FaceId> faces = face_tree().faces_meeting(warp.zone(), *mesh);
+    Box zone = warp.zone();
+    if (symmetry) zone.include(symmetry->image(zone));  // the same up to rounding
+    const std::vector<FaceId> faces = face_tree().faces_meeting(zone, *mesh);
     start_gesture(*begun, faces, std::move(warp));
     begun->measured.seconds.begin = stopwatch.lap();
     in_hand = std::move(begun);
