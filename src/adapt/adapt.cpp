@@ -34,6 +34,7 @@ constexpr int kMostRounds = 64;
 void add(Refinement& result, const Refinement& more) {
     result.splits += more.splits;
     result.splits_in_lanes += more.splits_in_lanes;
+    result.chain_steps += more.chain_steps;
     result.floor_hit |= more.floor_hit;
     result.budget_hit |= more.budget_hit;
     result.blocked.insert(result.blocked.end(), more.blocked.begin(), more.blocked.end());

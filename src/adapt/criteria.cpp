@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "adapt/embedding.h"
+#include "adapt/split_order.h"
 
 namespace pectin {
 namespace {
@@ -59,6 +60,16 @@ bool has_deformed_end(const TriMesh& mesh, HalfEdgeId h) {
     return mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h));
 }
 
+// Adds the mirror images of the zones. A drag acts on both sides already, but its second lattice is
+// the image of the first only up to rounding, and a face may touch the border exactly.
+void add_images(std::vector<Box>& zones, const MirrorPlane& plane) {
+    const std::size_t count = zones.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Box image = plane.image(zones[i]);
+        if (std::find(zones.begin(), zones.end(), image) == zones.end()) zones.push_back(image);
+    }
+}
+
 }  // namespace
 
 Criteria::Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
@@ -76,7 +87,11 @@ Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
       refine_divergence_(one_minus_cosine(limits.theta_max)),
       thin_divergence_(one_minus_cosine(limits.theta_min)),
       fine_difference_(static_cast<float>(2.0 * kRoundedDown * refine_divergence_)) {
-    if (zones_.empty() || limits_.l_max == kOff) return;
+    if (limits_.symmetry) {
+        add_images(zones_, *limits_.symmetry);
+        if (scope_) add_images(*scope_, *limits_.symmetry);
+    }
+    if (!limits_length()) return;
     fine_length_ = between_ ? -1.0 : kRoundedDown * square(limits_.l_max);
 }
 
@@ -109,24 +124,61 @@ bool Criteria::diverges(const TriMesh& mesh, EdgeId e) const {
 }
 
 bool Criteria::needs_refinement(const ActiveSet& active, EdgeId e) const {
-    const TriMesh& mesh = active.mesh();
-    const HalfEdgeId h = mesh.half_edge(e);
-    if (refine_divergence_ < kOff && has_deformed_end(mesh, h) &&
-        divergence(active, e, refine_divergence_) > refine_divergence_) {
-        return true;
-    }
-    if (zones_.empty() || limits_.l_max == kOff) return false;
-    const bool is_long = mesh.squared_length(e) > square(limits_.l_max);
-    if (!is_long && !between_) return false;
-    if (is_long && lies_in_zone(active, h)) return true;
+    if (bends_too_far(active, e)) return true;
+    if (!limits_length()) return false;
     bool any = false;
-    mesh.for_each_side(e, [&](HalfEdgeId side) {
-        const VertexId v = mesh.origin(TriMesh::prev(side));
-        const VertexId b = mesh.origin(side), c = mesh.target(side);
-        any = any || (is_long && meets_zone(active, b, c, v)) ||
-              (between_ && between_->is_long_between_steps(v, b, c, limits_.l_max));
+    active.mesh().for_each_side(e, [&](HalfEdgeId h) {
+        any = any || (is_too_coarse(active, h) && edge_to_split(active, h) == h);
     });
     return any;
+}
+
+bool Criteria::bends_too_far(const ActiveSet& active, EdgeId e) const {
+    return refine_divergence_ < kOff &&
+           has_deformed_end(active.mesh(), active.mesh().half_edge(e)) &&
+           divergence(active, e, refine_divergence_) > refine_divergence_;
+}
+
+bool Criteria::is_too_coarse(const ActiveSet& active, HalfEdgeId h) const {
+    if (!limits_length()) return false;
+    const TriMesh& mesh = active.mesh();
+    const bool is_long = has_long_edge(mesh, h);
+    if (!is_long && !between_) return false;
+    const VertexId a = mesh.origin(TriMesh::prev(h)), b = mesh.origin(h), c = mesh.target(h);
+    return (is_long && meets_zone(active, a, b, c)) ||
+           (between_ && between_->is_long_between_steps(a, b, c, limits_.l_max));
+}
+
+bool Criteria::has_long_edge(const TriMesh& mesh, HalfEdgeId h) const {
+    const Vec3& a = mesh.position(mesh.origin(TriMesh::prev(h)));
+    const Vec3& b = mesh.position(mesh.origin(h));
+    const Vec3& c = mesh.position(mesh.target(h));
+    const double most = square(limits_.l_max);
+    return glm::dot(c - b, c - b) > most || glm::dot(a - c, a - c) > most ||
+           glm::dot(b - a, b - a) > most;
+}
+
+HalfEdgeId Criteria::edge_to_split(const ActiveSet& active, HalfEdgeId h) const {
+    const TriMesh& mesh = active.mesh();
+    const SplitOrder order(limits_);
+    const auto at_rest = [&](HalfEdgeId side) {
+        const EdgeId e = mesh.edge(side);
+        return order.at_rest(active, e, static_cast<double>(active.rest_length_unremembered(e)));
+    };
+    HalfEdgeId first = h;
+    RestEdge longest = at_rest(h);
+    bool is_below = is_below_floor(mesh, mesh.edge(h));
+    for (const HalfEdgeId side : {TriMesh::next(h), TriMesh::prev(h)}) {
+        const bool is_side_below = is_below_floor(mesh, mesh.edge(side));
+        const RestEdge candidate = at_rest(side);
+        const bool precedes =
+            is_below == is_side_below ? order.goes_before(candidate, longest) : is_below;
+        if (!precedes) continue;
+        first = side;
+        longest = candidate;
+        is_below = is_side_below;
+    }
+    return first;
 }
 
 bool Criteria::may_unsplit(const ActiveSet& active, const Star& star) const {
@@ -178,7 +230,7 @@ bool Criteria::merged_edge_is_fine(const ActiveSet& active, const Star& star) co
 
 // No edge of a restored face longer than l_max would belong to a face that meets the zone.
 bool Criteria::restored_faces_fit(const ActiveSet& active, const Star& star) const {
-    if (zones_.empty() || limits_.l_max == kOff) return true;
+    if (!limits_length()) return true;
     const TriMesh& mesh = active.mesh();
     const auto too_long = [&](VertexId p, VertexId q) {
         const Vec3 along = mesh.position(q) - mesh.position(p);
@@ -188,9 +240,7 @@ bool Criteria::restored_faces_fit(const ActiveSet& active, const Star& star) con
         if ((too_long(a, b) || too_long(b, c) || too_long(c, a)) && meets_zone(active, a, b, c)) {
             return false;
         }
-        return !between_ || !(between_->is_long_between_steps(a, b, c, limits_.l_max) ||
-                              between_->is_long_between_steps(b, c, a, limits_.l_max) ||
-                              between_->is_long_between_steps(c, a, b, limits_.l_max));
+        return !between_ || !between_->is_long_between_steps(a, b, c, limits_.l_max);
     };
     return in_all_sheets(active, star, [&](const Star& sheet) {
         return fits(sheet.a, sheet.b, sheet.c) &&
@@ -234,13 +284,6 @@ bool Criteria::star_meets_scope(const ActiveSet& active, const Star& star) const
         return !meets(sheet.c, sheet.a) && !meets(sheet.a, sheet.b) &&
                (sheet.on_boundary() || (!meets(sheet.b, sheet.d) && !meets(sheet.d, sheet.c)));
     });
-}
-
-// Whether its first end does, and so all its faces.
-bool Criteria::lies_in_zone(const ActiveSet& active, HalfEdgeId h) const {
-    const Vec3& end = active.rest_position(active.mesh().origin(h));
-    return std::any_of(zones_.begin(), zones_.end(),
-                       [&](const Box& box) { return box.contains(end); });
 }
 
 bool Criteria::meets_zone(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const {

@@ -30,8 +30,7 @@ struct AdaptLimits {
     double propagation = 1.0;  // rho in [1, 1.5): longest-edge propagation
     std::uint64_t budget = std::numeric_limits<std::uint64_t>::max();  // triangles
     // Ties are broken alike on both sides of it, so that a symmetric mesh stays so (with a
-    // propagation of 1; beyond, what is split first depends on the order, as it does for edges
-    // longer than l_max where the border of the zone crosses their faces).
+    // propagation of 1; beyond, what is split first depends on the order of splits).
     std::optional<MirrorPlane> symmetry{};
     // The warp folds nothing: a commit leaves no faces that cut each other (adapt_without_cuts).
     bool without_cuts = false;
@@ -46,7 +45,8 @@ struct AdaptLimits {
 // for small angles.
 class Criteria {
   public:
-    // zone: where edges longer than l_max are refined; none if no lattice is in use.
+    // zone: where edges longer than l_max are refined; none if no lattice is in use. With symmetry
+    // its mirror image counts, too.
     // scope: only vertices whose star meets it may go; none means all.
     Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
              const std::optional<Box>& scope);
@@ -58,14 +58,31 @@ class Criteria {
     const AdaptLimits& limits() const { return limits_; }
 
     // --- Refinement
-    // An end is deformed and the end normals on one side diverge by more than theta_max, or it
-    // is longer than l_max and belongs to a face that meets the zone; or was so between the steps
-    // of the warp (Embedding::is_long_between_steps).
+    // An end is deformed and the end normals on one side diverge by more than theta_max
+    // (condition (a)), or one of its faces is too coarse and is split at this edge (condition (b)).
     bool needs_refinement(const ActiveSet& active, EdgeId e) const;
+    // Condition (a) alone. It depends on the ends of the edge and not on its faces.
+    bool bends_too_far(const ActiveSet& active, EdgeId e) const;
+    // Whether there is condition (b) at all.
+    bool limits_length() const { return !zones_.empty() && limits_.l_max < kOff; }
+    // Condition (b). The face of h meets the zone and has an edge longer than l_max; or so it was
+    // between the steps of the warp (Embedding::is_long_between_steps).
+    //
+    // Such a face is split at edge_to_split(), its longest edge at rest. Longest-edge propagation
+    // bisects every face at that edge, whatever the reason. So the faces that can come to be form
+    // one binary tree per base face, and whether one of them is too coarse depends on its corners
+    // alone: what refinement leads to does not depend on the order of splits.
+    bool is_too_coarse(const ActiveSet& active, HalfEdgeId h) const;
+    // Of the edges of h's face the one that is split before the others (SplitOrder), as a half-edge
+    // of that face. An edge below the floor counts only where all three are.
+    HalfEdgeId edge_to_split(const ActiveSet& active, HalfEdgeId h) const;
     // Whether one look tells that e does not, as it does of most. may_be_long: false if no edge is
     // longer than l_max. Precondition: one look is enough (ActiveSet::one_look_edges). Cost: O(1),
     // in one face.
     bool looks_fine(const TriMesh& mesh, EdgeId e, bool may_be_long) const;
+    bool is_long(const TriMesh& mesh, EdgeId e) const {
+        return mesh.squared_length(e) > limits_.l_max * limits_.l_max;
+    }
     // Whether its halves would be shorter than the floor.
     bool is_below_floor(const TriMesh& mesh, EdgeId e) const {
         return is_below_floor(mesh.squared_length(e));
@@ -95,7 +112,7 @@ class Criteria {
     bool merged_edge_is_fine(const ActiveSet& active, const Star& star) const;
     bool restored_faces_fit(const ActiveSet& active, const Star& star) const;
     bool is_flat(const TriMesh& mesh, const Star& star) const;
-    bool lies_in_zone(const ActiveSet& active, HalfEdgeId h) const;
+    bool has_long_edge(const TriMesh& mesh, HalfEdgeId h) const;
     bool meets_zone(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const;
 
     AdaptLimits limits_;

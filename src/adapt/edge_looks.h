@@ -1,7 +1,6 @@
 // What refinement asks of an edge before and after splits.
 #pragma once
 
-#include <array>
 #include <cstdint>
 
 #include "adapt/criteria.h"
@@ -13,9 +12,8 @@ namespace pectin {
 // Changes nothing, so that several threads may look. All costs O(1).
 class EdgeLooks {
   public:
-    // The octave of an edge that waits, or why it does not.
-    static constexpr std::uint16_t kFine = 0xffff, kBelowFloor = 0xfffe;
-    using Octaves = std::array<std::uint16_t, 4>;
+    // In place of the octave of an edge, where the floor keeps it from being split.
+    static constexpr std::uint16_t kBelowFloor = 0xfffe;
 
     EdgeLooks(const ActiveSet& active, const Criteria& criteria)
         : active_(active), mesh_(active.mesh()), criteria_(criteria) {}
@@ -34,20 +32,61 @@ class EdgeLooks {
         return static_cast<std::uint16_t>(RefinementQueue::octave_of(length));
     }
 
-    // Of the edges round an inserted vertex that has been placed; most look fine.
-    Octaves look_round(const ActiveSet::Inserted& made) const {
-        Octaves octaves{};
+    // visit(edge, octave or kBelowFloor): the edges that need refinement after a split, once the
+    // inserted vertex has been embedded. These are edges at that vertex, and edges of its faces.
+    template <typename Visit>
+    void for_each_needed(const ActiveSet::Inserted& made, Visit visit) const {
         for (std::size_t k = 0; k < made.edges.size(); ++k) {
-            octaves[k] = look_at_new(made.edges[k], k >= 2 || made.is_one_look);
+            const EdgeId e = made.edges[k];
+            if (!exists(e)) continue;
+            const bool is_smooth = k >= 2 || made.is_one_look;
+            if (is_smooth && criteria_.looks_fine(mesh_, e, false)) continue;
+            if (criteria_.bends_too_far(active_, e)) visit(e, octave_of(e));
         }
-        return octaves;
+        if (!criteria_.limits_length()) return;
+        // Each new face has one spoke, the second pair of edges.
+        for (std::size_t k = 2; k < made.edges.size(); ++k) {
+            if (!exists(made.edges[k])) continue;
+            mesh_.for_each_side(made.edges[k], [&](HalfEdgeId h) { visit_coarse(h, visit); });
+        }
     }
+    // What has to be split because of e: nothing, e itself, or another edge of a face that is too
+    // coarse since e is long. The last is found only where that edge is not long itself, and so
+    // would pass for one that satisfies the criteria.
+    enum Need : std::uint8_t { kNone, kItself, kAnother };
+    Need need_of(EdgeId e) const {
+        if (criteria_.bends_too_far(active_, e)) return kItself;
+        Need need = kNone;
+        if (!criteria_.limits_length()) return need;
+        mesh_.for_each_side(e, [&](HalfEdgeId h) {
+            if (need == kItself || !criteria_.is_too_coarse(active_, h)) return;
+            const HalfEdgeId first = criteria_.edge_to_split(active_, h);
+            if (first == h) {
+                need = kItself;
+            } else if (!criteria_.is_long(mesh_, mesh_.edge(first))) {
+                need = kAnother;
+            }
+        });
+        return need;
+    }
+    // visit(edge, octave or kBelowFloor): the other edges that need_of(e) means.
+    template <typename Visit>
+    void for_each_needed_beside(EdgeId e, Visit visit) const {
+        mesh_.for_each_side(e, [&](HalfEdgeId h) {
+            visit_coarse(h, [&](EdgeId first, std::uint16_t octave) {
+                if (first != e && !criteria_.is_long(mesh_, first)) visit(first, octave);
+            });
+        });
+    }
+    // At most so many edges are visited after a split in one sheet.
+    static constexpr std::size_t kMostNeeded = 8;
 
   private:
-    std::uint16_t look_at_new(EdgeId e, bool is_one_look) const {
-        if (!exists(e)) return kFine;
-        if (is_one_look && criteria_.looks_fine(mesh_, e, true)) return kFine;
-        return criteria_.needs_refinement(active_, e) ? octave_of(e) : kFine;
+    template <typename Visit>
+    void visit_coarse(HalfEdgeId h, Visit visit) const {
+        if (!criteria_.is_too_coarse(active_, h)) return;
+        const EdgeId e = mesh_.edge(criteria_.edge_to_split(active_, h));
+        visit(e, octave_of(e));
     }
 
     const ActiveSet& active_;

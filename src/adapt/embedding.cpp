@@ -152,11 +152,13 @@ bool Embedding::is_long_between_steps(VertexId a, VertexId b, VertexId c, double
             const auto entry = active_.entry_of(v);
             return entry ? stages_[step].positions[*entry] : active_.mesh().position(v);
         };
-        const Vec3 p = position(b), q = position(c), along = q - p;
-        if (!(glm::dot(along, along) > l_max * l_max)) continue;
-        const Vec3 r = position(a);
+        const Vec3 p = position(a), q = position(b), r = position(c);
+        const auto is_long = [&](const Vec3& from, const Vec3& to) {
+            return glm::dot(to - from, to - from) > l_max * l_max;
+        };
+        if (!is_long(p, q) && !is_long(q, r) && !is_long(r, p)) continue;
         for (const Box& zone : stages_[step].zones) {
-            if (triangle_meets_box(r, p, q, zone)) return true;
+            if (triangle_meets_box(p, q, r, zone)) return true;
         }
     }
     return false;

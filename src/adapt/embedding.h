@@ -54,8 +54,8 @@ class Embedding {
     std::size_t memory_bytes() const;
 
     // --- Between the steps.
-    // Whether the edge bc of the face abc is longer than l_max where a step but the first finds it,
-    // and the face meets that step's zone there: what the step does inside it would go unseen.
+    // Whether an edge of the face abc is longer than l_max where a step but the first finds it, and
+    // the face meets that step's zone there: what the step does inside it would go unseen.
     bool is_long_between_steps(VertexId a, VertexId b, VertexId c, double l_max) const;
 
   private:

@@ -166,7 +166,7 @@ void LaneSplits::allocate(std::uint32_t count) {
     embedding_.reserve_splits(count);
     for (Lane& lane : lanes_) {
         lane.inserted.reserve(lane.order.size());
-        lane.made.reserve(4 * lane.order.size());
+        lane.made.reserve(EdgeLooks::kMostNeeded * lane.order.size());
         lane.scratch.resize(embedding_.scratch_size());
     }
     active_.allocate_splits(count, places_);
@@ -181,10 +181,8 @@ void LaneSplits::make(Lane& lane) {
     embedding_.place(lane.inserted, lane.scratch);
     lane.made.clear();
     for (const ActiveSet::Inserted& made : lane.inserted) {
-        const EdgeLooks::Octaves octaves = looks_.look_round(made);
-        for (std::size_t k = 0; k < octaves.size(); ++k) {
-            if (octaves[k] != EdgeLooks::kFine) lane.made.emplace_back(made.edges[k], octaves[k]);
-        }
+        looks_.for_each_needed(
+            made, [&](EdgeId e, std::uint16_t octave) { lane.made.emplace_back(e, octave); });
     }
 }
 

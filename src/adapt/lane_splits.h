@@ -35,8 +35,8 @@ class LaneSplits {
 
     // How many the last call has split.
     std::size_t split_count() const { return places_.ids.size(); }
-    // visit(lane, edge, octave or why it has none), of the edges round what has been inserted, in
-    // order; not of those that look fine.
+    // visit(lane, edge, octave or why it has none), of the edges that need refinement because of
+    // what has been inserted, in order.
     template <typename Visit>
     void for_each_new(Visit visit) const {
         for (const Lane& lane : lanes_) {

@@ -14,11 +14,13 @@ constexpr double kThinnestBesideBlocked = 1.0 / 512.0;
 
 }  // namespace
 
-Propagation::Chain Propagation::chain(EdgeId e) {
+bool Propagation::extend(std::vector<EdgeId>& chain) {
     while (true) {
+        ++steps_;
+        const EdgeId e = chain.back();
         const Next next = first_neighbour(e);
-        if (next.edge == e) return {e, next.any_blocked && is_too_thin_beside_blocked(e)};
-        e = next.edge;
+        if (next.edge == e) return next.any_blocked && is_too_thin_beside_blocked(e);
+        chain.push_back(next.edge);
     }
 }
 

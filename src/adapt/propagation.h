@@ -2,8 +2,10 @@
 // Source: Rivara 1984; lengths are those at rest, so that chains end.
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <utility>
+#include <vector>
 
 #include "adapt/split_order.h"
 #include "mesh/active_set.h"
@@ -22,12 +24,12 @@ class Propagation {
           may_pass_longer_(limits.symmetry.has_value()),
           may_split_(std::move(may_split)) {}
 
-    // From e to its longest neighbour, and on from there.
-    struct Chain {
-        EdgeId end;                  // e itself if nothing goes before it
-        bool leaves_sliver = false;  // too thin a face at the end, beside an edge not waited for
-    };
-    Chain chain(EdgeId e);
+    // From the last edge of the chain to the neighbour that precedes it, and on from there, until
+    // nothing precedes the last edge. Whether splitting that one leaves too thin a face, beside an
+    // edge that is not waited for. Precondition: the chain is not empty. Cost: O(edges added).
+    bool extend(std::vector<EdgeId>& chain);
+    // How many edges have been compared with their neighbours.
+    std::uint64_t steps() const { return steps_; }
 
   private:
     // An edge that goes before another, or that other one, and whether longer ones are not waited
@@ -55,6 +57,7 @@ class Propagation {
     SplitOrder order_;
     bool may_pass_longer_;  // with symmetry on, by edges between mirrored ends
     MaySplit may_split_;
+    std::uint64_t steps_ = 0;
 };
 
 }  // namespace pectin

@@ -26,6 +26,7 @@ class Refiner {
     Refinement run() {
         push_all_needed();
         split_queued();
+        result_.chain_steps = propagation_.steps();
         return result_;
     }
 
@@ -37,6 +38,7 @@ class Refiner {
         }
         split_batch();
         split_queued();
+        result_.chain_steps = propagation_.steps();
         return result_;
     }
 
@@ -112,30 +114,42 @@ class Refiner {
         const auto count = static_cast<std::uint32_t>(edges.size());
         const auto is_along_cut = [&](EdgeId e) { return mesh.sibling(e) != e; };
         const bool may_be_long = !(embedding_.longest_edge_bound() <= criteria_.limits().l_max);
-        const auto needs = [&](std::uint32_t i) {
+        const auto need = [&](std::uint32_t i) {
             const EdgeId e = edges[i];
-            if (!mesh.is_live(e)) return false;
-            if (one_look[i] != 0 && criteria_.looks_fine(mesh, e, may_be_long)) return false;
-            return is_along_cut(e) || criteria_.needs_refinement(active_, e);
+            if (!mesh.is_live(e)) return EdgeLooks::kNone;
+            if (one_look[i] != 0 && criteria_.looks_fine(mesh, e, may_be_long)) {
+                return EdgeLooks::kNone;
+            }
+            return is_along_cut(e) ? EdgeLooks::kItself : looks_.need_of(e);
         };
-        const std::span<std::uint8_t> may_need = active_.scratch_of_edges();
+        const std::span<std::uint8_t> needs = active_.scratch_of_edges();
         for_pieces(0, count, [&](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t i = first; i < end; ++i) may_need[i] = needs(i) ? 1 : 0;
+            for (std::uint32_t i = first; i < end; ++i) needs[i] = need(i);
         });
         FirstOfSiblings is_first(mesh);
-        for_each_set(may_need, [&](std::size_t i) {
+        for_each_equal(needs, EdgeLooks::kItself, [&](std::size_t i) {
             const EdgeId e = edges[i];
             if (!is_first(e)) return;
-            if (is_along_cut(e) && !criteria_.needs_refinement(active_, e)) return;
-            push(e, looks_.octave_of(e), 0);
+            const EdgeLooks::Need found = is_along_cut(e) ? looks_.need_of(e) : EdgeLooks::kItself;
+            if (found == EdgeLooks::kItself) push(e, looks_.octave_of(e), 0);
+            if (found == EdgeLooks::kAnother) push_needed_beside(e);
         });
+        if (!may_be_long) return;
+        for_each_equal(needs, EdgeLooks::kAnother,
+                       [&](std::size_t i) { push_needed_beside(edges[i]); });
     }
 
-    // visit(index of each byte that is 1), in order.
+    void push_needed_beside(EdgeId e) {
+        looks_.for_each_needed_beside(
+            e, [this](EdgeId first, std::uint16_t octave) { push(first, octave, 0); });
+    }
+
+    // visit(index of each byte that has this value), in order.
     template <typename Visit>
-    static void for_each_set(std::span<const std::uint8_t> bytes, Visit visit) {
+    static void for_each_equal(std::span<const std::uint8_t> bytes, std::uint8_t value,
+                               Visit visit) {
         for (std::size_t i = 0; i < bytes.size(); ++i) {
-            const void* const next = std::memchr(bytes.data() + i, 1, bytes.size() - i);
+            const void* const next = std::memchr(bytes.data() + i, value, bytes.size() - i);
             if (!next) return;
             i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(next) - bytes.data());
             visit(i);
@@ -150,16 +164,20 @@ class Refiner {
         }
     }
 
-    // Splits what has to go before e, then e.
+    // Splits what precedes e, then e. A split changes only what precedes the edge before it in the
+    // chain, so the chain is followed on from there and not from e again.
     void split_with_propagation(EdgeId e) {
-        while (true) {
-            const auto [first, leaves_sliver] = propagation_.chain(e);
+        chain_.assign(1, e);
+        while (!chain_.empty()) {
+            const bool leaves_sliver = propagation_.extend(chain_);
             if (leaves_sliver) {
                 active_.mesh().for_each_side(e, [this](HalfEdgeId h) { block(h); });
                 result_.floor_hit = true;
                 return;
             }
-            if (!active_.mesh().may_split(first) || !split(first) || first == e) return;
+            const EdgeId first = chain_.back();
+            if (!active_.mesh().may_split(first) || !split(first)) return;
+            chain_.pop_back();
         }
     }
 
@@ -208,10 +226,8 @@ class Refiner {
         embedding_.place(inserted_);
         for (const ActiveSet::Inserted& made : inserted_) {
             unplaced_[made.vertex_entry] = 0;
-            const EdgeLooks::Octaves octaves = looks_.look_round(made);
-            for (std::size_t k = 0; k < octaves.size(); ++k) {
-                if (octaves[k] != EdgeLooks::kFine) push(made.edges[k], octaves[k], lane_);
-            }
+            looks_.for_each_needed(
+                made, [this](EdgeId e, std::uint16_t octave) { push(e, octave, lane_); });
         }
         inserted_.clear();
     }
@@ -223,6 +239,7 @@ class Refiner {
     Propagation propagation_;
     LaneSplits lanes_;
     RefinementQueue queue_;
+    std::vector<EdgeId> chain_;  // from an edge to what precedes it, and on
     std::vector<Waiting> batch_;
     std::size_t lane_ = 0;                       // of what is split now
     std::vector<ActiveSet::Inserted> inserted_;  // since the last place_inserted

@@ -14,6 +14,7 @@ namespace pectin {
 struct Refinement {
     std::uint64_t splits = 0;
     std::uint64_t splits_in_lanes = 0;  // of these, with others at the same time
+    std::uint64_t chain_steps = 0;      // edges whose neighbours propagation has compared
     bool floor_hit = false;
     bool budget_hit = false;
     // Edges that needed it and are above the floor, but lie beside one that the floor keeps from

@@ -5,15 +5,16 @@
 
 namespace pectin {
 
-// From the first to the last deformable control point of each axis; where there is but one, a cell
-// to both of its sides. fit_lattice() is the way back.
+// From the first to the last control point of each axis without the margins; where there is only
+// one, a cell to both of its sides. fit_lattice() is the inverse.
 inline Box cage_box(const Lattice& cage) {
     Box box;
     for (int axis = 0; axis < 3; ++axis) {
-        const int gaps = cage.deformable[axis] - 1;
-        const double margin = gaps == 0 ? cage.cell[axis] : 0.0;
-        box.min[axis] = cage.origin[axis] - margin;
-        box.max[axis] = cage.origin[axis] + gaps * cage.cell[axis] + margin;
+        const int gaps = cage.counts()[axis] - 1;
+        const double beyond = gaps == 0 ? cage.cell[axis] : 0.0;
+        const double first = cage.origin[axis] + cage.margin[axis] * cage.cell[axis];
+        box.min[axis] = first - beyond;
+        box.max[axis] = first + gaps * cage.cell[axis] + beyond;
     }
     return box;
 }

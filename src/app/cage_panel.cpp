@@ -63,7 +63,7 @@ void CagePanel::draw_brush(Editor& editor, float scale) {
 
 void CagePanel::draw_cage(Editor& editor, const Lattice& cage, float scale) {
     const Box box = edited_box_.value_or(cage_box(cage));
-    IVec3 counts = edited_counts_.value_or(cage.deformable);
+    IVec3 counts = edited_counts_.value_or(cage.counts());
     Vec3 middle = box.centre(), size = box.extent();
     const double diagonal = editor.workspace().diagonal();
     bool is_held = false, is_set = false;

@@ -94,7 +94,11 @@ std::optional<std::string> CagePoints::follow(Session& session, const View& view
     if (!held_->has_begun) {
         if (glm::distance(held_->at, held_->pressed_at) < kTremble) return std::nullopt;
         held_->moving = moving_with(session, held_->index);
-        if (auto refusal = session.begin_control(held_->moving)) {
+        std::vector<IVec3> indices;
+        for (const IVec3& control : held_->moving) {
+            indices.push_back(cage_of(session).user_index(control));
+        }
+        if (auto refusal = session.begin_control(indices)) {
             held_.reset();
             return refusal;
         }

@@ -13,7 +13,8 @@ namespace pectin {
 
 // A press on a control point selects it, with Shift too; moving on takes all that are selected
 // along, in the plane of the picture. Ctrl and a drag anywhere selects what is in a box, with Shift
-// too. With symmetry on, those on the other side go the mirrored way.
+// too. With symmetry on, those on the other side go the mirrored way. All indices here are those of
+// Lattice, from 0, margins included.
 class CagePoints {
   public:
     // --- Before a press. surface: what the cursor meets of the object.

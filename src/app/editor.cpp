@@ -230,7 +230,10 @@ void Editor::choose_mirror(const MirrorChoice& choice) {
 
 void Editor::set_cage(const Box& box, const IVec3& counts) {
     const Lattice cage = fit_lattice(box, counts);
-    execute(command::Cage{command::Cage::Grid{cage.origin, cage.cell, cage.deformable}});
+    execute(command::Cage{command::Cage::Grid{.origin = cage.rest(cage.margin),
+                                              .cell = cage.cell,
+                                              .deformable = cage.counts(),
+                                              .margin = cage.margin}});
 }
 
 std::optional<Lattice> Editor::cage_at_hand() const {
@@ -247,8 +250,8 @@ void Editor::perform(Action action) {
                 execute(command::Undo{});
             } else if (session().history().lost_undo_count() > 0) {
                 workspace_.tell(
-                    "Nothing is left to undo: older steps were let go. Edit, Memory for undo says "
-                    "how much they may take.");
+                    "Nothing is left to undo: older steps were dropped. Edit, Memory for undo sets "
+                    "how much memory they may take.");
             }
             break;
         case Action::redo:

@@ -149,14 +149,16 @@ void Editor::release_drag() {
 void Editor::end_drag(const Command& done, std::size_t steps_before) {
     workspace_.note_drag(done, session().history().step_number() > steps_before);
     figures_.folded = session().folded_vertices();
-    if (figures_.folded == 0) {
-        const std::string& remark = session().remark();
-        if (!remark.empty()) workspace_.tell("After this drag " + remark + ".");
-        return;
+    std::string message;
+    if (figures_.folded > 0) {
+        message = "This drag turns space inside out at " + std::to_string(figures_.folded) +
+                  (figures_.folded == 1 ? " vertex" : " vertices") +
+                  ". Undo takes it back; with Fold-free on, drags of the surface never do that.";
     }
-    workspace_.tell("This drag turns space inside out at " + std::to_string(figures_.folded) +
-                    (figures_.folded == 1 ? " vertex" : " vertices") +
-                    ". Undo takes it back; with Fold-free on, drags of the surface never do that.");
+    if (const std::string& remark = session().remark(); !remark.empty()) {
+        message += (message.empty() ? "After this drag " : " After it ") + remark + ".";
+    }
+    if (!message.empty()) workspace_.tell(message);
 }
 
 FrameFigures Editor::figures() const {

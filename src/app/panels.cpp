@@ -277,7 +277,7 @@ void Panels::draw_memory_tooltip(const History& history, const PictureFigures& f
     tooltip_row("steps", grouped(history.undo_count()) + " to undo, " +
                              grouped(history.redo_count()) + " to redo");
     if (history.lost_undo_count() > 0) {
-        tooltip_row("let go", grouped(history.lost_undo_count()) + " older");
+        tooltip_row("dropped", grouped(history.lost_undo_count()) + " older");
     }
     ImGui::EndTooltip();
 }

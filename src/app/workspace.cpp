@@ -1,5 +1,6 @@
 #include "app/workspace.h"
 
+#include <cctype>
 #include <filesystem>
 
 #include "app/execute.h"
@@ -23,6 +24,12 @@ const char* shape_name(command::Shape::Kind kind) {
             return "cylinder";
     }
     return "untitled";
+}
+
+// A remark of the session as a sentence.
+std::string sentence(std::string remark) {
+    remark.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(remark.front())));
+    return remark + ".";
 }
 
 using FileWork = std::function<Workspace::FileTask::Result(const Progress&)>;
@@ -61,6 +68,7 @@ Workspace::Outcome Workspace::execute(const Command& command) {
     if (file_task_) return patience_.count() > 0 ? poll(patience_) : Outcome::under_way;
     if (session_.history().step_number() != step_number) is_modified_ = true;
     finish(command);
+    if (!session_.remark().empty()) tell(sentence(session_.remark()));
     return Outcome::done;
 }
 

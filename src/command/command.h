@@ -66,6 +66,7 @@ struct Cage {
     struct Grid {
         Vec3 origin{0.0}, cell{0.0};
         IVec3 deformable{0};
+        IVec3 margin{0};  // layers of control points beyond these, on each side
         bool operator==(const Grid&) const = default;
     };
     struct Fit {

@@ -27,7 +27,7 @@ struct Problem : std::runtime_error {
 };
 
 constexpr int kMaxInt = std::numeric_limits<int>::max();
-constexpr int kMaxSpan = 16, kMaxDeformable = 256;
+constexpr int kMaxSpan = 16, kMaxDeformable = 256, kMaxFitted = 254, kMaxMargin = 2;
 constexpr int kLeastPixels = 16, kMostPixels = 8192;  // of a picture, each way
 constexpr double kMaxBudget = 9007199254740992.0;     // 2^53: a double counts no further
 constexpr std::size_t kMostShown = 40;                // of a text that is quoted in an error
@@ -145,13 +145,13 @@ Vec3 point(const json& value, const std::string& where, const char* right = kPoi
     return result;
 }
 
-IVec3 deformable_counts(const json& value, const std::string& where) {
+IVec3 whole_numbers(const json& value, const std::string& where, int least, int most) {
     if (!value.is_array() || value.size() != 3)
         wrong(where, "an array of three whole numbers", value);
     IVec3 result(0);
     for (int axis = 0; axis < 3; ++axis)
         result[axis] = integer(value[static_cast<std::size_t>(axis)],
-                               where + "[" + std::to_string(axis) + "]", 1, kMaxDeformable);
+                               where + "[" + std::to_string(axis) + "]", least, most);
     return result;
 }
 
@@ -248,18 +248,26 @@ Command read_brush(const json& object) {
 }
 
 Command read_cage(const json& object) {
-    const bool is_grid =
-        object.contains("origin") || object.contains("cell") || object.contains("deformable");
+    const bool is_grid = object.contains("origin") || object.contains("cell") ||
+                         object.contains("deformable") || object.contains("margin");
     if (is_grid == object.contains("fit"))
         throw Problem(std::string(is_grid ? "has both a lattice and fit" : "has no lattice") +
                       "; give either origin, cell and deformable, or fit");
-    if (!is_grid) return command::Cage{command::Cage::Fit{deformable_counts(object["fit"], "fit")}};
+    if (!is_grid) {
+        return command::Cage{
+            command::Cage::Fit{whole_numbers(object["fit"], "fit", 1, kMaxFitted)}};
+    }
     const char* cell_is_right = "an array of three numbers above 0";
-    return command::Cage{command::Cage::Grid{
+    command::Cage::Grid grid{
         .origin = point(require(object, "origin", kPointIsRight), "origin"),
         .cell = point(require(object, "cell", cell_is_right), "cell", cell_is_right, positive),
-        .deformable = deformable_counts(
-            require(object, "deformable", "an array of three whole numbers"), "deformable")}};
+        .deformable =
+            whole_numbers(require(object, "deformable", "an array of three whole numbers"),
+                          "deformable", 1, kMaxDeformable)};
+    if (const json* margin = find(object, "margin")) {
+        grid.margin = whole_numbers(*margin, "margin", 0, kMaxMargin);
+    }
+    return command::Cage{grid};
 }
 
 // Refuses fields of a nested object that are not among `known`.
@@ -352,9 +360,9 @@ Command read_control(const json& object) {
         if (!index.is_array() || index.size() != 3) wrong(where + ".index", index_is_right, index);
         command::Control::Point moved;
         for (int axis = 0; axis < 3; ++axis)
-            moved.index[axis] =
-                integer(index[static_cast<std::size_t>(axis)],
-                        where + ".index[" + std::to_string(axis) + "]", 0, kMaxDeformable - 1);
+            moved.index[axis] = integer(index[static_cast<std::size_t>(axis)],
+                                        where + ".index[" + std::to_string(axis) + "]", -kMaxMargin,
+                                        kMaxDeformable - 1);
         moved.to = point(require(given[i], "to", kPointIsRight, where + "."), where + ".to");
         control.points.push_back(moved);
     }

@@ -176,6 +176,7 @@ struct FieldWriter {
             json.field("origin", grid->origin);
             json.field("cell", grid->cell);
             json.field("deformable", grid->deformable);
+            if (grid->margin != IVec3{0}) json.field("margin", grid->margin);
         } else {
             json.field("fit", std::get<command::Cage::Fit>(cage.lattice).deformable);
         }

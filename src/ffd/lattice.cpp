@@ -16,10 +16,19 @@ bool counts_are_valid(const IVec3& deformable) {
     return least >= kMinDeformable && most <= kMaxDeformable;
 }
 
+bool margins_are_valid(const Lattice& lattice) {
+    const IVec3 counts = lattice.counts();
+    for (int axis = 0; axis < 3; ++axis) {
+        const int margin = lattice.margin[axis];
+        if (margin < 0 || margin > kMaxMargin || counts[axis] < kMinDeformable) return false;
+    }
+    return true;
+}
+
 }  // namespace
 
 bool Lattice::is_valid() const {
-    if (!counts_are_valid(deformable)) return false;
+    if (!counts_are_valid(deformable) || !margins_are_valid(*this)) return false;
     if (!is_finite(origin) || !is_finite(cell) || !(smallest_cell_extent() > 0.0)) return false;
     const Box zone = influenced_zone();
     return is_finite(zone.min) && is_finite(zone.max);
@@ -32,27 +41,30 @@ Lattice brush_lattice(const Vec3& centre, double radius, int span) {
     return {.origin = centre - half * cell, .cell = Vec3{cell}, .deformable = IVec3{span}};
 }
 
-Lattice fit_lattice(const Box& box, const IVec3& deformable) {
-    assert(!box.is_empty() && counts_are_valid(deformable));
+Lattice fit_lattice(const Box& box, const IVec3& counts) {
+    assert(!box.is_empty() && counts_are_valid(counts + 2));
     const Vec3 extent = box.extent();
     const double flat = kFlatShare * std::max({extent.x, extent.y, extent.z});
     const auto is_flat = [&](int axis) { return extent[axis] <= flat; };
 
-    Lattice lattice{.origin = box.min, .cell = Vec3{0.0}, .deformable = deformable};
+    Lattice lattice{.origin = box.min, .cell = Vec3{0.0}, .deformable = counts};
     double largest = 0.0;
     for (int axis = 0; axis < 3; ++axis) {
         if (is_flat(axis)) continue;
-        const int gaps = deformable[axis] == 1 ? 2 : deformable[axis] - 1;
+        const int gaps = counts[axis] == 1 ? 2 : counts[axis] - 1;
         lattice.cell[axis] = extent[axis] / gaps;
         largest = std::max(largest, lattice.cell[axis]);
     }
     if (largest == 0.0) largest = 1.0;
     for (int axis = 0; axis < 3; ++axis) {
         if (is_flat(axis)) lattice.cell[axis] = largest;
-        if (!is_flat(axis) && deformable[axis] > 1) continue;
-        const double half = 0.5 * (deformable[axis] - 1);
+        if (!is_flat(axis) && counts[axis] > 1) continue;
+        const double half = 0.5 * (counts[axis] - 1);
         lattice.origin[axis] = box.centre()[axis] - half * lattice.cell[axis];
     }
+    for (int axis = 0; axis < 3; ++axis) lattice.margin[axis] = counts[axis] == 1 ? 2 : 1;
+    lattice.origin -= Vec3{lattice.margin} * lattice.cell;
+    lattice.deformable += 2 * lattice.margin;
     return lattice;
 }
 

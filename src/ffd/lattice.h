@@ -11,20 +11,35 @@ namespace pectin {
 
 inline constexpr int kMinDeformable = 1;    // control points that may move, per axis
 inline constexpr int kMaxDeformable = 256;  // keeps a full set of them below half a gigabyte
+inline constexpr int kMaxMargin = 2;        // layers beyond a fitted box, on each side
+inline constexpr int kMaxFitted = kMaxDeformable - 2;  // control points on a fitted box, per axis
 
 // Control point (i, j, k) rests at origin + (i, j, k)∘cell, in world space. Those with
 // 0 ≤ (i, j, k) < deformable may move; the phantom layer at −3 and deformable + 2 never does.
 //
 //     −3    −2    −1     0     1    …    l−1    l    l+1   l+2
 //   phantom  [— influenced —[ deformable zone ]— influenced —]  phantom
+//
+// The outermost `margin` layers of the deformable control points may lie beyond the box that the
+// others span. Users count and number those on the box: the index of (i, j, k) for a user is
+// (i, j, k) − margin, so that (0, 0, 0) is the first on the box.
 struct Lattice {
     Vec3 origin{0.0};
     Vec3 cell{1.0};
     IVec3 deformable{1};
+    IVec3 margin{0};
 
-    // Finite, with positive cells and counts within the limits above; every other function but ==
-    // takes that for granted.
+    // Finite, with positive cells, and counts and margins within the limits above; every other
+    // function but == takes that for granted.
     bool is_valid() const;
+
+    // As users count and number them: the deformable control points per axis without the margins,
+    // and the indices of the first and the last with them.
+    IVec3 counts() const { return deformable - 2 * margin; }
+    IVec3 first_index() const { return -margin; }
+    IVec3 last_index() const { return deformable - 1 - margin; }
+    IVec3 user_index(const IVec3& control) const { return control - margin; }
+    IVec3 control_of_user_index(const IVec3& index) const { return index + margin; }
 
     // World: two cells beyond the deformable zone. On its border and outside nothing moves.
     Box influenced_zone() const {
@@ -59,10 +74,13 @@ struct Lattice {
 // Preconditions: radius > 0, kMinDeformable ≤ span ≤ kMaxDeformable.
 Lattice brush_lattice(const Vec3& centre, double radius, int span);
 
-// The lattice whose deformable control points span `box`, the first at its min and the last at its
-// max. An axis with a single control point has it in the middle and a cell of half the extent; an
-// axis along which the box is flat is centred on it and takes the largest cell of the other axes,
-// or 1 where there is none. Preconditions: the box is finite and not empty, counts in the limits.
-Lattice fit_lattice(const Box& box, const IVec3& deformable);
+// The lattice whose control points span `box`: per axis `counts` of them, the first at its min and
+// the last at its max. An axis with a single control point has it in the middle and a cell of half
+// the extent; an axis along which the box is flat is centred on it and takes the largest cell of
+// the other axes, or 1 where there is none. One more layer of control points lies beyond the box on
+// each side (two where the count is 1), so that all those whose basis is not zero in the box may
+// move. B-splines have linear precision: an affine map of all control points is then, in the box,
+// that map of space. Preconditions: the box is finite and not empty, counts from 1 to kMaxFitted.
+Lattice fit_lattice(const Box& box, const IVec3& counts);
 
 }  // namespace pectin

@@ -18,6 +18,7 @@
 
 #include "ffd/drag_field.h"
 #include "ffd/lattice_field.h"
+#include "geometry/box.h"
 
 namespace pectin {
 
@@ -33,6 +34,12 @@ struct MirrorPlane {
     Vec3 image_of_vector(Vec3 v) const {
         v[axis] = -v[axis];
         return v;
+    }
+    Box image(const Box& box) const {
+        Box mirrored = box;
+        mirrored.min[axis] = 2.0 * at - box.max[axis];
+        mirrored.max[axis] = 2.0 * at - box.min[axis];
+        return mirrored;
     }
     // M J M.
     Mat3 image_of_jacobian(Mat3 j) const;

@@ -34,7 +34,7 @@ std::vector<Box> zones_of(const Warp::Step& step) {
     std::vector<Box> zones{lattice_of(step).influenced_zone()};
     const auto* drag = std::get_if<DragStep>(&step);
     if (drag && drag->symmetry) {
-        const Box mirrored = image(drag->symmetry->plane, lattice_of(step)).influenced_zone();
+        const Box mirrored = drag->symmetry->plane.image(zones.front());
         if (mirrored != zones.front()) zones.push_back(mirrored);
     }
     return zones;

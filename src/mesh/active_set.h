@@ -126,6 +126,14 @@ class ActiveSet {
         if (state.entry != kNoEntry) state.rest_length = length;
         return length;
     }
+    // The same, but remembers nothing, so that several threads may ask for any edge.
+    float rest_length_unremembered(EdgeId e) const {
+        if (index(e) < edge_states_.size()) {
+            const float known = edge_states_[index(e)].rest_length;
+            if (known != kUnmeasured) return known;
+        }
+        return distance_at_rest(e);
+    }
     // No active edge is longer at rest, nor has any been in this gesture. O(1).
     double longest_at_rest() const { return std::sqrt(longest_square_); }
 

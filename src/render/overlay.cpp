@@ -32,7 +32,6 @@ Colour faint(Colour colour) {
 struct ControlRange {
     IVec3 first, last;
 
-    bool is_on_border(const IVec3& c) const { return border_axes(c) > 0; }
     int border_axes(const IVec3& c) const {
         int axes = 0;
         for (int axis = 0; axis < 3; ++axis)
@@ -166,8 +165,12 @@ void add_lattice(Overlay& overlay, const Lattice& lattice, std::span<const Vec3>
 }
 
 bool draws_control(const Lattice& lattice, const IVec3& control) {
-    return most_of(lattice.deformable) <= kInnerGrid ||
-           ControlRange{IVec3{0}, lattice.deformable - 1}.is_on_border(control);
+    if (most_of(lattice.counts()) <= kInnerGrid) return true;
+    for (int axis = 0; axis < 3; ++axis) {
+        const int first = lattice.margin[axis], last = first + lattice.counts()[axis] - 1;
+        if (control[axis] <= first || control[axis] >= last) return true;
+    }
+    return false;
 }
 
 }  // namespace pectin

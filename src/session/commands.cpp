@@ -1,6 +1,7 @@
 // Commands that are done at once: objects, settings, refinement of the whole, files.
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 #include "command/json.h"
@@ -41,6 +42,12 @@ std::uint64_t vertices_inside(const TriMesh& mesh, std::span<const Box> zones) {
         if (std::any_of(zones.begin(), zones.end(), contains)) ++count;
     }
     return count;
+}
+
+std::string refuse_counts(int most, const std::string& which) {
+    return "the cage must be finite, with cells above 0 and from " +
+           std::to_string(kMinDeformable) + " to " + std::to_string(most) +
+           " control points per axis " + which;
 }
 
 }  // namespace
@@ -88,16 +95,22 @@ Refusal Session::State::run(const command::Brush& brush) {
 Refusal Session::State::run(const command::Cage& cage) {
     Lattice lattice;
     if (const auto* grid = std::get_if<command::Cage::Grid>(&cage.lattice)) {
-        lattice = {grid->origin, grid->cell, grid->deformable};
+        lattice = {.origin = grid->origin - Vec3{grid->margin} * grid->cell,
+                   .cell = grid->cell,
+                   .deformable = grid->deformable + 2 * grid->margin,
+                   .margin = grid->margin};
     } else {
         if (!has_object()) return kNoObject;
-        lattice.deformable = std::get<command::Cage::Fit>(cage.lattice).deformable;
-        if (lattice.is_valid()) lattice = fit_lattice(mesh->bounding_box(), lattice.deformable);
+        const IVec3& counts = std::get<command::Cage::Fit>(cage.lattice).deformable;
+        for (int axis = 0; axis < 3; ++axis) {
+            if (counts[axis] < kMinDeformable || counts[axis] > kMaxFitted) {
+                return refuse_counts(kMaxFitted, "on the object's box");
+            }
+        }
+        lattice = fit_lattice(mesh->bounding_box(), counts);
     }
     if (!lattice.is_valid()) {
-        return "the cage must be finite, with cells above 0 and from " +
-               std::to_string(kMinDeformable) + " to " + std::to_string(kMaxDeformable) +
-               " deformable control points an axis";
+        return refuse_counts(kMaxDeformable, "with the margins, which are from 0 to 2");
     }
     lattice_settings.cage = lattice;
     return std::nullopt;
@@ -109,6 +122,14 @@ Refusal Session::State::run(const command::Symmetry& symmetry_command) {
     const int axis = static_cast<int>(*symmetry_command.plane);
     symmetry = MirrorPlane{axis, symmetry_command.through[axis]};
     return std::nullopt;
+}
+
+// Where edges longer than l_max are refined: everywhere where the user gave the length, which then
+// has nothing to do with a lattice; else in the zones of the lattice that it comes from.
+std::vector<Box> Session::State::zones_of_readapt() const {
+    if (adapt_settings.l_max.kind != Setting::Kind::value) return zones_in_use;
+    constexpr double kFar = std::numeric_limits<double>::max();
+    return {Box{.min = Vec3{-kFar}, .max = Vec3{kFar}}};
 }
 
 Refusal Session::State::run(const command::Readapt& readapt) {
@@ -129,7 +150,7 @@ Refusal Session::State::run(const command::Readapt& readapt) {
     const bool was_hit = outcome.budget_hit;
     if (was_hit) adapt_limits.budget = 0;
     const Adaptation adaptation =
-        adapt_without_cuts(*active, embedding, Criteria(adapt_limits, zones_in_use, {}));
+        adapt_without_cuts(*active, embedding, Criteria(adapt_limits, zones_of_readapt(), {}));
     MeshChange change = active->finish();
     Frame frame;
     frame.splits = adaptation.refinement.splits;

@@ -21,8 +21,8 @@ std::string written(const IVec3& index) {
 }
 
 bool is_in(const IVec3& index, const Lattice& cage) {
-    return glm::all(glm::greaterThanEqual(index, IVec3{0})) &&
-           glm::all(glm::lessThan(index, cage.deformable));
+    return glm::all(glm::greaterThanEqual(index, cage.first_index())) &&
+           glm::all(glm::lessThanEqual(index, cage.last_index()));
 }
 
 bool is_symmetric(const Lattice& cage, const MirrorPlane& plane) {
@@ -32,7 +32,7 @@ bool is_symmetric(const Lattice& cage, const MirrorPlane& plane) {
 
 std::string refuse_index(const IVec3& index, const Lattice& cage) {
     return "the cage has no control point " + written(index) + "; its last is " +
-           written(cage.deformable - 1) + ", the first [0, 0, 0]";
+           written(cage.last_index()) + ", the first " + written(cage.first_index());
 }
 
 std::string refuse_difference(const IVec3& index, const Vec3& a, const Vec3& b) {
@@ -47,7 +47,7 @@ class Collector {
         : cage_(cage), all_(cage.control_count(), Vec3{0.0}), is_given_(all_.size(), false) {}
 
     Refusal add(const IVec3& index, const Vec3& d) {
-        const std::size_t at = cage_.control_index(index);
+        const std::size_t at = cage_.control_index(cage_.control_of_user_index(index));
         if (is_given_[at] && all_[at] != d) return refuse_difference(index, all_[at], d);
         all_[at] = d;
         is_given_[at] = true;
@@ -77,7 +77,7 @@ std::variant<std::vector<Vec3>, std::string> Session::State::control_displacemen
     Collector collector(cage);
     for (const auto& [index, to] : control.points) {
         if (!is_in(index, cage)) return refuse_index(index, cage);
-        const Vec3 d = to - cage.rest(index);
+        const Vec3 d = to - cage.rest(cage.control_of_user_index(index));
         if (!(glm::length(d) <= most)) {
             return "control point " + written(index) + " is asked to move to " + decimal(to) +
                    ", more than a million times the size of the object; the most is " +
@@ -86,7 +86,7 @@ std::variant<std::vector<Vec3>, std::string> Session::State::control_displacemen
         if (Refusal refusal = collector.add(index, d)) return *refusal;
         if (!symmetry) continue;
         IVec3 opposite = index;
-        opposite[symmetry->axis] = cage.deformable[symmetry->axis] - 1 - index[symmetry->axis];
+        opposite[symmetry->axis] = cage.counts()[symmetry->axis] - 1 - index[symmetry->axis];
         if (opposite == index &&
             std::abs(d[symmetry->axis]) > kSameCage * cage.cell[symmetry->axis]) {
             return "control point " + written(index) +
@@ -107,7 +107,8 @@ Refusal Session::State::begin_control(std::span<const IVec3> indices) {
     if (indices.empty()) return "control needs at least one control point to move";
     command::Control control;
     for (const IVec3& index : indices) {
-        const Vec3 to = lattice_settings.cage ? lattice_settings.cage->rest(index) : Vec3{0.0};
+        const auto& cage = lattice_settings.cage;
+        const Vec3 to = cage ? cage->rest(cage->control_of_user_index(index)) : Vec3{0.0};
         control.points.push_back({index, to});
     }
     auto displacements = control_displacements(control);
@@ -116,7 +117,9 @@ Refusal Session::State::begin_control(std::span<const IVec3> indices) {
     auto begun = std::make_unique<InHand>();
     begun->control = std::move(control);
     Warp warp{{LatticeField{*lattice_settings.cage, std::move(std::get<0>(displacements))}}};
-    const std::vector<FaceId> faces = face_tree().faces_meeting(warp.zone(), *mesh);
+    Box zone = warp.zone();
+    if (symmetry) zone.include(symmetry->image(zone));  // the same up to rounding
+    const std::vector<FaceId> faces = face_tree().faces_meeting(zone, *mesh);
     start_gesture(*begun, faces, std::move(warp));
     begun->measured.seconds.begin = stopwatch.lap();
     in_hand = std::move(begun);

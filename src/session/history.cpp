@@ -31,8 +31,7 @@ void History::measure(Entry& entry) {
 }
 
 void History::add(Step step) {
-    while (redo_count() > 0) lose_last();
-    lost_redos_ = 0;
+    while (redo_count() > 0) drop_last();
     steps_.push_back({std::move(step)});
     ++done_;
     measure(steps_.back());
@@ -60,16 +59,10 @@ void History::set_limit(std::optional<std::size_t> limit) {
 }
 
 void History::keep_limit() {
-    while (limit_ && bytes_ > *limit_ && steps_.size() > 1) {
-        if (done_ > 0) {
-            lose_oldest();
-        } else {
-            lose_last();
-        }
-    }
+    while (limit_ && bytes_ > *limit_ && steps_.size() > 1 && done_ > 0) drop_oldest();
 }
 
-void History::lose_oldest() {
+void History::drop_oldest() {
     Entry& oldest = steps_.front();
     bytes_ -= oldest.bytes + capacity_bytes(first_outcome_.blocked);
     first_outcome_ = std::move(oldest.step.outcome);
@@ -77,12 +70,12 @@ void History::lose_oldest() {
     steps_.pop_front();
     --done_;
     ++lost_undos_;
+    ++dropped_;
 }
 
-void History::lose_last() {
+void History::drop_last() {
     bytes_ -= steps_.back().bytes;
     steps_.pop_back();
-    ++lost_redos_;
 }
 
 }  // namespace pectin

@@ -6,6 +6,7 @@
 #include <deque>
 #include <memory>
 #include <optional>
+#include <utility>
 #include <vector>
 
 #include "command/command.h"
@@ -35,17 +36,19 @@ class History {
     // no more than a machine of 4 GB can spare beside such a model.
     static constexpr std::size_t kDefaultLimit = 1'000'000'000;  // bytes
 
-    // A new step drops what could be redone. Where memory is short the oldest steps are let go.
+    // A new step drops what could be redone. Where the limit is exceeded the oldest steps are
+    // dropped.
     void add(Step step);
     // Starts anew; the limit stays.
     void clear();
 
     std::size_t undo_count() const { return done_; }
     std::size_t redo_count() const { return steps_.size() - done_; }
-    // How many more there would be to undo and to redo, had the limit not let them go.
+    // How many more steps there would be to undo, had the limit not dropped them.
     std::size_t lost_undo_count() const { return lost_undos_; }
-    std::size_t lost_redo_count() const { return lost_redos_; }
-    // Of the step that led to the mesh as it is, counted from the beginning whatever was let go.
+    // How many steps the limit has dropped since this was last called.
+    std::size_t take_dropped_count() { return std::exchange(dropped_, 0); }
+    // Of the step that led to the mesh as it is, counted from the beginning whatever was dropped.
     std::size_t step_number() const { return lost_undos_ + done_; }
 
     // Takes steps back, or does them again: apply(Step&) has the mesh follow, latest first or
@@ -68,9 +71,10 @@ class History {
     // Other settings: where a step stopped by the old ones means nothing any more.
     void forget_outcomes();
 
-    // In bytes; none: no limit. Holds at once and from now on: memory_bytes() stays within it, or
-    // there is one step alone. Let go are the oldest steps to undo, then the last to redo. Cost:
-    // O(steps let go).
+    // In bytes; none: no limit. Holds at once and from now on: the oldest steps that can be undone
+    // are dropped until memory_bytes() is within it. Two things are kept beyond the limit: the
+    // newest step, and the steps that can be redone. Each of these builds on the one before it, so
+    // dropping the oldest would make all of them useless. Cost: O(steps dropped).
     void set_limit(std::optional<std::size_t> limit);
     std::optional<std::size_t> limit() const { return limit_; }
 
@@ -89,12 +93,13 @@ class History {
     }
     void measure(Entry& entry);
     void keep_limit();
-    void lose_oldest();
-    void lose_last();
+    void drop_oldest();
+    void drop_last();
 
     std::deque<Entry> steps_;
     std::size_t done_ = 0;  // steps_[0, done_) are in the mesh
-    std::size_t lost_undos_ = 0, lost_redos_ = 0;
+    std::size_t lost_undos_ = 0;
+    std::size_t dropped_ = 0;     // by the limit, and not reported yet
     AdaptOutcome first_outcome_;  // of the mesh that undoing all leads to
     std::size_t bytes_ = 0;       // of all steps and the first outcome
     std::optional<std::size_t> limit_ = kDefaultLimit;

@@ -86,7 +86,9 @@ Session& Session::operator=(Session&&) noexcept = default;
 std::optional<std::string> Session::execute(const Command& command) {
     if (is_dragging()) return "a drag is in hand; end or cancel it first";
     state_->remark.clear();
-    return std::visit([this](const auto& c) { return state_->run(c); }, command);
+    Refusal refusal = std::visit([this](const auto& c) { return state_->run(c); }, command);
+    state_->report_dropped_steps();
+    return refusal;
 }
 
 void Session::adopt(LoadedModel model) {
@@ -140,11 +142,19 @@ std::optional<std::string> Session::control_to(std::span<const Vec3> targets) {
     return state_->control_to(targets);
 }
 
-std::optional<command::Control> Session::end_control() { return state_->end_control(); }
+std::optional<command::Control> Session::end_control() {
+    auto done = state_->end_control();
+    state_->report_dropped_steps();
+    return done;
+}
 
 const Frame& Session::last_frame() const { return state_->in_hand->gesture->last_frame(); }
 
-std::optional<command::Drag> Session::end_drag() { return state_->end_drag(); }
+std::optional<command::Drag> Session::end_drag() {
+    auto done = state_->end_drag();
+    state_->report_dropped_steps();
+    return done;
+}
 
 void Session::cancel_drag() { state_->cancel_drag(); }
 

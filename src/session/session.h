@@ -65,7 +65,8 @@ class Session {
     // For save_model, and what follows it; the save command does both by itself.
     const std::vector<std::string>& material_folders() const;
     // What the last command or drag has to tell though it is done: what was found in the input,
-    // what was not copied along, where triangles cut each other. Mostly empty.
+    // what was not copied along, where triangles cut each other, how many steps the limit of the
+    // history has dropped. Mostly empty.
     const std::string& remark() const;
     void note_saved(const std::string& path);
 
@@ -88,7 +89,8 @@ class Session {
     void cancel_drag();  // gives everything back, to the byte; also of control points
     bool is_dragging() const;
 
-    // --- The same for control points of the cage. Several, each once.
+    // --- The same for control points of the cage, by the indices that users know
+    // (Lattice::user_index). Several, each once.
     std::optional<std::string> begin_control(std::span<const IVec3> indices);
     std::optional<std::string> control_to(std::span<const Vec3> targets);
     std::optional<command::Control> end_control();

@@ -106,6 +106,7 @@ struct Session::State {
     Refusal run(const command::Redo& redo);
     Refusal run(const command::History& limit);
     Refusal run(const command::Readapt& readapt);
+    std::vector<Box> zones_of_readapt() const;
     Refusal run(const command::Bake& bake);
     Refusal run(const command::Save& save);
     Refusal run(const command::Stats& stats);
@@ -113,6 +114,8 @@ struct Session::State {
 
     // --- Steps (undo.cpp).
     void add_step(Command command, MeshChange change);
+    // Adds to the remark how many steps the limit of the history has dropped, if any.
+    void report_dropped_steps();
     // Of a bake's step: the mesh on its one side for that on its other.
     void exchange(TriMesh& other);
 

@@ -16,17 +16,16 @@ std::string counted_steps(std::size_t count) {
     return std::to_string(count) + (count == 1 ? " step" : " steps");
 }
 
-// lost: of those that are missing, how many the limit has let go.
-std::string too_few(const char* what, std::size_t there, std::size_t asked, std::size_t lost,
-                    const char* which) {
-    std::string text =
-        "there are only " + counted_steps(there) + " to " + what + ", not " + std::to_string(asked);
-    if (lost > 0) {
-        text += "; " + std::to_string(lost) + " " + which +
-                (lost == 1 ? " one was" : " ones were") +
-                " let go to keep to the memory that history allows";
-    }
-    return text;
+std::string too_few(const char* what, std::size_t there, std::size_t asked) {
+    return (there == 1 ? "there is only " : "there are only ") + counted_steps(there) + " to " +
+           what + ", not " + std::to_string(asked);
+}
+
+std::string remark_on_dropped_steps(std::size_t count, std::size_t limit) {
+    return "the " + (count == 1 ? "oldest step" : std::to_string(count) + " oldest steps") +
+           " can no longer be undone, since undo may take at most " +
+           decimal(static_cast<double>(limit) / kMegabyte) +
+           " MB of memory; a larger limit keeps more steps";
 }
 
 }  // namespace
@@ -43,10 +42,23 @@ void Session::State::add_step(Command command, MeshChange change) {
     if (!change.is_empty()) history.add({std::move(command), std::move(change), outcome});
 }
 
+void Session::State::report_dropped_steps() {
+    const std::size_t count = history.take_dropped_count();
+    if (count == 0 || !history.limit()) return;
+    if (!remark.empty()) remark += "; ";
+    remark += remark_on_dropped_steps(count, *history.limit());
+}
+
 Refusal Session::State::run(const command::Undo& undo_command) {
     const auto count = static_cast<std::size_t>(undo_command.count);
     if (count > history.undo_count()) {
-        return too_few("undo", history.undo_count(), count, history.lost_undo_count(), "older");
+        std::string text = too_few("undo", history.undo_count(), count);
+        if (const std::size_t lost = history.lost_undo_count(); lost > 0) {
+            text += "; " + std::to_string(lost) +
+                    (lost == 1 ? " older step was" : " older steps were") +
+                    " dropped to keep to the memory that history allows";
+        }
+        return text;
     }
     history.undo(count, [this](History::Step& step) {
         if (step.exchanged) {
@@ -63,7 +75,7 @@ Refusal Session::State::run(const command::Undo& undo_command) {
 Refusal Session::State::run(const command::Redo& redo_command) {
     const auto count = static_cast<std::size_t>(redo_command.count);
     if (count > history.redo_count()) {
-        return too_few("redo", history.redo_count(), count, history.lost_redo_count(), "later");
+        return too_few("redo", history.redo_count(), count);
     }
     history.redo(count, [this](History::Step& step) {
         if (step.exchanged) {

@@ -71,7 +71,7 @@ std::vector<FixedScript> fixed_scripts() {
           R"({"cmd": "adapt", "theta_max": 1.5})", R"({"cmd": "brush", "radius": 4})",
           R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0.3, 0.1, 1.5]}]})"}},
         {"SeveralConstraintsWithPins",
-         0x6803698d65db90f8u,
+         0x64c2c963d9fb2705u,
          {R"({"cmd": "shape", "kind": "cube", "resolution": 12})", kFine,
           R"({"cmd": "cage", "fit": [4, 5, 6]})",
           R"({"cmd": "drag", "moves": [{"from": [1, 1, 1], "to": [1.3, 1.4, 1.2]}, )"
@@ -83,7 +83,7 @@ std::vector<FixedScript> fixed_scripts() {
           R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0, 0.1, 1.2], )"
           R"("twist": {"axis": [0, 0, 1], "degrees": 90}, "scale": 2}]})"}},
         {"FoldFreeAlongWaypoints",
-         0x54c61f81f15e0208u,
+         0x8fb0df8e3df4ccbbu,
          {kSphere, kFine, R"({"cmd": "brush", "radius": 0.6})",
           R"({"cmd": "drag", "moves": [{"from": [0.6, 0.8, 0], "to": [1.5, 1.5, 0.3]}], )"
           R"("connected": true, "fold_free": true, "via": [[1, 1.2, 0.1]]})"}},
@@ -94,7 +94,7 @@ std::vector<FixedScript> fixed_scripts() {
           R"({"cmd": "drag", "moves": [{"from": [0.6, 0, 0.8], "to": [0.8, 0.1, 1.2]}], )"
           R"("pins": [[0, 0, 1]]})"}},
         {"ControlPoints",
-         0xf09287de320deed3u,
+         0x2ff1a2e6b2df6634u,
          {kSphere, R"({"cmd": "adapt", "theta_max": 5})", R"({"cmd": "cage", "fit": [3, 4, 3]})",
           R"({"cmd": "control", "points": [{"index": [0, 3, 1], "to": [-1.5, 1.75, 0.25]}, )"
           R"({"index": [2, 0, 2], "to": [1.25, -1.5, 1]}]})"}},

@@ -52,6 +52,19 @@ TEST(Replay, GivesTheSameBytesAfterUndoAndAfterRedo) {
     EXPECT_NE(folder.read("1.obj"), folder.read("2.obj"));
 }
 
+TEST(Replay, NotesThatTheOldestStepsWereDropped) {
+    const ScratchFolder folder;
+    const std::string script = folder.write_script(
+        "s.jsonl", {kSphere, kDrag, R"({"cmd": "history", "megabytes": 0.001})",
+                    R"({"cmd": "drag", "moves": [{"from": [0, 1, 0], "to": [0, 1.2, 0]}]})"});
+    const Outcome outcome = run_program({"replay", script});
+    EXPECT_EQ(outcome.exit_status, 0);
+    EXPECT_EQ(outcome.err,
+              script +
+                  ":5: drag: the oldest step can no longer be undone, since undo may "
+                  "take at most 0.001 MB of memory; a larger limit keeps more steps\n");
+}
+
 TEST(Replay, GivesTheSameBytesEveryTime) {
     const ScratchFolder folder;
     for (const char* name : {"a", "b"})

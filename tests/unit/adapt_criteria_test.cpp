@@ -123,6 +123,27 @@ TEST(NeedsRefinement, FindsLongEdgesOfFacesThatMeetTheZone) {
     two.active.finish();
 }
 
+// So that refinement does not depend on which of its edges is looked at first.
+TEST(NeedsRefinement, AsksACoarseFaceToBeSplitAtItsLongestEdgeAtRestAlone) {
+    TwoTriangles two(kSmooth);
+    const EdgeId side = edge_between(two.mesh, 0, 1);
+    const Criteria criteria({.l_max = 0.9, .floor = 0.1}, kEverywhere, std::nullopt);
+    EXPECT_TRUE(criteria.needs_refinement(two.active, two.middle));
+    EXPECT_FALSE(criteria.needs_refinement(two.active, side)) << "though it is long itself";
+    // One end moves: the middle edge is short now, but still the longest at rest.
+    two.active.begin(std::vector<FaceId>{FaceId{0}, FaceId{1}}, kEverywhere);
+    two.mesh.set_position(VertexId{2}, {0.5, 0.1, 0});
+    ASSERT_LT(two.mesh.length(two.middle), 0.9);
+    EXPECT_TRUE(criteria.needs_refinement(two.active, two.middle));
+    EXPECT_FALSE(criteria.needs_refinement(two.active, side));
+    // Where the floor keeps that one from being split, the next one is.
+    two.mesh.set_position(VertexId{2}, {0.9, 0.0, 0});
+    EXPECT_FALSE(criteria.needs_refinement(two.active, two.middle));
+    EXPECT_TRUE(criteria.needs_refinement(two.active, side) ||
+                criteria.needs_refinement(two.active, edge_between(two.mesh, 0, 2)));
+    two.active.finish();
+}
+
 TEST(Floor, ForbidsHalvesThatAreShorter) {
     TwoTriangles two(kSmooth);
     const double half = 0.5 * std::sqrt(2.0);

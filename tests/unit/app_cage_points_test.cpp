@@ -30,8 +30,9 @@ class CagePointsTest : public EditorTest {
     }
 };
 
-// Of the near corners, in front of the object from where the camera looks.
-constexpr IVec3 kCorner{2, 2, 2}, kOther{0, 2, 2}, kBelow{2, 0, 2};
+// Corners of the box, in front of the object from where the camera looks. One layer of control
+// points lies before them.
+constexpr IVec3 kCorner{3, 3, 3}, kOther{1, 3, 3}, kBelow{3, 1, 3};
 
 TEST(CageBox, IsWhatFittingTheSameCageTakes) {
     const Box box{.min = {-1, 0, 2}, .max = {3, 0.5, 7}};
@@ -53,7 +54,7 @@ TEST_F(CagePointsTest, AreFoundUnderTheCursorWhileTheCageIsShown) {
 
 TEST_F(CagePointsTest, WhatTheObjectHidesIsNotTaken) {
     Editor editor = caged();
-    move(editor, seen(editor, {1, 1, 1}));
+    move(editor, seen(editor, {2, 2, 2}));
     EXPECT_FALSE(editor.cage_points().hovered());
     EXPECT_TRUE(editor.hover()) << "the surface is";
 }
@@ -62,20 +63,22 @@ TEST_F(CagePointsTest, InsideALargeCageWhatIsNotDrawnIsNotTakenButABoxTakesIt) {
     Editor editor = caged();
     // Wider than the object: its inner control points lie beside it.
     editor.set_cage({.min = Vec3{-4.0}, .max = Vec3{4.0}}, IVec3{7});
-    for (int i = 0; i < 2; ++i) editor.handle(event::Scroll{-8.0, kMiddle});
+    for (int i = 0; i < 3; ++i) editor.handle(event::Scroll{-8.0, kMiddle});
     editor.advance();
-    for (int i = 0; i < 7; ++i) {
-        for (int j = 0; j < 7; ++j) {
-            for (int k = 0; k < 7; ++k) {
+    // Drawn are the points on the sides of the box and those beyond it.
+    const auto is_drawn = [](int i) { return i <= 1 || i >= 7; };
+    for (int i = 0; i < 9; ++i) {
+        for (int j = 0; j < 9; ++j) {
+            for (int k = 0; k < 9; ++k) {
                 move(editor, seen(editor, {i, j, k}));
                 const auto& hovered = editor.cage_points().hovered();
-                EXPECT_TRUE(!hovered || hovered->x % 6 == 0 || hovered->y % 6 == 0 ||
-                            hovered->z % 6 == 0);
+                EXPECT_TRUE(!hovered || is_drawn(hovered->x) || is_drawn(hovered->y) ||
+                            is_drawn(hovered->z));
             }
         }
     }
     drag(editor, {0, 0}, Vec2(kSize), {.control = true});
-    EXPECT_EQ(editor.cage_points().selected().size(), 343u);
+    EXPECT_EQ(editor.cage_points().selected().size(), 729u);
 }
 
 TEST_F(CagePointsTest, ClicksSelectOneAndWithShiftMore) {
@@ -96,17 +99,17 @@ TEST_F(CagePointsTest, ClicksSelectOneAndWithShiftMore) {
 
 TEST_F(CagePointsTest, ABoxSelectsAllThatAreSeenInIt) {
     Editor editor = caged();
-    editor.handle(event::Scroll{-3.0, kMiddle});  // all of it has to be in the window
+    editor.handle(event::Scroll{-8.0, kMiddle});  // all of it has to be in the window
     const Vec2 at = seen(editor, kCorner);
-    drag(editor, at - Vec2(25, 25), at + Vec2(25, 25), {.control = true});
+    drag(editor, at - Vec2(5, 5), at + Vec2(5, 5), {.control = true});
     EXPECT_EQ(editor.cage_points().selected(), std::vector{kCorner});
     drag(editor, {0, 0}, Vec2(kSize), {.control = true});
-    EXPECT_EQ(editor.cage_points().selected().size(), 27u);
-    press(editor, at - Vec2(25, 25), {.control = true});
-    move(editor, at + Vec2(25, 25), {.control = true});
+    EXPECT_EQ(editor.cage_points().selected().size(), 125u);
+    press(editor, at - Vec2(5, 5), {.control = true});
+    move(editor, at + Vec2(5, 5), {.control = true});
     key(editor, Key::escape);
     EXPECT_FALSE(editor.cage_points().box());
-    EXPECT_EQ(editor.cage_points().selected().size(), 27u) << "given up, so nothing changes";
+    EXPECT_EQ(editor.cage_points().selected().size(), 125u) << "given up, so nothing changes";
 }
 
 TEST_F(CagePointsTest, DraggedOnesGoWithTheCursorAndTheRecordReplaysToTheSameMesh) {
@@ -117,7 +120,7 @@ TEST_F(CagePointsTest, DraggedOnesGoWithTheCursorAndTheRecordReplaysToTheSameMes
     drag(editor, from, from + Vec2(50, -40));
     const auto control = std::get<command::Control>(last_of("record.jsonl"));
     ASSERT_EQ(control.points.size(), 2u);
-    EXPECT_EQ(control.points[0].index, kCorner);
+    EXPECT_EQ(control.points[0].index, kCorner - 1) << "as scripts number them";
     const auto to = editor.camera().project(control.points[0].to, kSize);
     EXPECT_NEAR(glm::distance(*to, from + Vec2(50, -40)), 0.0, 1e-6);
     const Lattice cage = *editor.session().lattice_settings().cage;
@@ -175,7 +178,21 @@ TEST_F(CagePointsTest, AnotherCageForgetsTheSelection) {
     editor.set_cage(cage_box(*editor.session().lattice_settings().cage), IVec3{2});
     editor.advance();
     EXPECT_TRUE(editor.cage_points().selected().empty());
-    EXPECT_EQ(editor.session().lattice_settings().cage->deformable, IVec3{2});
+    EXPECT_EQ(editor.session().lattice_settings().cage->counts(), IVec3{2});
+}
+
+TEST_F(CagePointsTest, ACageThatIsSetAsABoxHasTheSameLayersBeyondItAsAFittedOne) {
+    Editor editor = caged(Recorder(path("record.jsonl")));
+    const Lattice fitted = *editor.session().lattice_settings().cage;
+    editor.set_cage(cage_box(fitted), IVec3{3});
+    const Lattice set = *editor.session().lattice_settings().cage;
+    EXPECT_EQ(set.deformable, fitted.deformable);
+    EXPECT_EQ(set.margin, fitted.margin);
+    EXPECT_NEAR(glm::distance(set.origin, fitted.origin), 0.0, 1e-12);
+    editor.set_cage(cage_box(fitted), {1, 2, 3});
+    EXPECT_EQ(editor.session().lattice_settings().cage->margin, IVec3(2, 1, 1));
+    EXPECT_EQ(*replayed("record.jsonl").lattice_settings().cage,
+              *editor.session().lattice_settings().cage);
 }
 
 }  // namespace

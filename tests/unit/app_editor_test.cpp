@@ -107,7 +107,7 @@ TEST_F(EditorTest, StepsThatTheLimitLetsGoStayChangesAndAreTold) {
     key(editor, Key{'Z'}, {.control = true});
     EXPECT_TRUE(editor.workspace().message().empty());
     key(editor, Key{'Z'}, {.control = true});
-    EXPECT_NE(editor.workspace().message().find("let go"), std::string::npos);
+    EXPECT_NE(editor.workspace().message().find("dropped"), std::string::npos);
 }
 
 TEST_F(EditorTest, HoldingFAndMovingSetsTheRadius) {

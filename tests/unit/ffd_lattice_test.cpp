@@ -88,15 +88,22 @@ TEST(BrushLattice, ReachesItsRadiusFromTheGrabbedPoint) {
 TEST(FitLattice, SpansTheBoxWithItsDeformableControlPoints) {
     const Box box{.min = {-1, 0, 2}, .max = {1, 3, 10}};
     const Lattice lattice = fit_lattice(box, {3, 4, 2});
-    EXPECT_EQ(lattice.rest({0, 0, 0}), box.min);
-    EXPECT_EQ(lattice.rest({2, 3, 1}), box.max);
+    EXPECT_EQ(lattice.rest({1, 1, 1}), box.min);
+    EXPECT_EQ(lattice.rest({3, 4, 2}), box.max);
     EXPECT_TRUE(lattice.is_valid());
+    EXPECT_EQ(lattice.counts(), IVec3(3, 4, 2));
+    EXPECT_EQ(lattice.deformable, IVec3(5, 6, 4)) << "one layer more on each side";
+    EXPECT_EQ(lattice.first_index(), IVec3(-1));
+    EXPECT_EQ(lattice.last_index(), IVec3(3, 4, 2));
+    EXPECT_EQ(lattice.rest(lattice.control_of_user_index({0, 0, 0})), box.min);
+    EXPECT_EQ(lattice.user_index(lattice.control_of_user_index({2, -1, 1})), IVec3(2, -1, 1));
 }
 
 TEST(FitLattice, CentresASingleControlPointAndStillHoldsTheBox) {
     const Box box{.min = {-1, 0, 2}, .max = {1, 3, 10}};
     const Lattice lattice = fit_lattice(box, {1, 4, 1});
-    EXPECT_EQ(lattice.rest({0, 0, 0}), Vec3(0, 0, 6));
+    EXPECT_EQ(lattice.rest({2, 2, 2}), Vec3(0, 1, 6));
+    EXPECT_EQ(lattice.first_index(), IVec3(-2, -1, -2)) << "two layers beyond a single point";
     EXPECT_EQ(lattice.cell, Vec3(1, 1, 4));
     EXPECT_TRUE(lattice.influences(box.min));
     EXPECT_TRUE(lattice.influences(box.max));
@@ -105,12 +112,27 @@ TEST(FitLattice, CentresASingleControlPointAndStillHoldsTheBox) {
 TEST(FitLattice, GivesAFlatBoxTheLargestCellOfItsOtherAxes) {
     const Lattice plane = fit_lattice({.min = {0, 1, 0}, .max = {2, 1, 6}}, {3, 3, 3});
     EXPECT_EQ(plane.cell, Vec3(1, 3, 3));
-    EXPECT_EQ(plane.rest({1, 1, 1}), Vec3(1, 1, 3));
+    EXPECT_EQ(plane.rest({2, 2, 2}), Vec3(1, 1, 3));
     const Lattice rounded = fit_lattice({.min = {0, 1, 0}, .max = {2, 1 + 1e-15, 6}}, {3, 3, 3});
     EXPECT_EQ(rounded.cell, Vec3(1, 3, 3));
     const Lattice point = fit_lattice({.min = Vec3{5.0}, .max = Vec3{5.0}}, {1, 2, 3});
     EXPECT_EQ(point.cell, Vec3(1.0));
-    EXPECT_EQ(point.origin, Vec3(5, 4.5, 4));
+    EXPECT_EQ(point.rest(point.margin), Vec3(5, 4.5, 4));
+}
+
+TEST(FitLattice, IsValidUpToTheMostPointsPerAxisAndNoFurther) {
+    const Box box{.min = Vec3{-1.0}, .max = Vec3{1.0}};
+    EXPECT_TRUE(fit_lattice(box, IVec3{kMaxFitted}).is_valid());
+    Lattice lattice = fit_lattice(box, {4, 4, 4});
+    lattice.deformable.x = kMaxDeformable + 1;
+    EXPECT_FALSE(lattice.is_valid());
+    for (const int wrong : {-1, 3}) {
+        lattice = fit_lattice(box, {4, 4, 4});
+        lattice.margin.y = wrong;
+        EXPECT_FALSE(lattice.is_valid()) << wrong;
+    }
+    lattice = {.deformable = {1, 2, 1}, .margin = {0, 1, 0}};
+    EXPECT_FALSE(lattice.is_valid()) << "no control point is left between the margins";
 }
 
 TEST(LatticeField, IsExactlyStillOnTheBorderOfItsZoneAndOutside) {

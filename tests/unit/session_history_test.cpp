@@ -68,7 +68,7 @@ TEST(HistoryLimit, IsAThousandMegabytesAtStart) {
     EXPECT_EQ(History::kDefaultLimit, 1'000'000'000u);
 }
 
-TEST(HistoryLimit, LetsGoAtOnceOfTheOldestStepsAndOfNoMoreThanItMust) {
+TEST(HistoryLimit, DropsTheOldestStepsAtOnceAndNoMoreThanItMust) {
     FourDrags drags;
     const History& history = drags.session.history();
     expect_done(drags.session, drags.room_for(4));
@@ -82,7 +82,7 @@ TEST(HistoryLimit, LetsGoAtOnceOfTheOldestStepsAndOfNoMoreThanItMust) {
     expect_done(drags.session, Undo{.count = 2});
     EXPECT_TRUE(drags.session.mesh() == drags.after[2]);
     EXPECT_TRUE(contains(refusal_of(drags.session, Undo{}),
-                         "only 0 steps to undo, not 1; 2 older ones were let go"));
+                         "only 0 steps to undo, not 1; 2 older steps were dropped"));
     expect_done(drags.session, Redo{.count = 2});
     EXPECT_TRUE(drags.session.mesh() == drags.after[4]);
 }
@@ -112,19 +112,45 @@ TEST(HistoryLimit, IsASettingThatTakesNoStepAndKeepsRedo) {
     EXPECT_TRUE(drags.session.mesh() == drags.after[4]);
 }
 
-TEST(HistoryLimit, LetsGoOfTheLastStepsToRedoWhereNoneIsLeftToUndo) {
+TEST(HistoryLimit, KeepsEveryStepThatCanBeRedone) {
     FourDrags drags;
     expect_done(drags.session, Undo{.count = 3});
     expect_done(drags.session, megabytes(1e-6));
     EXPECT_EQ(drags.session.history().undo_count(), 0u);
-    EXPECT_EQ(drags.session.history().redo_count(), 1u);
-    EXPECT_TRUE(contains(refusal_of(drags.session, Redo{.count = 3}),
-                         "only 1 step to redo, not 3; 2 later ones were let go"));
+    EXPECT_EQ(drags.session.history().lost_undo_count(), 1u);
+    ASSERT_EQ(drags.session.history().redo_count(), 3u);
+    EXPECT_TRUE(contains(refusal_of(drags.session, Redo{.count = 4}), "only 3 steps to redo"));
     expect_done(drags.session, Redo{});
     EXPECT_TRUE(drags.session.mesh() == drags.after[2]);
-    // A new step takes redo away in any case.
-    expect_done(drags.session, Drag{.moves = {{{-1, 0, 0}, {-1.3, 0, 0}}}});
-    EXPECT_FALSE(contains(refusal_of(drags.session, Redo{}), "let go"));
+    expect_done(drags.session, Redo{.count = 2});
+    EXPECT_TRUE(drags.session.mesh() == drags.after[4]);
+    // The limit now applies to the steps that were redone; the newest one stays.
+    EXPECT_EQ(drags.session.history().undo_count(), 1u);
+    EXPECT_EQ(drags.session.history().lost_undo_count(), 3u);
+    expect_done(drags.session, Undo{});
+    EXPECT_TRUE(drags.session.mesh() == drags.after[3]);
+    EXPECT_TRUE(contains(refusal_of(drags.session, Redo{.count = 2}), "there is only 1 step to"));
+}
+
+TEST(HistoryLimit, ReportsWhenItDropsStepsAndHowMany) {
+    FourDrags drags;
+    EXPECT_EQ(drags.session.remark(), "");
+    expect_done(drags.session, drags.room_for(2));
+    EXPECT_TRUE(contains(drags.session.remark(), "the 2 oldest steps can no longer be undone"))
+        << drags.session.remark();
+    expect_done(drags.session, command::Brush{.radius = 0.5});
+    EXPECT_EQ(drags.session.remark(), "");
+    expect_done(drags.session, megabytes(2e-6));
+    EXPECT_TRUE(contains(drags.session.remark(),
+                         "the oldest step can no longer be undone, since "
+                         "undo may take at most 2e-06 MB"))
+        << drags.session.remark();
+    // A drag with the mouse reports it, too.
+    const Vec3 from{0, 0, -1}, to{0, 0, -1.2};
+    ASSERT_FALSE(drags.session.begin_drag(std::span(&from, 1), {}));
+    ASSERT_FALSE(drags.session.drag_to(std::span(&to, 1)));
+    drags.session.end_drag();
+    EXPECT_TRUE(contains(drags.session.remark(), "the oldest step can no longer be undone"));
 }
 
 TEST(HistoryLimit, StaysWithANewObjectWhoseHistoryIsWhole) {
@@ -136,11 +162,11 @@ TEST(HistoryLimit, StaysWithANewObjectWhoseHistoryIsWhole) {
     EXPECT_EQ(drags.session.history().lost_undo_count(), 0u);
     EXPECT_EQ(drags.session.history().step_number(), 0u);
     EXPECT_EQ(drags.session.history().memory_bytes(), 0u);
-    EXPECT_FALSE(contains(refusal_of(drags.session, Undo{}), "let go"));
+    EXPECT_FALSE(contains(refusal_of(drags.session, Undo{}), "dropped"));
 }
 
 // The mesh then is as a step left it that is there no more.
-TEST(HistoryLimit, RemembersWhereTheLastStepLetGoHadStoppedShort) {
+TEST(HistoryLimit, RemembersWhereTheLastDroppedStepHadStoppedShort) {
     Session session;
     expect_done(session, Shape{Shape::Kind::sphere, 3});
     const std::uint32_t faces = session.mesh().face_count();
@@ -228,6 +254,24 @@ TEST(HistoryMemory, IsTheSumOfItsStepsWhateverHappensToThem) {
     history.undo(2, [](History::Step&) {});
     history.add(step_of(7));
     EXPECT_EQ(history.memory_bytes(), step_of(100).memory_bytes() + step_of(7).memory_bytes());
+}
+
+// The meshes that a bake exchanges need not be of one size, so undoing one may take more memory.
+TEST(HistoryMemory, MayExceedTheLimitWhileEverythingIsUndone) {
+    History history;
+    history.set_limit(3 * step_of(1000).memory_bytes());
+    for (int i = 0; i < 4; ++i) history.add(step_of(1000));
+    ASSERT_EQ(history.undo_count(), 3u);
+    EXPECT_EQ(history.take_dropped_count(), 1u);
+    EXPECT_EQ(history.take_dropped_count(), 0u);
+    history.undo(3, [](History::Step& step) { step.change.faces.resize(1500); });
+    EXPECT_EQ(history.redo_count(), 3u);
+    history.redo(2, [](History::Step&) {});
+    EXPECT_EQ(history.redo_count(), 1u) << "the newest step is not dropped";
+    history.redo(1, [](History::Step&) {});
+    EXPECT_LE(history.memory_bytes(), *history.limit());
+    EXPECT_EQ(history.undo_count(), 2u);
+    EXPECT_EQ(history.step_number(), 4u);
 }
 
 TEST(HistoryMemory, IsAmongTheFiguresOfStats) {

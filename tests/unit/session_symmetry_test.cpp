@@ -277,7 +277,7 @@ TEST(LatticesInHand, OfControlPointsAreTheCage) {
     ASSERT_FALSE(session.control_to(std::array{Vec3{0, 0, 1.5}}));
     const std::vector<LatticeField> fields = session.lattices_in_hand();
     ASSERT_EQ(fields.size(), 1u);
-    const std::size_t at = fields[0].lattice().control_index({1, 1, 2});
+    const std::size_t at = fields[0].lattice().control_index({2, 2, 3});
     EXPECT_LT(glm::distance(fields[0].displacements()[at], Vec3(0, 0, 0.5)), 1e-12);
     session.cancel_drag();
 }

@@ -265,7 +265,13 @@ TEST(Session, RefusesCagesWithoutUsableCells) {
     EXPECT_FALSE(refusal_of(session, Cage{Cage::Grid{Vec3{0.0}, {1, 0, 1}, {2, 2, 2}}}).empty());
     EXPECT_FALSE(refusal_of(session, Cage{Cage::Grid{Vec3{0.0}, Vec3{1.0}, {2, 0, 2}}}).empty());
     EXPECT_FALSE(refusal_of(session, Cage{Cage::Grid{Vec3{NAN}, Vec3{1.0}, {2, 2, 2}}}).empty());
-    EXPECT_FALSE(refusal_of(session, Cage{Cage::Fit{{2, 1000, 2}}}).empty());
+    EXPECT_TRUE(contains(refusal_of(session, Cage{Cage::Fit{{2, 255, 2}}}), "from 1 to 254"));
+    EXPECT_TRUE(contains(refusal_of(session, Cage{Cage::Fit{{2, 0, 2}}}), "from 1 to 254"));
+    EXPECT_TRUE(contains(
+        refusal_of(session, Cage{Cage::Grid{Vec3{0.0}, Vec3{1.0}, {2, 255, 2}, {0, 1, 0}}}),
+        "from 1 to 256"));
+    EXPECT_FALSE(
+        refusal_of(session, Cage{Cage::Grid{Vec3{0.0}, Vec3{1.0}, {2, 2, 2}, {0, 3, 0}}}).empty());
 }
 
 TEST(Session, RefusesBrushesWithoutUsableSize) {
@@ -313,9 +319,9 @@ TEST(Session, FitsACageAboutTheObjectAndGoesBackToTheBrush) {
     expect_done(session, Cage{Cage::Fit{{3, 5, 2}}});
     expect_done(session, drag(kTop, {0, 0.1, 0}));
     const Lattice cage = *session.lattice_in_use();
-    EXPECT_EQ(cage.deformable, IVec3(3, 5, 2));
-    EXPECT_EQ(cage.rest({0, 0, 0}), Vec3(-1.0));
-    EXPECT_NEAR(glm::distance(cage.rest({2, 4, 1}), Vec3{1.0}), 0.0, 1e-15);
+    EXPECT_EQ(cage.counts(), IVec3(3, 5, 2));
+    EXPECT_NEAR(glm::distance(cage.rest({1, 1, 1}), Vec3{-1.0}), 0.0, 1e-15);
+    EXPECT_NEAR(glm::distance(cage.rest({3, 5, 2}), Vec3{1.0}), 0.0, 1e-15);
     // It stays where it was set, whatever becomes of the object.
     expect_done(session, drag({1, 0, 0}, {0.1, 0, 0}));
     EXPECT_EQ(*session.lattice_in_use(), cage);
