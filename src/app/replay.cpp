@@ -9,6 +9,7 @@
 #include "app/execute.h"
 #include "app/offscreen_viewport.h"
 #include "command/script.h"
+#include "io/printable.h"
 #include "session/session.h"
 
 namespace pectin {
@@ -23,7 +24,8 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
     ScriptReader reader(text);
     while (std::optional<ScriptLine> line = reader.next()) {
         const auto tell = [&](const std::string& command, const std::string& what) {
-            errors << title << ':' << line->number << ": " << command << ": " << what << '\n';
+            errors << printable(title) << ':' << line->number << ": " << printable(command) << ": "
+                   << printable(what) << '\n';
         };
         const auto refuse = [&](const std::string& command, const std::string& what) {
             tell(command, what);
@@ -44,7 +46,7 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
 bool replay(const std::string& script_path, std::ostream& errors) {
     if (script_path == "-") return replay_lines(std::cin, "standard input", "", errors);
     const auto refuse = [&](const std::string& why) {
-        errors << script_path << ": cannot be read: " << why << "; give the path of a script\n";
+        errors << printable(script_path) << ": cannot be read: " << why << "; give the path of a script\n";
         return false;
     };
     if (std::error_code ignored; std::filesystem::is_directory(script_path, ignored))
