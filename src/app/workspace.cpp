@@ -3,6 +3,7 @@
 #include <filesystem>
 
 #include "app/execute.h"
+#include "io/printable.h"
 #include "session/input_summary.h"
 #include "session/settings.h"
 
@@ -89,12 +90,14 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     return Outcome::done;
 }
 
+void Workspace::tell(const std::string& message) { message_ = printable(message); }
+
 // The command is done.
 void Workspace::finish(const Command& command) {
     dismiss();
     note(command);
     if (const auto* open = std::get_if<command::Open>(&command)) {
-        tell(input_summary(open->path, session_.input_report()));
+        tell(input_summary(open->path, session_.input_report(), session_.read_report()));
     }
     record(command);
 }

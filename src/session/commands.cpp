@@ -47,7 +47,7 @@ std::uint64_t vertices_inside(const TriMesh& mesh, std::span<const Box> zones) {
 
 Refusal Session::State::run(const command::Open& open) {
     adopt(load_model(open));
-    remark = input_summary(open.path, input_report);
+    remark = input_summary(open.path, input_report, read_report);
     return std::nullopt;
 }
 

@@ -62,8 +62,11 @@ LoadedModel make_model(BuiltMesh built) {
 }
 
 LoadedModel load_model(const command::Open& open, const Progress& progress) {
-    LoadedModel model = make_model(build_mesh(read_obj(open.path, progress.part(0.0, kRead)),
-                                              {.crease_angle = open.crease_angle}));
+    ReadReport read_report;
+    LoadedModel model =
+        make_model(build_mesh(read_obj(open.path, progress.part(0.0, kRead), &read_report),
+                              {.crease_angle = open.crease_angle}));
+    model.read_report = std::move(read_report);
     if (model.mesh->face_slots() == 0) {
         throw FileError(open.path,
                         "has no face with three different vertices; a model needs at least one");

@@ -9,6 +9,7 @@
 #include "command/command.h"
 #include "geometry/box.h"
 #include "io/progress.h"
+#include "io/read_report.h"
 #include "mesh/active_set.h"
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
@@ -23,6 +24,7 @@ struct LoadedModel {
     std::unique_ptr<ActiveSet> active;
     std::unique_ptr<FaceTree> tree;  // none: it is made when first asked for
     BuildReport report;              // what building it took
+    ReadReport read_report;          // what reading its file dropped
     Box box;                         // of all its vertices
     // Where the files that its material libraries name may lie, the likeliest first; absolute.
     std::vector<std::string> material_folders{};

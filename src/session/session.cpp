@@ -16,6 +16,7 @@ void Session::State::adopt(LoadedModel model) {
     tree = std::move(model.tree);
     history.clear();
     input_report = model.report;
+    read_report = std::move(model.read_report);
     material_folders = std::move(model.material_folders);
     diagonal = model.box.diagonal();
     const Vec3 farthest = glm::max(glm::abs(model.box.min), glm::abs(model.box.max));
@@ -200,6 +201,8 @@ const std::optional<MirrorPlane>& Session::symmetry() const { return state_->sym
 const History& Session::history() const { return state_->history; }
 
 const BuildReport& Session::input_report() const { return state_->input_report; }
+
+const ReadReport& Session::read_report() const { return state_->read_report; }
 
 const AdaptSettings& Session::adapt_settings() const { return state_->adapt_settings; }
 

@@ -111,6 +111,7 @@ class Session {
     Statistics statistics() const;  // O(n)
     // What was found in the input of the object; see input_summary.
     const BuildReport& input_report() const;
+    const ReadReport& read_report() const;
 
     // --- For who shows them.
     const AdaptSettings& adapt_settings() const;
