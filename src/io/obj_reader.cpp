@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "io/file_error.h"
+#include "io/file_kind.h"
 #include "io/obj_attributes.h"
 #include "io/obj_corners.h"
 #include "io/obj_keywords.h"
@@ -343,6 +344,15 @@ void ObjParser::fail_without_faces() const {
             (explanation.empty() ? "a model has f statements of 3 corners or more" : explanation));
 }
 
+// What is no OBJ file at all is told as what it is, whichever line the reader stumbles over.
+void refuse_other_kind(std::string_view text, const std::string& name) {
+    if (text.empty()) throw FileError(name, "holds no faces; it is empty");
+    const FileKind kind = recognise_file(text.substr(0, kSignatureBytes), text.size());
+    if (!kind.is_known()) return;
+    throw FileError(name, std::string(kind.is) + ", not an OBJ model" +
+                              (kind.advice.empty() ? "" : "; " + std::string(kind.advice)));
+}
+
 }  // namespace
 
 IndexedFaceSet read_obj(const std::string& path, const Progress& progress, ReadReport* report) {
@@ -358,9 +368,14 @@ IndexedFaceSet parse_obj(std::string_view text, const std::string& name, const P
         throw FileError(name, "is larger than " + std::to_string(limits.bytes >> 20) + " MB");
     }
     ReadReport found;
-    IndexedFaceSet faces = ObjParser(text, name, progress, limits, found).parse();
-    if (report != nullptr) *report = std::move(found);
-    return faces;
+    try {
+        IndexedFaceSet faces = ObjParser(text, name, progress, limits, found).parse();
+        if (report != nullptr) *report = std::move(found);
+        return faces;
+    } catch (const FileError&) {
+        refuse_other_kind(text, name);
+        throw;
+    }
 }
 
 }  // namespace pectin

@@ -75,6 +75,21 @@ TEST(ForeignFiles, SaveDegeneratePolygonsWithoutZeroNormals) {
         << outcome.err;
 }
 
+TEST(ForeignFiles, ThatAreNoObjFilesAreToldAsWhatTheyAre) {
+    const std::vector<std::pair<std::string, std::string>> files = {
+        {"\x1f\x8b\x08\0\0\0\0\0\0\x03"s, "is a gzip file"},
+        {"\xff\xfe"s + "v\0 \0001\0"s, "is text in UTF-16"},
+        {"V 0 0 0\nF 1 2 3\n", "'V' in line 1 should be 'v'; 'F' in line 2 should be 'f'"},
+    };
+    for (const auto& [bytes, what] : files) {
+        const ScratchFolder folder;
+        folder.write("t.obj", bytes);
+        const Outcome outcome = open_and_save(folder, "t.obj");
+        EXPECT_EQ(outcome.exit_status, 1);
+        EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
+    }
+}
+
 TEST(Messages, AreNotCutOffByAZeroByteInAFileAScriptOrAName) {
     const ScratchFolder folder;
     folder.write("t.obj", "v 0 0\0x 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"s);

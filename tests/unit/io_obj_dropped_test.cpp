@@ -133,6 +133,7 @@ TEST(MisspeltKeywords, AreNamedWhereTheFileHasNoFaces) {
               "t.obj: holds no faces; 'hello' in line 1 is no OBJ keyword");
     EXPECT_EQ(refusal(kTriangle),
               "t.obj: holds no faces; a model has f statements of 3 corners or more");
+    EXPECT_EQ(refusal(""), "t.obj: holds no faces; it is empty");
 }
 
 // Whatever attributes a file has: it opens as long as its positions are right, and its save opens
