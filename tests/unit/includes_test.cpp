@@ -54,9 +54,9 @@ const std::vector<Restricted>& restricted_headers() {
                                                 {"glad/", {"render/", "app/"}},
                                                 {"KHR/", {"render/", "app/"}},
                                                 {"imgui", {"render/", "app/"}},
-                                                {"thread", {"app/"}},
+                                                {"thread", {"app/", "io/open_file.cpp"}},
                                                 {"tbb/", {"adapt/parallel.cpp"}},
-                                                {"future", {"app/"}}};
+                                                {"future", {"app/", "io/open_file.cpp"}}};
     return kTable;
 }
 
