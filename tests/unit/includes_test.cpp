@@ -40,7 +40,7 @@ struct Restricted {
 };
 
 const std::vector<Restricted>& restricted_headers() {
-    static const std::vector<Restricted> kTable{{"tiny_obj_loader", {}},
+    static const std::vector<Restricted> kTable{{"tiny_obj_loader", {"io/material_library.cpp"}},
                                                 {"png.h", {"io/png.cpp"}},
                                                 {"nlohmann/", {"command/json.cpp"}},
                                                 {"CLI/", {"app/"}},
