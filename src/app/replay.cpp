@@ -22,6 +22,7 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
     Session session;
     session.set_viewport(&viewport);
     ScriptReader reader(text);
+    bool is_all_done = true;
     while (std::optional<ScriptLine> line = reader.next()) {
         const auto tell = [&](const std::string& command, const std::string& what) {
             errors << printable(title) << ':' << line->number << ": " << printable(command) << ": "
@@ -37,8 +38,9 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
         resolve_paths(command, folder);
         if (const auto what = execute(session, command)) return refuse(name(command), *what);
         if (!session.remark().empty()) tell(name(command), session.remark());
+        if (session.has_failed_partly()) is_all_done = false;
     }
-    return true;
+    return is_all_done;
 }
 
 }  // namespace

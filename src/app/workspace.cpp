@@ -37,7 +37,7 @@ FileWork file_work(const Command& command, const Session& session) {
     const TriMesh& mesh = session.mesh();
     if (!save || mesh.face_slots() == 0) return {};  // the session says what is missing
     return [save = *save, &mesh, folders = session.material_folders()](const Progress& progress) {
-        return save_model(mesh, save, progress, folders);
+        return save_model(mesh, save, progress, folders).text;
     };
 }
 

@@ -37,8 +37,10 @@ void refuse_what_is_no_file(const std::string& path, mode_t mode) {
     throw FileError(path, S_ISSOCK(mode) ? "is a socket, not a file" : "is a device, not a file");
 }
 
-OpenAnswer wait_for_answer(const std::string& path, const Progress& progress,
-                           const OpenPatience& patience) {
+}  // namespace
+
+OpenAnswer ask_patiently(const std::string& path, const Progress& progress,
+                         const OpenPatience& patience) {
     // Nothing that the other thread uses belongs to this one, which may be gone first.
     std::packaged_task<OpenAnswer()> task([path, ask = patience.ask] { return ask(path); });
     std::future<OpenAnswer> answer = task.get_future();
@@ -59,8 +61,6 @@ OpenAnswer wait_for_answer(const std::string& path, const Progress& progress,
     return answer.get();
 }
 
-}  // namespace
-
 OpenAnswer ask_system(const std::string& path) {
     OpenAnswer answer;
     struct stat status {};
@@ -77,12 +77,15 @@ OpenAnswer ask_system(const std::string& path) {
     return answer;
 }
 
-OpenFile open_file(const std::string& path, const Progress& progress,
-                   const OpenPatience& patience) {
-    OpenAnswer answer = wait_for_answer(path, progress, patience);
+OpenFile opened(const std::string& path, OpenAnswer answer) {
     if (answer.error != 0) fail_to_read(path, answer.error);
     refuse_what_is_no_file(path, answer.mode);
     return std::move(answer.file);
+}
+
+OpenFile open_file(const std::string& path, const Progress& progress,
+                   const OpenPatience& patience) {
+    return opened(path, ask_patiently(path, progress, patience));
 }
 
 std::size_t read_bytes(const OpenFile& file, const std::string& path, char* bytes,

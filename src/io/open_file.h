@@ -35,15 +35,17 @@ struct OpenPatience {
     std::function<OpenAnswer(const std::string&)> ask = ask_system;
 };
 
-// Opens the regular file at `path`; pipes, devices, sockets and folders are refused.
-//
 // A file system may not answer at all, as that of a server that is gone. So the system is asked on
 // a thread of its own, while this one waits until `progress` asks to stop or its patience ends. The
 // other thread then stays behind until the system answers. Where no thread can be made, this one
-// asks.
-//
-// Throws FileError where it is no regular file, missing or unreadable, or where there is no answer.
-// Throws Cancelled.
+// asks. Throws FileError where there is no answer. Throws Cancelled.
+OpenAnswer ask_patiently(const std::string& path, const Progress& progress = {},
+                         const OpenPatience& patience = {});
+
+// The file of the answer. Throws FileError where it is no regular file, missing or unreadable.
+OpenFile opened(const std::string& path, OpenAnswer answer);
+
+// Both at once: opens the regular file at `path`.
 OpenFile open_file(const std::string& path, const Progress& progress = {},
                    const OpenPatience& patience = {});
 

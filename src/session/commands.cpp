@@ -162,7 +162,9 @@ Refusal Session::State::run(const command::Bake& bake) {
 
 Refusal Session::State::run(const command::Save& save) {
     if (!has_object()) return kNoObject;
-    remark = save_model(*mesh, save, {}, material_folders);
+    SaveReport report = save_model(*mesh, save, {}, material_folders);
+    remark = std::move(report.text);
+    has_failed_partly = report.has_failed;
     note_saved(save.path);
     return std::nullopt;
 }

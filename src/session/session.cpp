@@ -87,6 +87,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 std::optional<std::string> Session::execute(const Command& command) {
     if (is_dragging()) return "a drag is in hand; end or cancel it first";
     state_->remark.clear();
+    state_->has_failed_partly = false;
     return std::visit([this](const auto& c) { return state_->run(c); }, command);
 }
 
@@ -96,6 +97,8 @@ void Session::adopt(LoadedModel model) {
 }
 
 const std::string& Session::remark() const { return state_->remark; }
+
+bool Session::has_failed_partly() const { return state_->has_failed_partly; }
 
 const std::vector<std::string>& Session::material_folders() const {
     return state_->material_folders;

@@ -65,8 +65,11 @@ class Session {
     // For save_model, and what follows it; the save command does both by itself.
     const std::vector<std::string>& material_folders() const;
     // What the last command or drag has to tell though it is done: what was found in the input,
-    // what was not copied along, where triangles cut each other. Mostly empty.
+    // what was copied along or not, where triangles cut each other. Mostly empty.
     const std::string& remark() const;
+    // Whether that is a failure, though the command is done: a model is saved, but a material file
+    // could not be copied along.
+    bool has_failed_partly() const;
     void note_saved(const std::string& path);
 
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
