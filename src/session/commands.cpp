@@ -6,6 +6,7 @@
 #include "command/json.h"
 #include "geometry/decimal.h"
 #include "io/atomic_file.h"
+#include "io/replace_check.h"
 #include "mesh/shapes.h"
 #include "session/input_summary.h"
 #include "session/session_state.h"
@@ -41,6 +42,11 @@ std::uint64_t vertices_inside(const TriMesh& mesh, std::span<const Box> zones) {
         if (std::any_of(zones.begin(), zones.end(), contains)) ++count;
     }
     return count;
+}
+
+// JSON that is no model or script.
+bool is_plain_json(const FileKind& kind, std::string_view contents) {
+    return !kind.is_known() && is_json(contents);
 }
 
 }  // namespace
@@ -171,6 +177,7 @@ Refusal Session::State::run(const command::Save& save) {
 
 Refusal Session::State::run(const command::Stats& stats) {
     if (!has_object()) return kNoObject;
+    check_may_replace(stats.path, is_plain_json, "stats writes JSON files");
     write_file_atomically(stats.path, format_statistics(statistics()));
     return std::nullopt;
 }
@@ -178,6 +185,7 @@ Refusal Session::State::run(const command::Stats& stats) {
 Refusal Session::State::run(const command::Screenshot& screenshot) {
     if (!has_object()) return kNoObject;
     if (!viewport) return "there is nothing here to draw with; replay the script with pectin";
+    check_may_replace(screenshot.path, is_png, "screenshot writes PNG pictures");
     const bool has_cage = lattice_settings.cage.has_value();
     return viewport->screenshot(*mesh, has_cage ? lattice_settings.cage : lattice_in_use,
                                 screenshot);
