@@ -10,6 +10,7 @@
 #include "app/execute.h"
 #include "app/offscreen_viewport.h"
 #include "command/script.h"
+#include "io/printable.h"
 #include "session/session.h"
 
 namespace pectin {
@@ -22,9 +23,11 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
     Session session;
     session.set_viewport(&viewport);
     ScriptReader reader(text);
+    bool is_all_done = true;
     while (std::optional<ScriptLine> line = reader.next()) {
         const auto tell = [&](const std::string& command, const std::string& what) {
-            errors << title << ':' << line->number << ": " << command << ": " << what << '\n';
+            errors << printable(title) << ':' << line->number << ": " << printable(command) << ": "
+                   << printable(what) << '\n';
         };
         const auto refuse = [&](const std::string& command, const std::string& what) {
             tell(command, what);
@@ -38,8 +41,9 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
         if (const auto what = execute(session, command)) return refuse(name(command), *what);
         status.finish();
         if (!session.remark().empty()) tell(name(command), session.remark());
+        if (session.has_failed_partly()) is_all_done = false;
     }
-    return true;
+    return is_all_done;
 }
 
 }  // namespace
@@ -69,7 +73,8 @@ std::string ReplayStatus::farewell(const std::string& signal) const {
 bool replay(const std::string& script_path, std::ostream& errors, ReplayStatus& status) {
     if (script_path == "-") return replay_lines(std::cin, "standard input", "", errors, status);
     const auto refuse = [&](const std::string& why) {
-        errors << script_path << ": cannot be read: " << why << "; give the path of a script\n";
+        errors << printable(script_path) << ": cannot be read: " << why
+               << "; give the path of a script\n";
         return false;
     };
     if (std::error_code ignored; std::filesystem::is_directory(script_path, ignored))

@@ -4,6 +4,7 @@
 #include <filesystem>
 
 #include "app/execute.h"
+#include "io/printable.h"
 #include "session/input_summary.h"
 #include "session/settings.h"
 
@@ -43,7 +44,7 @@ FileWork file_work(const Command& command, const Session& session) {
     const TriMesh& mesh = session.mesh();
     if (!save || mesh.face_slots() == 0) return {};  // the session says what is missing
     return [save = *save, &mesh, folders = session.material_folders()](const Progress& progress) {
-        return save_model(mesh, save, progress, folders);
+        return save_model(mesh, save, progress, folders).text;
     };
 }
 
@@ -103,12 +104,14 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     return Outcome::done;
 }
 
+void Workspace::tell(const std::string& message) { message_ = printable(message); }
+
 // The command is done.
 void Workspace::finish(const Command& command) {
     dismiss();
     note(command);
     if (const auto* open = std::get_if<command::Open>(&command)) {
-        tell(input_summary(open->path, session_.input_report()));
+        tell(input_summary(open->path, session_.input_report(), session_.read_report()));
     }
     record(command);
 }

@@ -67,8 +67,8 @@ class Workspace {
     Session& session() { return session_; }
     const Session& session() const { return session_; }
 
-    // Shown until dismissed or until the next command is done.
-    void tell(std::string message) { message_ = std::move(message); }
+    // Shown until dismissed or until the next command is done; as printable() text.
+    void tell(const std::string& message);
     void dismiss() { message_.clear(); }
     const std::string& message() const { return message_; }
 

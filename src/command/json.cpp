@@ -510,6 +510,8 @@ std::size_t command_index(const json& object, std::string& command) {
 
 }  // namespace
 
+bool is_json(std::string_view text) { return json::accept(text); }
+
 std::variant<Command, CommandError> parse_command(std::string_view json_line) {
     std::string command = "script";
     try {

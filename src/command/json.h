@@ -31,6 +31,9 @@ std::optional<std::string> check_header(std::string_view json_line);
 // most 2^53.
 std::string format_command(const Command& command);
 
+// Whether a text is one JSON value and nothing else.
+bool is_json(std::string_view text);
+
 // The whole file that `stats` writes; a number that is not finite becomes null.
 std::string format_statistics(const Statistics& statistics);
 

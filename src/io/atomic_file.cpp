@@ -90,12 +90,33 @@ void AtomicFile::write(std::string_view bytes) {
 }
 
 void AtomicFile::commit() {
+    flush();
+    if (std::rename(temporary_.path().c_str(), target_.c_str()) != 0) fail(errno);
+    finish();
+}
+
+void AtomicFile::commit_new() {
+    flush();
+    if (::renameat2(AT_FDCWD, temporary_.path().c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) !=
+        0) {
+        // Some file systems cannot do it in one step: two steps are the next best.
+        if (errno != EINVAL && errno != ENOSYS) fail(errno);
+        struct stat status {};
+        if (::lstat(target_.c_str(), &status) == 0) fail(EEXIST);
+        if (std::rename(temporary_.path().c_str(), target_.c_str()) != 0) fail(errno);
+    }
+    finish();
+}
+
+void AtomicFile::flush() {
     while (::fsync(file_.get()) != 0) {
         if (errno == EINVAL) break;  // a file system that cannot
         if (errno != EINTR) fail(errno);
     }
     if (!file_.close()) fail(errno);
-    if (std::rename(temporary_.path().c_str(), target_.c_str()) != 0) fail(errno);
+}
+
+void AtomicFile::finish() {
     temporary_ = {};
     // The new file is in place: that its name reaches the disk later is no failure any more.
     const FileDescriptor folder(folder_.c_str(), O_RDONLY | O_DIRECTORY);
@@ -122,6 +143,8 @@ void AtomicFile::fail(int error) const {
             throw FileError(path_,
                             "is larger than files may be here (see ulimit -f, or the file "
                             "system's limit); raise the limit or save elsewhere");
+        case EEXIST:
+            throw FileError(path_, "is there already; it is not replaced");
         case ENAMETOOLONG:
             throw FileError(path_, "the name is too long; give it a shorter one");
         default:

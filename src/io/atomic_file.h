@@ -26,9 +26,13 @@ class AtomicFile {
 
     void write(std::string_view bytes);
     void commit();
+    // The same where there is no file yet; fails where one has come there meanwhile.
+    void commit_new();
 
   private:
     void open_temporary();
+    void flush();
+    void finish();
     [[noreturn]] void fail(int error) const;
 
     std::string path_;    // as given, for messages

@@ -4,18 +4,23 @@
 #include <cstddef>
 #include <stdexcept>
 #include <string>
+#include <utility>
+
+#include "io/printable.h"
 
 namespace pectin {
 
-// what() is "PATH:LINE: message", or "PATH: message" where no line is to blame (line 0).
-// Messages say what is wrong and, where that helps, what would be right.
+// what() is "PATH:LINE: message", or "PATH: message" where no line is to blame (line 0), as
+// printable() text: a zero byte in a file or a path does not cut it off. Messages say what is wrong
+// and, where that helps, what would be right.
 class FileError : public std::runtime_error {
   public:
     FileError(std::string path, std::size_t line, std::string message)
-        : std::runtime_error(path + (line == 0 ? "" : ":" + std::to_string(line)) + ": " + message),
+        : std::runtime_error(printable(path) + (line == 0 ? "" : ":" + std::to_string(line)) +
+                             ": " + printable(message)),
           path_(std::move(path)),
           line_(line),
-          message_(std::move(message)) {}
+          message_(printable(message)) {}
     FileError(std::string path, std::string message)
         : FileError(std::move(path), 0, std::move(message)) {}
 

@@ -1,28 +1,29 @@
 #include "io/material_files.h"
 
 #include <algorithm>
-#include <array>
 #include <cctype>
-#include <cerrno>
 #include <filesystem>
+#include <map>
 #include <optional>
 #include <set>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "io/atomic_file.h"
-#include "io/file_descriptor.h"
 #include "io/file_error.h"
+#include "io/file_kind.h"
+#include "io/material_library.h"
 #include "io/obj_statements.h"
-#include "io/read_file.h"
+#include "io/open_file.h"
 
 namespace pectin {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Real ones have kilobytes; what is larger is no library, whatever it is called.
-constexpr std::size_t kMostLibraryBytes = std::size_t{64} << 20;
+constexpr const char* kLeadsOut = "leads out of the model's folder";
+constexpr const char* kIsHidden = "is hidden";
 
 std::string lower_case(std::string_view text) {
     std::string lower(text);
@@ -30,44 +31,8 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-bool names_texture(std::string_view keyword) {
-    const std::string word = lower_case(keyword);
-    return word.starts_with("map_") || word == "bump" || word == "disp" || word == "decal" ||
-           word == "refl" || word == "norm";
-}
-
-// Cuts the options off the front of a texture statement's arguments; what is left is the name.
-void skip_texture_options(std::string_view& arguments) {
-    struct Option {
-        std::string_view name;
-        int least, most;  // values; beyond the least only numbers that are not the last word
-    };
-    constexpr std::array kOptions = {
-        Option{"-blendu", 1, 1},  Option{"-blendv", 1, 1},    Option{"-boost", 1, 1},
-        Option{"-bm", 1, 1},      Option{"-cc", 1, 1},        Option{"-clamp", 1, 1},
-        Option{"-imfchan", 1, 1}, Option{"-mm", 2, 2},        Option{"-texres", 1, 1},
-        Option{"-type", 1, 1},    Option{"-o", 1, 3},         Option{"-s", 1, 3},
-        Option{"-t", 1, 3},       Option{"-colorspace", 1, 1}};
-    std::string_view rest = arguments;
-    std::string why_not;
-    while (const auto token = take_token(rest)) {
-        const auto option = std::find_if(kOptions.begin(), kOptions.end(),
-                                         [&](const Option& o) { return o.name == *token; });
-        if (option == kOptions.end()) return;
-        for (int i = 0; i < option->most; ++i) {
-            std::string_view behind = rest;
-            const auto value = take_token(behind);
-            if (!value) break;
-            const bool may_be_value = !behind.empty() && parse_number<double>(*value, why_not);
-            if (i >= option->least && !may_be_value) break;
-            rest = behind;
-        }
-        arguments = rest;
-    }
-}
-
 // The path below a folder that `name` means there; none where it leads elsewhere. A path that ends
-// at a zero byte for the system would not be the one looked at here.
+// at a zero byte for the system would not be the one that is examined here.
 std::optional<fs::path> path_inside(const fs::path& subfolder, std::string_view name) {
     const fs::path path = (subfolder / name).lexically_normal();
     if (name.find('\0') != name.npos || path.is_absolute() || path.empty()) return std::nullopt;
@@ -75,20 +40,25 @@ std::optional<fs::path> path_inside(const fs::path& subfolder, std::string_view 
     return path;
 }
 
-// Whether the path, links followed, lies in the folder.
-bool leads_inside(const fs::path& folder, const fs::path& path) {
-    std::error_code error;
-    const fs::path root = fs::canonical(folder, error);
-    if (error) return false;
-    const fs::path target = fs::weakly_canonical(folder / path, error);
-    if (error) return false;
-    return std::mismatch(root.begin(), root.end(), target.begin(), target.end()).first ==
-           root.end();
+bool is_hidden(const fs::path& path) {
+    return std::any_of(path.begin(), path.end(),
+                       [](const fs::path& part) { return part.string().starts_with('.'); });
 }
 
-bool is_readable_file(const fs::path& path) {
+// Why a path, links followed, is none that may be read or written below the folder; null if it is.
+const char* reason_against(const fs::path& folder, const fs::path& path) {
     std::error_code error;
-    return fs::is_regular_file(path, error) && ::access(path.c_str(), R_OK) == 0;
+    const fs::path root = fs::canonical(folder, error);
+    if (error) return kLeadsOut;
+    const fs::path target = fs::weakly_canonical(folder / path, error);
+    if (error) return kLeadsOut;
+    const auto [in_root, in_target] =
+        std::mismatch(root.begin(), root.end(), target.begin(), target.end());
+    if (in_root != root.end()) return kLeadsOut;
+    return std::any_of(in_target, target.end(),
+                       [](const fs::path& part) { return part.string().starts_with('.'); })
+               ? kIsHidden
+               : nullptr;
 }
 
 // Also a symbolic link that leads nowhere: writing would follow it.
@@ -97,31 +67,63 @@ bool is_anything(const fs::path& path) {
     return fs::symlink_status(path, error).type() != fs::file_type::not_found && !error;
 }
 
+bool is_picture(const OpenFile& file, const std::string& path) {
+    constexpr std::size_t kTail = 32;
+    std::string head(kSignatureBytes, '\0');
+    head.resize(read_bytes(file, path, head.data(), head.size()));
+    std::string tail(kTail, '\0');
+    const std::size_t tail_begin = file.bytes - std::min(file.bytes, kTail);
+    ::lseek(file.descriptor.get(), static_cast<off_t>(tail_begin), SEEK_SET);
+    tail.resize(read_bytes(file, path, tail.data(), tail.size()));
+    ::lseek(file.descriptor.get(), 0, SEEK_SET);
+    return recognise_file(head, file.bytes).is_image() || is_tga(head, tail, file.bytes);
+}
+
 class MaterialCopier {
   public:
-    MaterialCopier(fs::path from, fs::path to) : from_(std::move(from)), to_(std::move(to)) {}
+    MaterialCopier(fs::path from, fs::path to, const Progress& progress,
+                   const MaterialLimits& limits)
+        : from_(std::move(from)), to_(std::move(to)), progress_(progress), limits_(limits) {}
 
     void find_libraries(std::string_view statement);
     void find_textures();
-    MaterialCopy copy(const Progress& progress);
+    MaterialCopy copy();
 
   private:
     std::vector<std::string> library_names(std::string_view statement) const;
-    void find_textures_of(const fs::path& library);
-    void find_texture(const fs::path& library, std::string_view name);
-    void copy_file(const fs::path& path, const Progress& progress) const;
+    void find(std::string_view name, std::span<const fs::path> subfolders,
+              std::set<fs::path>& found);
+    bool is_there(const fs::path& path) const;
+    bool find_textures_of(const fs::path& library);
+    void copy_one(const fs::path& path, const Progress& progress);
+    void copy_bytes(const OpenFile& file, const fs::path& path, const Progress& progress) const;
+    std::optional<OpenFile> open(const fs::path& path, std::uint64_t most_bytes);
+    void refuse(const fs::path& path, std::string why) {
+        refused_.insert_or_assign(path.generic_string(), std::move(why));
+    }
+    void fail(const fs::path& path, const std::string& why) {
+        result_.failed.push_back({path.generic_string(), why});
+    }
 
     fs::path from_, to_;
-    std::set<fs::path> libraries_;          // found in from_
-    std::set<fs::path> found_;              // those and their textures
-    std::set<std::string> lost_, outside_;  // by name
+    const Progress& progress_;
+    const MaterialLimits& limits_;
+    std::set<fs::path> libraries_, textures_;     // found in from_
+    std::set<std::string> lost_;                  // by name
+    std::map<std::string, std::string> refused_;  // why, by name
+    MaterialCopy result_;
 };
+
+// Whether there is anything: what it is decides later what becomes of it.
+bool MaterialCopier::is_there(const fs::path& path) const {
+    return ask_patiently((from_ / path).string(), progress_).error == 0;
+}
 
 // One file, also with blanks in its name, or several, where a name ends at .mtl and a blank.
 std::vector<std::string> MaterialCopier::library_names(std::string_view statement) const {
     constexpr std::string_view kExtension = ".mtl";
     const auto whole = path_inside({}, statement);
-    if (whole && is_readable_file(from_ / *whole)) return {std::string(statement)};
+    if (whole && !is_hidden(*whole) && is_there(*whole)) return {std::string(statement)};
     std::vector<std::string> names;
     const std::string lower = lower_case(statement);
     std::size_t begin = 0;
@@ -139,125 +141,162 @@ std::vector<std::string> MaterialCopier::library_names(std::string_view statemen
 }
 
 void MaterialCopier::find_libraries(std::string_view statement) {
-    for (std::string name : library_names(statement)) {
-        if (!path_inside({}, name)) {
-            outside_.insert(name);
-            continue;
-        }
-        if (!is_readable_file(from_ / name)) std::replace(name.begin(), name.end(), '\\', '/');
-        const auto path = path_inside({}, name);
-        if (path && is_readable_file(from_ / *path)) {
-            libraries_.insert(*path);
-        } else {
-            (path ? lost_ : outside_).insert(name);
-        }
+    const fs::path beside_the_model;
+    for (const std::string& name : library_names(statement)) {
+        find(name, std::span(&beside_the_model, 1), libraries_);
     }
 }
 
-void MaterialCopier::find_textures() {
-    found_ = libraries_;
-    for (const fs::path& library : libraries_) find_textures_of(library);
-}
-
-void MaterialCopier::find_textures_of(const fs::path& library) {
-    std::error_code error;
-    if (!leads_inside(from_, library)) return;
-    if (fs::file_size(from_ / library, error) > kMostLibraryBytes) return;
-    const std::string text = read_whole_file((from_ / library).string());
-    ObjStatements statements(text);
-    while (statements.next()) {
-        if (!names_texture(statements.keyword())) continue;
-        std::string_view name = statements.arguments();
-        skip_texture_options(name);
-        name.remove_prefix(std::min(name.find_first_not_of(" \t"), name.size()));
-        if (!name.empty()) find_texture(library, name);
-    }
-}
-
-void MaterialCopier::find_texture(const fs::path& library, std::string_view name) {
+// Adds the file that the name means to `found`, or says why it does not.
+void MaterialCopier::find(std::string_view name, std::span<const fs::path> subfolders,
+                          std::set<fs::path>& found) {
     std::string with_slashes(name);
     std::replace(with_slashes.begin(), with_slashes.end(), '\\', '/');
     std::optional<fs::path> inside;
     for (const std::string& spelling : {std::string(name), with_slashes}) {
-        for (const fs::path& subfolder : {library.parent_path(), fs::path()}) {
+        for (const fs::path& subfolder : subfolders) {
             const auto path = path_inside(subfolder, spelling);
-            if (path && is_readable_file(from_ / *path)) {
-                found_.insert(*path);
+            // With backslashes a name such as .\\a.png is only one part, which is not hidden.
+            const bool is_split = spelling == with_slashes;
+            if (!path || (!is_split && is_hidden(*path))) continue;
+            if (is_hidden(*path)) return refuse(*path, kIsHidden);
+            if (is_there(*path)) {
+                found.insert(*path);
                 return;
             }
-            if (path && spelling == with_slashes && !inside) inside = path;
+            if (is_split && !inside) inside = path;
         }
     }
     if (inside) {
         lost_.insert(inside->generic_string());
     } else {
-        outside_.insert(with_slashes);
+        refuse(with_slashes, kLeadsOut);
     }
 }
 
-MaterialCopy MaterialCopier::copy(const Progress& progress) {
-    MaterialCopy result;
-    double done = 0.0;
-    const double step = 1.0 / static_cast<double>(std::max(found_.size(), std::size_t{1}));
-    for (const fs::path& path : found_) {
-        const Progress part = progress.part(done, std::min(done + step, 1.0));
-        part.advance(0.0);
-        if (!leads_inside(from_, path) || !leads_inside(to_, path)) {
-            outside_.insert(path.generic_string());
-        } else if (!is_anything(to_ / path)) {
-            try {
-                copy_file(path, part);
-                result.copied.push_back(path.generic_string());
-            } catch (const FileError& error) {
-                result.failed.push_back(error.what());
-            }
+void MaterialCopier::find_textures() {
+    std::erase_if(libraries_,
+                  [this](const fs::path& library) { return !find_textures_of(library); });
+}
+
+// The file, if it is a regular one of at most so many bytes; else says why it is not copied.
+std::optional<OpenFile> MaterialCopier::open(const fs::path& path, std::uint64_t most_bytes) {
+    const std::string source = (from_ / path).string();
+    try {
+        OpenAnswer answer = ask_patiently(source, progress_);
+        const bool is_readable = answer.error == 0;
+        try {
+            OpenFile file = opened(source, std::move(answer));
+            if (file.bytes <= most_bytes) return file;
+            refuse(path, "is larger than " + std::to_string(most_bytes >> 20) + " MB");
+        } catch (const FileError& error) {
+            if (!is_readable) throw;
+            refuse(path, error.message());
         }
+    } catch (const FileError& error) {
+        fail(path, error.message());
+    }
+    return std::nullopt;
+}
+
+// Whether it is a library.
+bool MaterialCopier::find_textures_of(const fs::path& library) {
+    if (const char* why = reason_against(from_, library)) {
+        refuse(library, why);
+        return false;
+    }
+    const std::optional<OpenFile> file = open(library, limits_.library_bytes);
+    if (!file) return false;
+    std::string text(file->bytes, '\0');
+    text.resize(read_bytes(*file, (from_ / library).string(), text.data(), text.size()));
+    if (!may_be_material_library(text)) {
+        refuse(library, "is no material library");
+        return false;
+    }
+    const fs::path subfolders[] = {library.parent_path(), fs::path()};
+    for (const Material& material : parse_materials(text, progress_.part(0.0, 0.0))) {
+        for (const std::string& name : material.textures) find(name, subfolders, textures_);
+    }
+    return true;
+}
+
+MaterialCopy MaterialCopier::copy() {
+    std::set<fs::path> files = libraries_;
+    files.insert(textures_.begin(), textures_.end());
+    double done = 0.0;
+    const double step = 1.0 / static_cast<double>(std::max(files.size(), std::size_t{1}));
+    for (const fs::path& path : files) {
+        const Progress part = progress_.part(done, std::min(done + step, 1.0));
+        part.advance(0.0);
+        copy_one(path, part);
         done = std::min(done + step, 1.0);
     }
-    std::copy_if(lost_.begin(), lost_.end(), std::back_inserter(result.missing),
-                 [this](const std::string& name) { return !is_readable_file(to_ / name); });
-    result.outside.assign(outside_.begin(), outside_.end());
-    return result;
+    std::copy_if(lost_.begin(), lost_.end(), std::back_inserter(result_.missing),
+                 [this](const std::string& name) { return !is_anything(to_ / name); });
+    for (auto& [name, why] : refused_) result_.refused.push_back({name, why});
+    return std::move(result_);
+}
+
+void MaterialCopier::copy_one(const fs::path& path, const Progress& progress) {
+    const char* why = reason_against(from_, path);
+    if (!why) why = reason_against(to_, path);
+    if (why) return refuse(path, why);
+    if (is_anything(to_ / path)) return;
+    const bool is_library = libraries_.contains(path);
+    const std::optional<OpenFile> file =
+        open(path, is_library ? limits_.library_bytes : limits_.texture_bytes);
+    if (!file) return;
+    try {
+        if (!is_library && !is_picture(*file, (from_ / path).string())) {
+            return refuse(path, "is no picture");
+        }
+        copy_bytes(*file, path, progress);
+        result_.copied.push_back(path.generic_string());
+    } catch (const FileError& error) {
+        fail(path, error.message());
+    }
 }
 
 // In pieces: textures can be large.
-void MaterialCopier::copy_file(const fs::path& path, const Progress& progress) const {
+void MaterialCopier::copy_bytes(const OpenFile& file, const fs::path& path,
+                                const Progress& progress) const {
     const std::string source = (from_ / path).string(), target = (to_ / path).string();
-    const auto fail = [](const std::string& at, const std::string& what, const std::string& why) {
-        throw FileError(at, what + ": " + why);
-    };
     std::error_code error;
     const fs::path folder = (to_ / path).parent_path();
     fs::create_directories(folder, error);
-    if (error) fail(folder.string(), "the folder cannot be made", error.message());
-
-    const FileDescriptor in(source.c_str(), O_RDONLY);
-    if (!in.is_open()) fail(source, "cannot be read", std::generic_category().message(errno));
+    if (error) {
+        throw FileError(folder.string(), "the folder cannot be made: " + error.message());
+    }
     AtomicFile out(target);
     std::string piece(std::size_t{1} << 20, '\0');
-    while (true) {
-        const ssize_t got = ::read(in.get(), piece.data(), piece.size());
-        if (got == 0) break;
-        if (got < 0 && errno == EINTR) continue;
-        if (got < 0) fail(source, "cannot be read", std::generic_category().message(errno));
-        out.write(std::string_view(piece).substr(0, static_cast<std::size_t>(got)));
+    while (const std::size_t got = read_bytes(file, source, piece.data(), piece.size())) {
+        out.write(std::string_view(piece).substr(0, got));
         progress.advance(0.0);
     }
-    out.commit();
+    out.commit_new();
 }
 
 }  // namespace
 
 MaterialCopy copy_material_files(std::span<const std::string> material_libraries,
                                  const std::string& from, const std::string& to,
-                                 const Progress& progress) {
+                                 const Progress& progress, const MaterialLimits& limits) {
     const fs::path source = from.empty() ? "." : from, target = to.empty() ? "." : to;
+    if (material_libraries.empty()) return {};
+    try {
+        // The folder may have been on a drive that is gone, which would hold up all that follows.
+        if (ask_patiently(source.string(), progress).error != 0) return {};
+    } catch (const FileError& error) {
+        MaterialCopy result;
+        result.failed.push_back({source.string(), error.message()});
+        return result;
+    }
     std::error_code error;
     if (!fs::is_directory(target, error) || fs::equivalent(source, target, error)) return {};
-    MaterialCopier copier(source, target);
+    MaterialCopier copier(source, target, progress, limits);
     for (const std::string& statement : material_libraries) copier.find_libraries(statement);
     copier.find_textures();
-    return copier.copy(progress);
+    return copier.copy();
 }
 
 }  // namespace pectin

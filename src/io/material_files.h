@@ -1,6 +1,7 @@
 // The files that an OBJ names beside itself: material libraries (MTL) and their textures.
 #pragma once
 
+#include <cstdint>
 #include <span>
 #include <string>
 #include <vector>
@@ -9,12 +10,25 @@
 
 namespace pectin {
 
-// Paths below the folders, with slashes, sorted, each once.
+// Each name once, sorted; below the folders, with slashes.
 struct MaterialCopy {
+    struct Reason {
+        std::string name;
+        std::string why;  // behind the name: "is hidden"
+        bool operator==(const Reason&) const = default;
+    };
     std::vector<std::string> copied;
-    std::vector<std::string> missing;  // named, but in neither folder or not to be read
-    std::vector<std::string> outside;  // absolute or leading out of the folder: not looked at
-    std::vector<std::string> failed;   // sentences: what could not be copied, and why
+    std::vector<std::string> missing;  // named, but in neither folder
+    std::vector<Reason> refused;       // not to be copied, whatever is there
+    std::vector<Reason> failed;        // to be copied, but that went wrong
+};
+
+struct MaterialLimits {
+    // Real libraries have kilobytes; what is larger is none, whatever it is called.
+    std::uint64_t library_bytes = std::uint64_t{16} << 20;
+    // A picture of 16384 x 16384 pixels with four floats each takes four times as much, one with
+    // four bytes each as much.
+    std::uint64_t texture_bytes = std::uint64_t{1} << 30;
 };
 
 // Copies the MTL files that the mtllib statements name, and the textures that those name, from the
@@ -23,15 +37,17 @@ struct MaterialCopy {
 // is no folder `to`.
 //
 // material_libraries: as IndexedFaceSet has them; each names one file, also with blanks, or several
-// that end in .mtl. Textures lie beside their MTL file or, as some exporters have it, below `from`;
-// they are named by map_*, bump, disp, decal, refl and norm, behind options, with slashes or
-// backslashes.
+// that end in .mtl. Textures are named with slashes or backslashes; they lie beside their MTL file
+// or, as some exporters have it, below `from`.
 //
-// Symbolic links that lead out of the folder are not followed, neither in `from` nor in `to`. Each
-// file is copied whole or not at all (AtomicFile); one that cannot be does not keep others from
-// being copied. Throws Cancelled.
+// A model can come from anybody, and so its names must not carry other files along or put any where
+// programs would obey them. Refused are: names that lead out of the folder, also by symbolic links,
+// in `from` or in `to`; names with a hidden part (.config/a.png); libraries that are none and
+// textures that are no pictures, by their content; what is larger than the limits; pipes, devices
+// and folders. Each file is copied whole or not at all (AtomicFile), never over another; one that
+// cannot be does not keep others from being copied. Throws Cancelled.
 MaterialCopy copy_material_files(std::span<const std::string> material_libraries,
                                  const std::string& from, const std::string& to,
-                                 const Progress& progress = {});
+                                 const Progress& progress = {}, const MaterialLimits& limits = {});
 
 }  // namespace pectin

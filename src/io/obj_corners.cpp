@@ -4,11 +4,13 @@
 #include <charconv>
 #include <system_error>
 
+#include "io/printable.h"
+
 namespace pectin {
 
 std::optional<ObjCorner> parse_corner(std::string_view token, std::string& why_not) {
     const auto refuse = [&](std::string_view reason) {
-        why_not = "'" + std::string(token) + "' " + std::string(reason);
+        why_not = quoted_word(token) + " " + std::string(reason);
         return std::nullopt;
     };
     ObjCorner corner;
@@ -24,10 +26,11 @@ std::optional<ObjCorner> parse_corner(std::string_view token, std::string& why_n
         }
         const auto read = std::from_chars(at, end, *field);
         if (read.ec == std::errc::invalid_argument) break;
-        if (read.ec == std::errc::result_out_of_range) {
-            return refuse("has an index that is too large");
-        }
-        if (*field == 0) return refuse("has an index 0; they count from 1");
+        const bool is_position = field == fields[0];
+        const bool is_too_large = read.ec == std::errc::result_out_of_range;
+        if (is_position && is_too_large) return refuse("has an index that is too large");
+        if (is_position && *field == 0) return refuse("has an index 0; they count from 1");
+        if (is_too_large || *field == 0) *field = ObjCorner::kNowhere;
         at = read.ptr;
     }
     if (at != end) return refuse("is no corner; corners look like 1, 1/2, 1//3 or 1/2/3");

@@ -3,6 +3,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -12,11 +13,14 @@ namespace pectin {
 
 // A corner as the file has it: indices from 1, or from the end where negative; 0 where none.
 struct ObjCorner {
+    // An index of a texture coordinate or normal that no file can have: 0, or too large a number.
+    static constexpr std::int32_t kNowhere = std::numeric_limits<std::int32_t>::max();
+
     std::int32_t position = 0, uv = 0, normal = 0;
 };
 
-// Reads v, v/vt, v//vn or v/vt/vn with decimal indices that are not 0; slashes with nothing behind
-// them are seen in files. For anything else returns none and says why.
+// Reads v, v/vt, v//vn or v/vt/vn with decimal indices; slashes with nothing behind them are seen
+// in files. A position's index is not 0. For anything else returns none and says why.
 std::optional<ObjCorner> parse_corner(std::string_view token, std::string& why_not);
 
 // The same for the first corner in [at, end), where it is v, v/vt, v//vn or v/vt/vn of positive
@@ -70,6 +74,11 @@ class ObjReferences {
     };
     // The first line that refers to more than the `count` elements that the file has.
     std::optional<Dangling> first_dangling(std::size_t count) const;
+    // That line alone; 0 where there is none.
+    std::size_t first_line_beyond(std::size_t count) const {
+        const auto dangling = first_dangling(count);
+        return dangling ? dangling->line : 0;
+    }
 
   private:
     std::uint32_t resolve_forward(std::uint32_t number, std::size_t line);

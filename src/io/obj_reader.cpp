@@ -6,14 +6,17 @@
 #include <cmath>
 #include <limits>
 #include <optional>
-#include <set>
 #include <system_error>
-#include <tuple>
 #include <utility>
 #include <vector>
 
 #include "io/file_error.h"
+#include "io/file_kind.h"
+#include "io/obj_attributes.h"
 #include "io/obj_corners.h"
+#include "io/obj_keywords.h"
+#include "io/obj_parts.h"
+#include "io/obj_polypaint.h"
 #include "io/obj_statements.h"
 #include "io/read_file.h"
 
@@ -22,6 +25,7 @@ namespace {
 
 using Index = std::uint32_t;
 
+constexpr std::uint32_t kNoIndex = IndexedFaceSet::kNoIndex;
 constexpr std::size_t kLongestName = 4096;
 // Parts name their object, group and material each for itself, so that a short statement makes
 // another copy of a long name. Models stay far below this; it bounds what a hostile text can take.
@@ -30,65 +34,15 @@ constexpr std::size_t kLeastPartBytes = std::size_t{1} << 20;
 // Of text, between two looks at whether the work is to go on.
 constexpr std::size_t kProgressBytes = std::size_t{64} << 10;
 
-// The unit float normal in the direction of n, or 0. What is unit already, as floats can be,
-// stays as it was read: a file that is read and written again keeps its numbers.
-Vec3f unit_normal(const std::array<double, 3>& n) {
-    const Vec3 direction{n[0], n[1], n[2]};
-    const Vec3f as_read(direction);
-    constexpr double kUnitTolerance = 1e-6;  // of the square: a few float roundings
-    if (std::abs(glm::dot(Vec3(as_read), Vec3(as_read)) - 1.0) < kUnitTolerance) return as_read;
-
-    const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
-    if (largest == 0.0) return Vec3f{0.0f};
-    const Vec3 scaled = direction / largest;  // its square neither overflows nor vanishes
-    return Vec3f(scaled / glm::length(scaled));
-}
-
-// The parts that polygons and elements have asked for, each once.
-class PartTable {
-  public:
-    PartTable() = default;
-    PartTable(const PartTable&) = delete;  // sorted_ looks into parts_
-    PartTable& operator=(const PartTable&) = delete;
-
-    // Its index, and whether it is new.
-    std::pair<Index, bool> find_or_add(const Part& part) {
-        const auto found = sorted_.find(part);
-        if (found != sorted_.end()) return {*found, false};
-        const auto added = static_cast<Index>(parts_.size());
-        parts_.push_back(part);
-        sorted_.insert(added);
-        bytes_ += sizeof(Part) + part.object.size() + part.group.size() + part.material.size();
-        return {added, true};
-    }
-    std::size_t bytes() const { return bytes_; }
-    std::vector<Part> take() { return std::move(parts_); }
-
-  private:
-    struct Less {
-        using is_transparent = void;
-        const std::vector<Part>& parts;
-
-        static auto key(const Part& p) {
-            return std::tie(p.smoothing_group, p.material, p.group, p.object);
-        }
-        const Part& part(Index i) const { return parts[i]; }
-        const Part& part(const Part& p) const { return p; }
-        bool operator()(const auto& x, const auto& y) const { return key(part(x)) < key(part(y)); }
-    };
-    std::vector<Part> parts_;
-    std::set<Index, Less> sorted_{Less{parts_}};
-    std::size_t bytes_ = 0;
-};
-
 class ObjParser {
   public:
     ObjParser(std::string_view text, const std::string& name, const Progress& progress,
-              const ObjLimits& limits)
+              const ObjLimits& limits, ReadReport& report)
         : statements_(text),
           name_(name),
           progress_(progress),
           limits_(limits),
+          report_(report),
           size_(text.size()),
           bytes_left_at_report_(text.size()) {}
 
@@ -103,10 +57,11 @@ class ObjParser {
     void read_vertex();
     void read_face();
     void read_element(Element::Kind kind);
+    void read_uv();
+    void read_normal();
     bool read_state();
-    template <typename Real, std::size_t n>
-    std::array<Real, n> take_numbers(std::string_view& rest, std::size_t needed) const;
-    std::size_t check_numbers(std::string_view rest) const;
+    void note_unknown();
+    std::array<double, 3> take_position(std::string_view& rest) const;
     std::string read_name() const;
     std::string read_group_names() const;
     Index read_smoothing_group() const;
@@ -114,7 +69,8 @@ class ObjParser {
     bool take_corner(std::string_view& rest, ObjCorner& corner);
     Corner resolve(const ObjCorner& raw);
     Index present_part();
-    void check_references() const;
+    void check_positions() const;
+    [[noreturn]] void fail_without_faces() const;
     [[noreturn]] void fail(const std::string& message) const {
         throw FileError(name_, statements_.line(), message);
     }
@@ -123,6 +79,7 @@ class ObjParser {
     const std::string& name_;
     const Progress& progress_;
     const ObjLimits& limits_;
+    ReadReport& report_;
     std::size_t size_;  // bytes of the text
     std::size_t bytes_left_at_report_;
 
@@ -132,6 +89,9 @@ class ObjParser {
     std::optional<Index> part_;  // of state_, once something has asked for it
     PartTable parts_;
     ObjReferences positions_{"vertex"}, uvs_{"texture coordinate"}, normals_{"normal"};
+    AttributeLines lines_;
+    ObjPolypaint polypaint_;
+    UnknownKeywords unknown_;
     std::string why_not_;
 };
 
@@ -140,10 +100,12 @@ IndexedFaceSet ObjParser::parse() {
         report_progress();
         read_statement();
     }
-    check_references();
-    if (faces_.polygon_count() == 0) {
-        throw FileError(name_, "holds no faces; a model has f statements of 3 corners or more");
-    }
+    check_positions();
+    if (faces_.polygon_count() == 0) fail_without_faces();
+    lines_.missing_uv = uvs_.first_line_beyond(faces_.uvs.size());
+    lines_.missing_normal = normals_.first_line_beyond(faces_.normals.size());
+    drop_attributes(faces_, lines_, report_);
+    polypaint_.apply(faces_.colors, faces_.positions.size(), report_);
     faces_.parts = parts_.take();
     return std::move(faces_);
 }
@@ -157,45 +119,80 @@ void ObjParser::report_progress() {
 
 void ObjParser::read_statement() {
     const std::string_view keyword = statements_.keyword();
-    std::string_view rest = statements_.arguments();
     if (keyword == "v") {
         read_vertex();
     } else if (keyword == "f") {
         read_face();
     } else if (keyword == "vt") {
-        const auto [u, v] = take_numbers<float, 2>(rest, 1);
-        check_numbers(rest);
-        faces_.uvs.emplace_back(u, v);
+        read_uv();
     } else if (keyword == "vn") {
-        faces_.normals.push_back(unit_normal(take_numbers<double, 3>(rest, 3)));
-        check_numbers(rest);
+        read_normal();
     } else if (keyword == "l") {
         read_element(Element::Kind::line);
     } else if (keyword == "p") {
         read_element(Element::Kind::points);
     } else if (keyword == "mtllib") {
-        if (!rest.empty()) faces_.material_libraries.emplace_back(rest);
+        const std::string_view names = statements_.arguments();
+        if (!names.empty()) faces_.material_libraries.emplace_back(names);
+    } else if (keyword == "#MRGB") {
+        polypaint_.add(statements_.arguments(), statements_.line());
     } else if (read_state()) {
         part_.reset();
+    } else if (!is_obj_keyword(keyword)) {
+        note_unknown();
     }
+}
+
+void ObjParser::note_unknown() {
+    const std::string_view keyword = statements_.keyword();
+    unknown_.add(keyword, statements_.line());
+    if (report_.unknown_statements.count == 0) {
+        report_.unknown_keyword = unknown_.words().front().word;
+        report_.likely_keyword = likely_obj_keyword(keyword);
+    }
+    report_.unknown_statements.add(statements_.line());
 }
 
 void ObjParser::read_vertex() {
     std::string_view rest = statements_.arguments();
-    const auto [x, y, z] = take_numbers<double, 3>(rest, 3);
+    const auto [x, y, z] = take_position(rest);
     faces_.positions.emplace_back(x, y, z);
-    const bool is_colored = !rest.empty() && check_numbers(rest) >= 3;
+    std::array<float, 3> color{};
+    bool is_colored = false;
+    if (!rest.empty()) {
+        const std::optional<std::size_t> count = read_numbers(rest, color);
+        if (!count) report_.undefined_colors.add(statements_.line());
+        is_colored = count.value_or(0) >= color.size();
+    }
     if (!is_colored && faces_.colors.empty()) return;
     // Of this vertex, and of all before the first that is coloured.
     faces_.colors.resize(faces_.positions.size(), Vec3f{std::numeric_limits<float>::quiet_NaN()});
-    if (!is_colored) return;
-    const auto [r, g, b] = take_numbers<float, 3>(rest, 3);
-    faces_.colors.back() = {r, g, b};
+    if (is_colored) faces_.colors.back() = {color[0], color[1], color[2]};
+}
+
+// One that is not made of finite numbers keeps its index, so that those of others stay right.
+void ObjParser::read_uv() {
+    std::array<float, 2> uv{};
+    const std::optional<std::size_t> count = read_numbers(statements_.arguments(), uv);
+    const bool is_defined = count && *count > 0;
+    if (!is_defined && lines_.undefined_uv == 0) lines_.undefined_uv = statements_.line();
+    faces_.uvs.push_back(is_defined ? Vec2f{uv[0], uv[1]} : kUndefinedUv);
+}
+
+// The same. A zero vector is no normal either.
+void ObjParser::read_normal() {
+    std::array<double, 3> n{};
+    const std::optional<std::size_t> count = read_numbers(statements_.arguments(), n);
+    const Vec3f normal = count && *count >= n.size() ? unit_normal(n) : Vec3f{0.0f};
+    if (normal == Vec3f{0.0f} && lines_.undefined_normal == 0) {
+        lines_.undefined_normal = statements_.line();
+    }
+    faces_.normals.push_back(normal);
 }
 
 void ObjParser::read_face() {
     const std::size_t count = append_corners(faces_.corners);
-    if (count == 0) return;
+    if (count == 0) return report_.empty_statements.add(statements_.line());
     triangles_ += std::max(count, std::size_t{2}) - 2;
     if (triangles_ > limits_.triangles) {
         fail("more than " + std::to_string(limits_.triangles) +
@@ -206,7 +203,9 @@ void ObjParser::read_face() {
 }
 
 void ObjParser::read_element(Element::Kind kind) {
-    if (append_corners(faces_.element_corners) == 0) return;
+    if (append_corners(faces_.element_corners) == 0) {
+        return report_.empty_statements.add(statements_.line());
+    }
     faces_.elements.push_back({kind, static_cast<Index>(faces_.polygon_count()), present_part(),
                                static_cast<Index>(faces_.element_corners.size())});
 }
@@ -228,34 +227,18 @@ bool ObjParser::read_state() {
     return true;
 }
 
-// Cuts the first n numbers off the front of `rest`; 0 where there are fewer, but at least `needed`.
-template <typename Real, std::size_t n>
-std::array<Real, n> ObjParser::take_numbers(std::string_view& rest, std::size_t needed) const {
-    std::array<Real, n> numbers{};
+// Cuts the coordinates off the front of `rest`.
+std::array<double, 3> ObjParser::take_position(std::string_view& rest) const {
+    std::array<double, 3> position{};
     std::string why_not;
-    for (std::size_t i = 0; i < n; ++i) {
+    for (std::size_t i = 0; i < position.size(); ++i) {
         const auto token = take_token(rest);
-        if (!token && i >= needed) break;
-        if (!token) {
-            fail("'" + std::string(statements_.keyword()) + "' needs " + std::to_string(needed) +
-                 (needed == 1 ? " number" : " numbers") + ", here are " + std::to_string(i));
-        }
-        const std::optional<Real> number = parse_number<Real>(*token, why_not);
+        if (!token) fail("'v' needs 3 numbers, here are " + std::to_string(i));
+        const std::optional<double> number = parse_number<double>(*token, why_not);
         if (!number) fail(why_not);
-        numbers[i] = *number;
+        position[i] = *number;
     }
-    return numbers;
-}
-
-// How many there are.
-std::size_t ObjParser::check_numbers(std::string_view rest) const {
-    std::size_t count = 0;
-    std::string why_not;
-    while (const auto token = take_token(rest)) {
-        if (!parse_number<double>(*token, why_not)) fail(why_not);
-        ++count;
-    }
-    return count;
+    return position;
 }
 
 std::string ObjParser::read_name() const {
@@ -317,16 +300,24 @@ bool ObjParser::take_corner(std::string_view& rest, ObjCorner& corner) {
     return true;
 }
 
+// A face needs its positions. It can do without the rest, so what names no texture coordinate or
+// normal of the file is dropped: at once where it counts back too far, else at the end of the file.
 ObjParser::Corner ObjParser::resolve(const ObjCorner& raw) {
-    const auto index_of = [this](std::int32_t number, std::size_t count, ObjReferences& kind) {
-        const auto index = kind.resolve(number, count, statements_.line(), why_not_);
-        if (!index) fail(why_not_);
-        return *index;
-    };
+    const std::size_t line = statements_.line();
     Corner corner;
-    corner.position = index_of(raw.position, faces_.positions.size(), positions_);
-    if (raw.uv != 0) corner.uv = index_of(raw.uv, faces_.uvs.size(), uvs_);
-    if (raw.normal != 0) corner.normal = index_of(raw.normal, faces_.normals.size(), normals_);
+    const auto position = positions_.resolve(raw.position, faces_.positions.size(), line, why_not_);
+    if (!position) fail(why_not_);
+    corner.position = *position;
+    if (raw.uv != 0) {
+        const auto uv = uvs_.resolve(raw.uv, faces_.uvs.size(), line, why_not_);
+        if (!uv) report_.missing_uvs.add(line);
+        corner.uv = uv.value_or(kNoIndex);
+    }
+    if (raw.normal != 0) {
+        const auto normal = normals_.resolve(raw.normal, faces_.normals.size(), line, why_not_);
+        if (!normal) report_.missing_normals.add(line);
+        corner.normal = normal.value_or(kNoIndex);
+    }
     return corner;
 }
 
@@ -340,33 +331,51 @@ Index ObjParser::present_part() {
     return index;
 }
 
-void ObjParser::check_references() const {
-    std::optional<ObjReferences::Dangling> first;
-    const auto check = [&](const ObjReferences& kind, std::size_t count) {
-        auto dangling = kind.first_dangling(count);
-        if (dangling && (!first || dangling->line < first->line)) first = std::move(dangling);
-    };
-    check(positions_, faces_.positions.size());
-    check(uvs_, faces_.uvs.size());
-    check(normals_, faces_.normals.size());
-    if (first) throw FileError(name_, first->line, first->message);
+void ObjParser::check_positions() const {
+    const auto dangling = positions_.first_dangling(faces_.positions.size());
+    if (dangling) throw FileError(name_, dangling->line, dangling->message);
+}
+
+void ObjParser::fail_without_faces() const {
+    const std::string explanation = unknown_.explanation();
+    throw FileError(
+        name_,
+        "holds no faces; " +
+            (explanation.empty() ? "a model has f statements of 3 corners or more" : explanation));
+}
+
+// What is no OBJ file at all is told as what it is, whichever line the reader stumbles over.
+void refuse_other_kind(std::string_view text, const std::string& name) {
+    if (text.empty()) throw FileError(name, "holds no faces; it is empty");
+    const FileKind kind = recognise_file(text.substr(0, kSignatureBytes), text.size());
+    if (!kind.is_known()) return;
+    throw FileError(name, std::string(kind.is) + ", not an OBJ model" +
+                              (kind.advice.empty() ? "" : "; " + std::string(kind.advice)));
 }
 
 }  // namespace
 
-IndexedFaceSet read_obj(const std::string& path, const Progress& progress) {
+IndexedFaceSet read_obj(const std::string& path, const Progress& progress, ReadReport* report) {
     constexpr double kReading = 0.1;  // of the time; the rest is parsing
     const ObjLimits limits;
     const std::string text = read_whole_file(path, progress.part(0.0, kReading), limits.bytes);
-    return parse_obj(text, path, progress.part(kReading, 1.0), limits);
+    return parse_obj(text, path, progress.part(kReading, 1.0), limits, report);
 }
 
 IndexedFaceSet parse_obj(std::string_view text, const std::string& name, const Progress& progress,
-                         const ObjLimits& limits) {
+                         const ObjLimits& limits, ReadReport* report) {
     if (text.size() > limits.bytes) {
         throw FileError(name, "is larger than " + std::to_string(limits.bytes >> 20) + " MB");
     }
-    return ObjParser(text, name, progress, limits).parse();
+    ReadReport found;
+    try {
+        IndexedFaceSet faces = ObjParser(text, name, progress, limits, found).parse();
+        if (report != nullptr) *report = std::move(found);
+        return faces;
+    } catch (const FileError&) {
+        refuse_other_kind(text, name);
+        throw;
+    }
 }
 
 }  // namespace pectin

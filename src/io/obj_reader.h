@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "io/progress.h"
+#include "io/read_report.h"
 #include "mesh/indexed_face_set.h"
 
 namespace pectin {
@@ -27,20 +28,29 @@ struct ObjLimits {
 //
 // What follows the three coordinates of `v` is a colour from three numbers on (r g b; more, such as
 // alpha, are ignored); one number is w, which is ignored, and so are two, which mean nothing.
+// Vertices without a colour get that of ZBrush's #MRGB comments (ObjPolypaint).
+//
+// A face can do without texture coordinates, normals and colours. Corners that name one that the
+// file does not have, or that is not made of finite numbers, or a normal that is zero, have none;
+// the report says how many and where.
 //
 // o, g, usemtl and s hold until the next of the same kind, alone until a bare one takes the name
 // away; names are kept whatever the material libraries say, which are not read. Parts are listed
 // in the order of their first faces, lines or points.
 //
-// Throws FileError: read_whole_file's; with the line for a malformed or missing number, one that
-// is not finite, an index that is malformed, 0 or out of range; for a text without faces or beyond
-// the limits. Throws Cancelled.
+// report: what was dropped; it is not changed where this throws.
+//
+// Throws FileError: read_whole_file's; with the line for a position that is malformed, missing or
+// not finite, and for its index where that is malformed, 0 or out of range; for a text without
+// faces or beyond the limits. Throws Cancelled.
 // Cost: O(n). Memory: a small multiple of the text's size, whatever it says; the text itself is
 // gone on return.
-IndexedFaceSet read_obj(const std::string& path, const Progress& progress = {});
+IndexedFaceSet read_obj(const std::string& path, const Progress& progress = {},
+                        ReadReport* report = nullptr);
 
 // The same from memory; `name` stands for the path in messages.
 IndexedFaceSet parse_obj(std::string_view text, const std::string& name,
-                         const Progress& progress = {}, const ObjLimits& limits = {});
+                         const Progress& progress = {}, const ObjLimits& limits = {},
+                         ReadReport* report = nullptr);
 
 }  // namespace pectin

@@ -6,6 +6,8 @@
 #include <cstring>
 #include <system_error>
 
+#include "io/printable.h"
+
 namespace pectin {
 namespace {
 
@@ -86,7 +88,8 @@ bool ObjStatements::next() {
         line_ = lines_taken_ + 1;
         std::string_view statement = take_line();
         const std::string_view content = without_leading_blanks(statement);
-        if (content.empty() || content.front() == '#') continue;
+        if (content.empty()) continue;
+        if (content.front() == '#' && !content.starts_with("#MRGB")) continue;
         if (statement.ends_with('\\')) statement = joined_with_continuations(statement);
 
         statement = trimmed(statement);
@@ -108,7 +111,7 @@ std::optional<Real> parse_number(std::string_view token, std::string& why_not) {
     const auto read = std::from_chars(digits.data(), end, number);
     const bool is_number = read.ec != std::errc::invalid_argument && read.ptr == end;
     const auto refuse = [&](std::string_view reason) {
-        why_not = "'" + std::string(token) + "' " + std::string(reason);
+        why_not = quoted_word(token) + " " + std::string(reason);
         return std::nullopt;
     };
     if (!is_number || (plus && digits.starts_with('-'))) {

@@ -1,6 +1,7 @@
 // The statements of an OBJ text, one by one, and the tokens and numbers in them.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <string>
@@ -9,8 +10,8 @@
 namespace pectin {
 
 // Splits a text into statements. Lines end with \n, \r\n or \r; a backslash at the end of a line
-// continues it on the next; lines that are empty or begin with # are none. A byte order mark is
-// skipped.
+// continues it on the next; lines that are empty or begin with # are none, but for #MRGB, with
+// which ZBrush writes colours. A byte order mark is skipped.
 class ObjStatements {
   public:
     // Precondition: `text` outlives this.
@@ -65,5 +66,20 @@ std::optional<Real> parse_number(std::string_view token, std::string& why_not);
 
 extern template std::optional<float> parse_number(std::string_view, std::string&);
 extern template std::optional<double> parse_number(std::string_view, std::string&);
+
+// Reads at most n numbers from the front of `text`; how many there are. None where one of these is
+// not a finite number.
+template <typename Real, std::size_t n>
+std::optional<std::size_t> read_numbers(std::string_view text, std::array<Real, n>& numbers) {
+    std::string why_not;
+    for (std::size_t i = 0; i < n; ++i) {
+        const auto token = take_token(text);
+        if (!token) return i;
+        const std::optional<Real> number = parse_number<Real>(*token, why_not);
+        if (!number) return std::nullopt;
+        numbers[i] = *number;
+    }
+    return n;
+}
 
 }  // namespace pectin

@@ -199,6 +199,9 @@ void ObjWriter::write_wedges() {
     UniqueValues<Vec2f> uvs(mesh_.has_uvs() ? mesh_.wedge_slots() + loose : loose);
     UniqueValues<Vec3f> normals(mesh_.wedge_slots() + loose);
     const auto number_of = [&](const Vec2f& uv) { return std::isnan(uv.x) ? 0 : uvs.number(uv); };
+    const auto number_of_normal = [&](const Vec3f& normal) {
+        return normal == Vec3f{0.0f} ? 0 : normals.number(normal);
+    };
     wedges_.assign(mesh_.wedge_slots(), {});
     const std::span<const FaceId> faces = pieces_.all();
     Steps steps(progress_.part(kPositions, kNumbered), faces.size());
@@ -208,7 +211,7 @@ void ObjWriter::write_wedges() {
             const WedgeId w = mesh_.wedge(TriMesh::half_edge(faces[i], corner));
             Attributes& wedge = wedges_[index(w)];
             if (wedge.normal != 0) continue;
-            wedge.normal = normals.number(mesh_.normal(w));
+            wedge.normal = number_of_normal(mesh_.normal(w));
             if (mesh_.has_uvs()) wedge.uv = number_of(mesh_.uv(w));
         }
     }
@@ -219,7 +222,7 @@ void ObjWriter::write_wedges() {
             if (!corner.is_loose()) continue;
             const LooseCorner& loose_corner = form().loose_corners[corner.loose_index()];
             loose_[corner.loose_index()] = {number_of(loose_corner.uv),
-                                            normals.number(loose_corner.normal)};
+                                            number_of_normal(loose_corner.normal)};
         }
     }
     for (const LooseCorner& corner : form().element_corners) {
@@ -273,9 +276,10 @@ void ObjWriter::write_corner(HalfEdgeId h) {
 }
 
 void ObjWriter::write_corner(VertexId v, const Attributes& attributes) {
-    (text_ << ' ').number(vertices_[index(v)]) << '/';
+    (text_ << ' ').number(vertices_[index(v)]);
+    if (attributes.uv != 0 || attributes.normal != 0) text_ << '/';
     if (attributes.uv != 0) text_.number(attributes.uv);
-    (text_ << '/').number(attributes.normal);
+    if (attributes.normal != 0) (text_ << '/').number(attributes.normal);
 }
 
 void ObjWriter::write_elements_before(std::uint32_t polygon) {

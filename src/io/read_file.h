@@ -10,8 +10,8 @@
 namespace pectin {
 
 // The bytes of the file at `path`.
-// Throws FileError where it is missing, unreadable, a folder, a device or larger than `most_bytes`,
-// before it takes memory for them. Throws Cancelled.
+// Throws FileError: open_file's, and where it is larger than `most_bytes`, before it takes memory
+// for them. Throws Cancelled.
 std::string read_whole_file(const std::string& path, const Progress& progress = {},
                             std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
 

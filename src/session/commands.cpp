@@ -7,6 +7,7 @@
 #include "command/json.h"
 #include "geometry/decimal.h"
 #include "io/atomic_file.h"
+#include "io/replace_check.h"
 #include "mesh/shapes.h"
 #include "session/input_summary.h"
 #include "session/session_state.h"
@@ -50,11 +51,16 @@ std::string refuse_counts(int most, const std::string& which) {
            " control points per axis " + which;
 }
 
+// JSON that is no model or script.
+bool is_plain_json(const FileKind& kind, std::string_view contents) {
+    return !kind.is_known() && is_json(contents);
+}
+
 }  // namespace
 
 Refusal Session::State::run(const command::Open& open) {
     adopt(load_model(open));
-    remark = input_summary(open.path, input_report);
+    remark = input_summary(open.path, input_report, read_report);
     return std::nullopt;
 }
 
@@ -183,13 +189,16 @@ Refusal Session::State::run(const command::Bake& bake) {
 
 Refusal Session::State::run(const command::Save& save) {
     if (!has_object()) return kNoObject;
-    remark = save_model(*mesh, save, {}, material_folders);
+    SaveReport report = save_model(*mesh, save, {}, material_folders);
+    remark = std::move(report.text);
+    has_failed_partly = report.has_failed;
     note_saved(save.path);
     return std::nullopt;
 }
 
 Refusal Session::State::run(const command::Stats& stats) {
     if (!has_object()) return kNoObject;
+    check_may_replace(stats.path, is_plain_json, "stats writes JSON files");
     write_file_atomically(stats.path, format_statistics(statistics()));
     return std::nullopt;
 }
@@ -197,6 +206,7 @@ Refusal Session::State::run(const command::Stats& stats) {
 Refusal Session::State::run(const command::Screenshot& screenshot) {
     if (!has_object()) return kNoObject;
     if (!viewport) return "there is nothing here to draw with; replay the script with pectin";
+    check_may_replace(screenshot.path, is_png, "screenshot writes PNG pictures");
     const bool has_cage = lattice_settings.cage.has_value();
     return viewport->screenshot(*mesh, has_cage ? lattice_settings.cage : lattice_in_use,
                                 screenshot);

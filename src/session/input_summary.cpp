@@ -4,6 +4,8 @@
 #include <cstdint>
 #include <filesystem>
 
+#include "io/printable.h"
+
 namespace pectin {
 namespace {
 
@@ -44,23 +46,92 @@ constexpr std::array kFindings{
 static_assert(kFindings.size() * sizeof(std::uint32_t) == sizeof(BuildReport),
               "a count of the report is missing here");
 
+// The same of what the reader dropped.
+struct Dropped {
+    const char* name;
+    ReadFinding ReadReport::*found;
+    const char* one;
+    const char* many;
+};
+
+constexpr std::array kDropped{
+    Dropped{"missing_uvs", &ReadReport::missing_uvs,
+            "corner names a texture coordinate that the file does not have and gets none",
+            "corners name texture coordinates that the file does not have and get none"},
+    Dropped{"missing_normals", &ReadReport::missing_normals,
+            "corner names a normal that the file does not have and gets one from its faces",
+            "corners name normals that the file does not have and get them from their faces"},
+    Dropped{"undefined_uvs", &ReadReport::undefined_uvs,
+            "corner has a texture coordinate that is no number and gets none",
+            "corners have texture coordinates that are no numbers and get none"},
+    Dropped{"undefined_normals", &ReadReport::undefined_normals,
+            "corner has a normal that is zero or no number and gets one from its faces",
+            "corners have normals that are zero or no numbers and get them from their faces"},
+    Dropped{"undefined_colors", &ReadReport::undefined_colors,
+            "vertex has a colour that is no number and gets none",
+            "vertices have colours that are no numbers and get none"},
+    Dropped{"unpainted_vertices", &ReadReport::unpainted_vertices,
+            "vertex gets no colour, since there are fewer #MRGB colours than vertices",
+            "vertices get no colour, since there are fewer #MRGB colours than vertices"},
+    Dropped{"surplus_paint", &ReadReport::surplus_paint,
+            "#MRGB colour dropped, since there are more than vertices",
+            "#MRGB colours dropped, since there are more than vertices"},
+    Dropped{"unreadable_paint", &ReadReport::unreadable_paint,
+            "#MRGB line dropped, since it is not made of 8 hexadecimal digits for each vertex",
+            "#MRGB lines dropped, since the first is not made of 8 hexadecimal digits for each "
+            "vertex"},
+    Dropped{"masked_vertices", &ReadReport::masked_vertices,
+            "vertex has an #MRGB mask, which is not kept",
+            "vertices have an #MRGB mask, which is not kept"},
+    Dropped{"empty_statements", &ReadReport::empty_statements, "f, l or p without corners dropped",
+            "statements f, l or p without corners dropped"},
+    Dropped{"unknown_statements", &ReadReport::unknown_statements,
+            "statement with an unknown keyword dropped",
+            "statements with unknown keywords dropped"},
+};
+
+// Where it is found first, and which keyword that is.
+std::string first_of(const ReadFinding& found, const ReadReport& read) {
+    const std::string line = "line " + std::to_string(found.line);
+    if (&found != &read.unknown_statements) {
+        return (found.count == 1 ? " (" : " (first in ") + line + ")";
+    }
+    const std::string should =
+        read.likely_keyword.empty() ? "" : ", perhaps meant as " + quoted_word(read.likely_keyword);
+    return " (" + quoted_word(read.unknown_keyword) + " in " + line + should + ")";
+}
+
 }  // namespace
 
-std::vector<Statistics::Count> input_counts(const BuildReport& report) {
+std::vector<Statistics::Count> input_counts(const BuildReport& report, const ReadReport& read) {
     std::vector<Statistics::Count> counts;
     for (const Finding& finding : kFindings) {
         counts.push_back({finding.name, report.*finding.count});
     }
+    for (const Dropped& dropped : kDropped) {
+        counts.push_back({dropped.name, (read.*dropped.found).count});
+    }
     return counts;
 }
 
-std::string input_summary(const std::string& path, const BuildReport& report) {
+std::string input_summary(const std::string& path, const BuildReport& report,
+                          const ReadReport& read) {
     std::string summary;
+    const auto tell = [&](std::uint32_t count, const char* one, const char* many) {
+        summary += summary.empty()
+                       ? printable(std::filesystem::path(path).filename().string()) + ": "
+                       : "; ";
+        summary += std::to_string(count) + " " + (count == 1 ? one : many);
+    };
+    for (const Dropped& dropped : kDropped) {
+        const ReadFinding& found = read.*dropped.found;
+        if (found.count == 0) continue;
+        tell(found.count, dropped.one, dropped.many);
+        summary += first_of(found, read);
+    }
     for (const Finding& finding : kFindings) {
         const std::uint32_t count = report.*finding.count;
-        if (count == 0 || !finding.one) continue;
-        summary += summary.empty() ? std::filesystem::path(path).filename().string() + ": " : "; ";
-        summary += std::to_string(count) + " " + (count == 1 ? finding.one : finding.many);
+        if (count != 0 && finding.one) tell(count, finding.one, finding.many);
     }
     return summary;
 }

@@ -3,14 +3,18 @@
 #include <algorithm>
 #include <cctype>
 #include <filesystem>
+#include <map>
+#include <set>
 #include <string_view>
 #include <system_error>
 #include <utility>
+#include <vector>
 
 #include "io/file_error.h"
 #include "io/material_files.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
+#include "io/printable.h"
 
 namespace pectin {
 namespace {
@@ -28,19 +32,71 @@ bool has_extension(const std::string& path, std::string_view extension) {
         [](char y, char x) { return std::tolower(static_cast<unsigned char>(x)) == y; });
 }
 
-std::string copy_materials(const TriMesh& mesh, const std::string& folder,
-                           std::span<const std::string> material_folders,
-                           const Progress& progress) {
-    std::string failed;
-    for (const std::string& from : material_folders) {
-        const MaterialCopy copy =
-            copy_material_files(mesh.input_form().material_libraries, from, folder, progress);
-        for (const std::string& why : copy.failed) {
-            failed += (failed.empty() ? "saved, but not all of its material files: " : "; ") + why;
+// The results of several folders as one: what one of them has is not missing in another.
+class MaterialReport {
+  public:
+    void add(const MaterialCopy& copy);
+    SaveReport take(const std::string& folder) const;
+
+  private:
+    using Reasons = std::map<std::string, std::string>;
+    static void add(const std::vector<MaterialCopy::Reason>& reasons, Reasons& all) {
+        for (const MaterialCopy::Reason& reason : reasons) all.emplace(reason.name, reason.why);
+    }
+
+    std::set<std::string> copied_, missing_;
+    Reasons refused_, failed_;
+};
+
+void MaterialReport::add(const MaterialCopy& copy) {
+    copied_.insert(copy.copied.begin(), copy.copied.end());
+    missing_.insert(copy.missing.begin(), copy.missing.end());
+    add(copy.refused, refused_);
+    add(copy.failed, failed_);
+}
+
+// folder: where they are copied to.
+SaveReport MaterialReport::take(const std::string& folder) const {
+    SaveReport report;
+    const char* part_told = "";
+    const auto tell = [&](const char* part, const std::string& name, const std::string& why) {
+        if (part == part_told) {
+            report.text += ", ";
+        } else {
+            report.text += (report.text.empty() ? "" : "; ") + std::string(part) + ": ";
         }
+        part_told = part;
+        report.text += printable(name) + (why.empty() ? "" : " (" + printable(why) + ")");
+    };
+    const auto is_there = [&](const std::string& name) {
+        std::error_code error;
+        return copied_.contains(name) ||
+               std::filesystem::exists(std::filesystem::path(folder) / name, error);
+    };
+    for (const std::string& name : copied_) tell("material files copied", name, {});
+    for (const std::string& name : missing_) {
+        if (!is_there(name)) tell("material files not found", name, {});
+    }
+    for (const auto& [name, why] : refused_) {
+        if (!copied_.contains(name)) tell("material files not copied", name, why);
+    }
+    for (const auto& [name, why] : failed_) {
+        if (is_there(name)) continue;
+        tell("material files that could not be copied", name, why);
+        report.has_failed = true;
+    }
+    return report;
+}
+
+SaveReport copy_materials(const TriMesh& mesh, const std::string& folder,
+                          std::span<const std::string> material_folders, const Progress& progress) {
+    MaterialReport report;
+    for (const std::string& from : material_folders) {
+        report.add(
+            copy_material_files(mesh.input_form().material_libraries, from, folder, progress));
     }
     progress.advance(1.0);
-    return failed;
+    return report.take(folder);
 }
 
 }  // namespace
@@ -62,8 +118,11 @@ LoadedModel make_model(BuiltMesh built) {
 }
 
 LoadedModel load_model(const command::Open& open, const Progress& progress) {
-    LoadedModel model = make_model(build_mesh(read_obj(open.path, progress.part(0.0, kRead)),
-                                              {.crease_angle = open.crease_angle}));
+    ReadReport read_report;
+    LoadedModel model =
+        make_model(build_mesh(read_obj(open.path, progress.part(0.0, kRead), &read_report),
+                              {.crease_angle = open.crease_angle}));
+    model.read_report = std::move(read_report);
     if (model.mesh->face_slots() == 0) {
         throw FileError(open.path,
                         "has no face with three different vertices; a model needs at least one");
@@ -75,17 +134,20 @@ LoadedModel load_model(const command::Open& open, const Progress& progress) {
     return model;
 }
 
-std::string save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress,
-                       std::span<const std::string> material_folders) {
+SaveReport save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress,
+                      std::span<const std::string> material_folders) {
     if (!has_extension(save.path, ".obj")) {
         throw FileError(save.path, "does not end in .obj; save writes OBJ files");
     }
     write_obj(mesh, save.path, progress.part(0.0, kWritten));
     try {
-        return copy_materials(mesh, material_folder(save.path), material_folders,
-                              progress.part(kWritten, 1.0));
+        SaveReport report = copy_materials(mesh, material_folder(save.path), material_folders,
+                                           progress.part(kWritten, 1.0));
+        if (report.text.empty()) return report;
+        const std::string name = std::filesystem::path(save.path).filename().string();
+        return {printable(name) + ": " + report.text, report.has_failed};
     } catch (const Cancelled&) {
-        return "saved, but not all of its material files were copied: cancelled";
+        return {"saved, but not all of its material files were copied: cancelled"};
     }
 }
 

@@ -9,6 +9,7 @@
 #include "command/command.h"
 #include "geometry/box.h"
 #include "io/progress.h"
+#include "io/read_report.h"
 #include "mesh/active_set.h"
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
@@ -23,6 +24,7 @@ struct LoadedModel {
     std::unique_ptr<ActiveSet> active;
     std::unique_ptr<FaceTree> tree;  // none: it is made when first asked for
     BuildReport report;              // what building it took
+    ReadReport read_report;          // what reading its file dropped
     Box box;                         // of all its vertices
     // Where the files that its material libraries name may lie, the likeliest first; absolute.
     std::vector<std::string> material_folders{};
@@ -39,13 +41,17 @@ LoadedModel make_model(BuiltMesh built);
 // Cost: O(n log n).
 LoadedModel load_model(const command::Open& open, const Progress& progress = {});
 
+// What there is to tell of a model that is saved: which material files were copied along, which
+// were not found, and which were not copied, and why. Empty where there are none.
+struct SaveReport {
+    std::string text;
+    bool has_failed = false;  // a file should have been copied and could not be
+};
+
 // Writes the mesh to the file, whole or not at all, then copies the material files that are not
-// there yet into its folder. Returns what there is to tell though the model is saved: a sentence on
-// what could not be copied, mostly empty. Nobody may change the mesh meanwhile. Throws Cancelled
-// (the file is as it was), FileError: write_obj's, or that it is no OBJ file.
-// Cost: O(n), and that of copying.
-std::string save_model(const TriMesh& mesh, const command::Save& save,
-                       const Progress& progress = {},
-                       std::span<const std::string> material_folders = {});
+// there yet into its folder. Nobody may change the mesh meanwhile. Throws Cancelled (the file is as
+// it was), FileError: write_obj's, or that it is no OBJ file. Cost: O(n), and that of copying.
+SaveReport save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress = {},
+                      std::span<const std::string> material_folders = {});
 
 }  // namespace pectin

@@ -16,6 +16,7 @@ void Session::State::adopt(LoadedModel model) {
     tree = std::move(model.tree);
     history.clear();
     input_report = model.report;
+    read_report = std::move(model.read_report);
     material_folders = std::move(model.material_folders);
     diagonal = model.box.diagonal();
     const Vec3 farthest = glm::max(glm::abs(model.box.min), glm::abs(model.box.max));
@@ -86,6 +87,7 @@ Session& Session::operator=(Session&&) noexcept = default;
 std::optional<std::string> Session::execute(const Command& command) {
     if (is_dragging()) return "a drag is in hand; end or cancel it first";
     state_->remark.clear();
+    state_->has_failed_partly = false;
     Refusal refusal = std::visit([this](const auto& c) { return state_->run(c); }, command);
     state_->report_dropped_steps();
     return refusal;
@@ -97,6 +99,8 @@ void Session::adopt(LoadedModel model) {
 }
 
 const std::string& Session::remark() const { return state_->remark; }
+
+bool Session::has_failed_partly() const { return state_->has_failed_partly; }
 
 const std::vector<std::string>& Session::material_folders() const {
     return state_->material_folders;
@@ -210,6 +214,8 @@ const std::optional<MirrorPlane>& Session::symmetry() const { return state_->sym
 const History& Session::history() const { return state_->history; }
 
 const BuildReport& Session::input_report() const { return state_->input_report; }
+
+const ReadReport& Session::read_report() const { return state_->read_report; }
 
 const AdaptSettings& Session::adapt_settings() const { return state_->adapt_settings; }
 

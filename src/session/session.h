@@ -65,9 +65,12 @@ class Session {
     // For save_model, and what follows it; the save command does both by itself.
     const std::vector<std::string>& material_folders() const;
     // What the last command or drag has to tell though it is done: what was found in the input,
-    // what was not copied along, where triangles cut each other, how many steps the limit of the
+    // what was copied along or not, where triangles cut each other, how many steps the limit of the
     // history has dropped. Mostly empty.
     const std::string& remark() const;
+    // Whether that is a failure, though the command is done: a model is saved, but a material file
+    // could not be copied along.
+    bool has_failed_partly() const;
     void note_saved(const std::string& path);
 
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
@@ -113,6 +116,7 @@ class Session {
     Statistics statistics() const;  // O(n)
     // What was found in the input of the object; see input_summary.
     const BuildReport& input_report() const;
+    const ReadReport& read_report() const;
 
     // --- For who shows them.
     const AdaptSettings& adapt_settings() const;

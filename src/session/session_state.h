@@ -73,8 +73,10 @@ struct Session::State {
     std::uint64_t folded = 0;
     AdaptOutcome outcome;                       // of the mesh as it is
     BuildReport input_report;                   // what opening the object took
+    ReadReport read_report;                     // what opening it dropped
     double largest_coordinate = 0.0;            // of the object as it was opened
     std::string remark;                         // of the last command
+    bool has_failed_partly = false;             // the last command, as the remark says
     std::vector<std::string> material_folders;  // as LoadedModel has them
 
     bool has_object() const { return mesh->face_slots() > 0; }

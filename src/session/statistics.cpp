@@ -9,7 +9,7 @@ namespace pectin {
 Statistics Session::State::statistics() const {
     Statistics s;
     measure(*mesh, s);
-    s.input = input_counts(input_report);
+    s.input = input_counts(input_report, read_report);
     s.last = last;
     const Criteria criteria(limits(lattice_in_use), zones_in_use, {});
     const Assessment assessment = assess(*active, criteria, outcome.blocked);

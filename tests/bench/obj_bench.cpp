@@ -1,6 +1,5 @@
 // Opening and saving a model of a million triangles, beside what tinyobjloader alone takes to parse
 // the same file in the same run; and the memory of it.
-#define TINYOBJLOADER_IMPLEMENTATION
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 #include <sys/wait.h>

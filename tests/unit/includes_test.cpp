@@ -40,7 +40,7 @@ struct Restricted {
 };
 
 const std::vector<Restricted>& restricted_headers() {
-    static const std::vector<Restricted> kTable{{"tiny_obj_loader", {}},
+    static const std::vector<Restricted> kTable{{"tiny_obj_loader", {"io/material_library.cpp"}},
                                                 {"png.h", {"io/png.cpp"}},
                                                 {"nlohmann/", {"command/json.cpp"}},
                                                 {"CLI/", {"app/"}},
@@ -54,9 +54,9 @@ const std::vector<Restricted>& restricted_headers() {
                                                 {"glad/", {"render/", "app/"}},
                                                 {"KHR/", {"render/", "app/"}},
                                                 {"imgui", {"render/", "app/"}},
-                                                {"thread", {"app/"}},
+                                                {"thread", {"app/", "io/open_file.cpp"}},
                                                 {"tbb/", {"adapt/parallel.cpp"}},
-                                                {"future", {"app/"}}};
+                                                {"future", {"app/", "io/open_file.cpp"}}};
     return kTable;
 }
 

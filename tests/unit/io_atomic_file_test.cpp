@@ -176,6 +176,23 @@ TEST_F(AtomicFileTest, IsNotStoppedByWhatAKilledProcessLeftBehind) {
     EXPECT_EQ(read_whole_file(left), "left behind");
 }
 
+TEST_F(AtomicFileTest, ThatHasToBeNewDoesNotReplaceOneThatCameThereMeanwhile) {
+    AtomicFile file(path("a"));
+    file.write("mine");
+    write_file_atomically(path("a"), "theirs");
+    try {
+        file.commit_new();
+        ADD_FAILURE() << "replaced the other";
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.message(), "is there already; it is not replaced");
+    }
+    EXPECT_EQ(read_whole_file(path("a")), "theirs");
+    AtomicFile other(path("b"));
+    other.write("mine");
+    other.commit_new();
+    EXPECT_EQ(read_whole_file(path("b")), "mine");
+}
+
 TEST_F(AtomicFileTest, IsReadBackOrRefusedWithAReason) {
     const auto reason = [](const std::string& path) {
         try {

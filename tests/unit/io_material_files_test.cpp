@@ -35,6 +35,19 @@ class MaterialFilesTest : public testing::Test {
         fs::create_directories(path.parent_path());
         write_file_atomically(path.string(), text);
     }
+    // A file that begins as a PNG does, so that it is taken for a picture.
+    static std::string picture(const std::string& pixels) { return "\x89PNG\r\n\x1a\n" + pixels; }
+    static void write_picture(const fs::path& path, const std::string& pixels = "") {
+        write(path, picture(pixels));
+    }
+    // The names of those, and why they were refused or failed.
+    static Names names(const std::vector<MaterialCopy::Reason>& reasons) {
+        Names all;
+        for (const MaterialCopy::Reason& reason : reasons) all.push_back(reason.name);
+        return all;
+    }
+    using Reasons = std::vector<MaterialCopy::Reason>;
+
     MaterialCopy copy(const Names& statements) const {
         return copy_material_files(statements, from_.string(), to_.string());
     }
@@ -60,16 +73,16 @@ TEST_F(MaterialFilesTest, CopiesLibrariesAndEveryTextureThatTheyName) {
         "map_opacity -texres 512 -t 0.5 7\n# map_Kd no.png\nd 0.5\n");
     const Names textures = {"7",     "b2.png", "bump.png", "d.png",  "maps/e.png", "my gloss.png",
                             "n.png", "p.png",  "r1.png",   "r2.png", "wood.png"};
-    for (const std::string& name : textures) write(from_ / name, "pixels of " + name);
+    for (const std::string& name : textures) write_picture(from_ / name, "pixels of " + name);
     write(from_ / "no.png", "");
     const MaterialCopy result = copy({"a.mtl"});
     Names all = textures;
     all.insert(all.begin() + 1, "a.mtl");
     EXPECT_EQ(result.copied, all);
     EXPECT_EQ(result.missing, Names{});
-    EXPECT_EQ(result.outside, Names{});
+    EXPECT_EQ(result.refused, Reasons{});
     EXPECT_EQ(files(to_), all);
-    EXPECT_EQ(read_whole_file((to_ / "maps/e.png").string()), "pixels of maps/e.png");
+    EXPECT_EQ(read_whole_file((to_ / "maps/e.png").string()), picture("pixels of maps/e.png"));
     EXPECT_EQ(read_whole_file((to_ / "a.mtl").string()),
               read_whole_file((from_ / "a.mtl").string()));
 }
@@ -81,22 +94,23 @@ TEST_F(MaterialFilesTest, TellsSeveralNamesFromOneWithBlanks) {
     EXPECT_EQ(copy({"a.mtl \t b.mtl my first.MTL", "c"}).copied,
               (Names{"a.mtl", "b.mtl", "c", "my first.MTL"}));
     EXPECT_EQ(copy({"d e", "x.mtl y.mtl"}).copied, (Names{"d e", "x.mtl y.mtl"}));
-    EXPECT_EQ(copy({"q.mtl r s.mtl t", ".mtl"}).missing, (Names{".mtl", "q.mtl", "r s.mtl", "t"}));
+    const MaterialCopy none = copy({"q.mtl r s.mtl t", ".mtl"});
+    EXPECT_EQ(none.missing, (Names{"q.mtl", "r s.mtl", "t"}));
+    EXPECT_EQ(none.refused, (Reasons{{".mtl", "is hidden"}}));
 }
 
 TEST_F(MaterialFilesTest, FindsTexturesBesideTheirLibraryOrBesideTheModel) {
     write(from_ / "mtl/a.mtl", "map_Kd near.png\nmap_Ks far.png\nmap_Ka ../tex/up.png\n");
-    write(from_ / "mtl/near.png", "1");
-    write(from_ / "near.png", "2");
-    write(from_ / "far.png", "3");
-    write(from_ / "tex/up.png", "4");
+    for (const char* name : {"mtl/near.png", "near.png", "far.png", "tex/up.png"}) {
+        write_picture(from_ / name);
+    }
     EXPECT_EQ(copy({"mtl\\a.mtl"}).copied,
               (Names{"far.png", "mtl/a.mtl", "mtl/near.png", "tex/up.png"}));
 }
 
 TEST_F(MaterialFilesTest, NeverOverwritesWhatIsThere) {
     write(from_ / "a.mtl", "map_Kd t.png\nmap_Ks link.png\nmap_Ka gone.png\nmap_Ke new.png\n");
-    for (const char* name : {"t.png", "link.png", "new.png"}) write(from_ / name, "theirs");
+    for (const char* name : {"t.png", "link.png", "new.png"}) write_picture(from_ / name);
     write(to_ / "a.mtl", "mine");
     write(to_ / "t.png", "mine");
     write(to_ / "gone.png", "mine");
@@ -122,7 +136,10 @@ TEST_F(MaterialFilesTest, LooksAtNothingOutsideTheFolder) {
         copy({"a.mtl", "../secret.mtl", (root_ / "secret.mtl").string(), "..\\secret.mtl", ".."});
     EXPECT_EQ(result.copied, Names{"a.mtl"});
     EXPECT_EQ(result.missing, Names{});
-    EXPECT_EQ(result.outside.size(), 10u);
+    EXPECT_EQ(result.refused.size(), 10u);
+    for (const auto& [name, why] : result.refused) {
+        EXPECT_EQ(why, "leads out of the model's folder") << name;
+    }
     EXPECT_EQ(files(to_), Names{"a.mtl"});
     EXPECT_EQ(files(root_).size(), 4u);
 }
@@ -137,8 +154,12 @@ TEST_F(MaterialFilesTest, DoesNotMindWhatIsMissingOrNoFile) {
     ASSERT_EQ(::mkfifo((from_ / "pipe").c_str(), 0600), 0);
     const MaterialCopy result = copy({"a.mtl"});
     EXPECT_EQ(result.copied, Names{"a.mtl"});
-    EXPECT_EQ(result.missing,
-              (Names{"1", "C:/w.png", "folder", "gone.png", "pipe", std::string(5000, 'x')}));
+    EXPECT_EQ(result.missing, (Names{"1", "C:/w.png", "gone.png", std::string(5000, 'x')}));
+    EXPECT_EQ(result.refused,
+              (Reasons{{"folder", "is a folder, not a file"},
+                       {"pipe",
+                        "is a pipe, not a file; write what comes out of it to a file "
+                        "first"}}));
 }
 
 TEST_F(MaterialFilesTest, DoesNothingInOneFolderOrIntoNone) {
@@ -156,39 +177,98 @@ TEST_F(MaterialFilesTest, DoesNothingInOneFolderOrIntoNone) {
 
 TEST_F(MaterialFilesTest, SaysWhyItCannotCopy) {
     write(from_ / "a.mtl", "map_Kd t/x.png\n");
-    write(from_ / "t/x.png", "");
+    write_picture(from_ / "t/x.png");
     write(to_ / "t", "a file where the folder has to be");
     const MaterialCopy result = copy({"a.mtl"});
     ASSERT_EQ(result.failed.size(), 1u);
-    EXPECT_TRUE(result.failed.front().starts_with((to_ / "t").string() + ": the folder cannot"))
-        << result.failed.front();
+    EXPECT_EQ(result.failed.front().name, "t/x.png");
+    EXPECT_TRUE(result.failed.front().why.starts_with("the folder cannot be made: "))
+        << result.failed.front().why;
     EXPECT_EQ(files(to_), (Names{"a.mtl", "t"}));
 }
 
 TEST_F(MaterialFilesTest, FollowsNoLinkOutOfEitherFolder) {
     const fs::path secret = from_.parent_path() / "secret";
     fs::create_directories(secret);
-    write(secret / "s.png", "secret");
+    write_picture(secret / "s.png");
     write(from_ / "a.mtl",
           "map_Kd link.png\nmap_Ks linked/s.png\nmap_Ka sub/t.png\nbump near.png\n");
     fs::create_symlink(secret / "s.png", from_ / "link.png");
     fs::create_directory_symlink(secret, from_ / "linked");
-    write(from_ / "t.png", "pixels");
+    write_picture(from_ / "t.png");
     fs::create_symlink("t.png", from_ / "near.png");  // stays inside
     fs::create_directories(from_ / "sub");
-    write(from_ / "sub/t.png", "pixels");
+    write_picture(from_ / "sub/t.png");
     fs::create_directory_symlink(secret, to_ / "sub");
     const Names statements = {"a.mtl"};
     const MaterialCopy copy = copy_material_files(statements, from_.string(), to_.string());
     EXPECT_EQ(copy.copied, (Names{"a.mtl", "near.png"}));
-    EXPECT_EQ(copy.outside, (Names{"link.png", "linked/s.png", "sub/t.png"}));
+    EXPECT_EQ(names(copy.refused), (Names{"link.png", "linked/s.png", "sub/t.png"}));
     EXPECT_FALSE(fs::exists(secret / "t.png"));
     fs::remove_all(secret);
 }
 
+// A model from anybody names files so that saving it would plant them, or take them along.
+TEST_F(MaterialFilesTest, RefusesEveryNameWithAHiddenPart) {
+    write(from_ / "a.mtl",
+          "newmtl a\nmap_Kd .config/autostart/x.desktop\nmap_Ks tex/.hidden.png\n"
+          "map_Ka tex\\.deep\\x.png\nbump ./.ssh/id.png\nmap_Ke link.png\nmap_d .\\shown.png\n");
+    for (const char* name : {".config/autostart/x.desktop", "tex/.hidden.png", "tex/.deep/x.png",
+                             ".ssh/id.png", ".kept.png", "shown.png"}) {
+        write_picture(from_ / name);
+    }
+    fs::create_symlink(".kept.png", from_ / "link.png");
+    write(from_ / ".bashrc", "newmtl a\n");
+    const MaterialCopy result = copy({"a.mtl", ".bashrc", "./.bashrc", "sub/../.bashrc"});
+    EXPECT_EQ(result.copied, (Names{"a.mtl", "shown.png"}));
+    EXPECT_EQ(names(result.refused), (Names{".bashrc", ".config/autostart/x.desktop", ".ssh/id.png",
+                                            "link.png", "tex/.deep/x.png", "tex/.hidden.png"}));
+    for (const auto& [name, why] : result.refused) EXPECT_EQ(why, "is hidden") << name;
+    EXPECT_EQ(files(to_), (Names{"a.mtl", "shown.png"}));
+}
+
+TEST_F(MaterialFilesTest, RefusesToWriteThroughALinkIntoAHiddenFolder) {
+    write(from_ / "a.mtl", "map_Kd t/x.png\n");
+    write_picture(from_ / "t/x.png");
+    fs::create_directory(to_ / ".config");
+    fs::create_directory_symlink(".config", to_ / "t");
+    EXPECT_EQ(copy({"a.mtl"}).refused, (Reasons{{"t/x.png", "is hidden"}}));
+    EXPECT_TRUE(fs::is_empty(to_ / ".config"));
+}
+
+TEST_F(MaterialFilesTest, RefusesTexturesThatAreNoPicturesAndLibrariesThatAreNone) {
+    write(from_ / "a.mtl", "newmtl a\nmap_Kd run.png\nmap_Ks empty.png\nmap_Ka ok.tga\n");
+    write(from_ / "run.png", "#!/bin/sh\nrm -r ~\n");
+    write(from_ / "empty.png", "");
+    std::string tga(18 + 4 * 4 * 3, '\x55');
+    tga.replace(0, 18, std::string("\0\0\2\0\0\0\0\0\0\0\0\0\4\0\4\0\x18\0", 18));
+    write(from_ / "ok.tga", tga);
+    write(from_ / "notes.txt", "the password is swordfish\n");
+    const MaterialCopy result = copy({"a.mtl", "notes.txt"});
+    EXPECT_EQ(result.copied, (Names{"a.mtl", "ok.tga"}));
+    EXPECT_EQ(result.refused, (Reasons{{"empty.png", "is no picture"},
+                                       {"notes.txt", "is no material library"},
+                                       {"run.png", "is no picture"}}));
+}
+
+TEST_F(MaterialFilesTest, RefusesWhatIsLargerThanItsLimit) {
+    write(from_ / "a.mtl", "map_Kd large.png\nmap_Ks small.png\n");
+    write(from_ / "b.mtl", "newmtl b\n" + std::string(3 << 20, '#'));
+    write_picture(from_ / "small.png");
+    write_picture(from_ / "large.png");
+    fs::resize_file(from_ / "large.png", (5u << 20) + 1);
+    const Names statements = {"a.mtl", "b.mtl"};
+    const MaterialCopy result =
+        copy_material_files(statements, from_.string(), to_.string(), {},
+                            {.library_bytes = 2u << 20, .texture_bytes = 5u << 20});
+    EXPECT_EQ(result.copied, (Names{"a.mtl", "small.png"}));
+    EXPECT_EQ(result.refused,
+              (Reasons{{"b.mtl", "is larger than 2 MB"}, {"large.png", "is larger than 5 MB"}}));
+}
+
 TEST_F(MaterialFilesTest, CanBeCancelledBetweenTwoFiles) {
     write(from_ / "a.mtl", "map_Kd b.png\n");
-    write(from_ / "b.png", std::string(3 << 20, 'x'));
+    write_picture(from_ / "b.png", std::string(3 << 20, 'x'));
     std::stop_source stop;
     double last = 0.0;
     const Progress progress(stop.get_token(), [&](double fraction) {

@@ -27,6 +27,26 @@ TEST(InputSummary, IsOneSentenceThatBeginsWithTheFilesName) {
         "kept; 1 isolated vertex");
 }
 
+TEST(InputSummary, SaysFirstWhatWasDroppedAndWhereItStands) {
+    ReadReport read;
+    read.missing_uvs.add(7, 3);
+    read.undefined_colors.add(2);
+    read.unknown_statements.add(5, 2);
+    read.unknown_keyword = "F";
+    read.likely_keyword = "f";
+    EXPECT_EQ(
+        input_summary("a.obj", {.isolated_vertices = 1}, read),
+        "a.obj: 3 corners name texture coordinates that the file does not have and get none "
+        "(first in line 7); 1 vertex has a colour that is no number and gets none (line 2); 2 "
+        "statements with unknown keywords dropped ('F' in line 5, perhaps meant as 'f'); 1 "
+        "isolated vertex");
+}
+
+TEST(InputSummary, ShowsControlCharactersOfTheFilesNameEscaped) {
+    EXPECT_EQ(input_summary("/models/\x1b[2J\n.obj", {.isolated_vertices = 1}),
+              "\\x1B[2J\\x0A.obj: 1 isolated vertex");
+}
+
 TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
     const BuildReport report{.triangulated_polygons = 1,
                              .degenerate_polygons = 2,
@@ -40,14 +60,29 @@ TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
                              .isolated_vertices = 10,
                              .lines = 11,
                              .points = 12};
+    const ReadReport read{.missing_uvs = {13},
+                          .missing_normals = {14},
+                          .undefined_uvs = {15},
+                          .undefined_normals = {16},
+                          .undefined_colors = {17},
+                          .empty_statements = {18},
+                          .unknown_statements = {19},
+                          .unpainted_vertices = {20},
+                          .surplus_paint = {21},
+                          .unreadable_paint = {22},
+                          .masked_vertices = {23},
+                          .unknown_keyword = {},
+                          .likely_keyword = {}};
     std::set<std::string> names;
     std::set<std::uint64_t> counts;
-    for (const Statistics::Count& count : input_counts(report)) {
+    for (const Statistics::Count& count : input_counts(report, read)) {
         names.insert(count.name);
         counts.insert(count.count);
     }
-    EXPECT_EQ(names.size(), 12u);
-    EXPECT_EQ(counts, (std::set<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+    EXPECT_EQ(names.size(), 23u);
+    ASSERT_EQ(counts.size(), 23u);
+    EXPECT_EQ(*counts.begin(), 1u);
+    EXPECT_EQ(*counts.rbegin(), 23u);
 }
 
 TEST(InputSummary, StatisticsHoldTheCountsOfTheObject) {

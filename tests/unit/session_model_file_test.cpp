@@ -17,6 +17,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+const std::string kPicture = "\x89PNG\r\n\x1a\n";  // how one begins
+
 class ModelFile : public testing::Test {
   protected:
     ModelFile() {
@@ -155,22 +157,45 @@ TEST_F(ModelFile, SavedElsewhereHasItsMaterialFilesThere) {
     for (const char* folder : {"a", "b", "c", "d"}) fs::create_directory(path(folder));
     write("a/model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     write("a/m.mtl", "map_Kd t.png\n");
-    write("a/t.png", "pixels");
+    write("a/t.png", kPicture + "pixels");
     Session session;
     ASSERT_FALSE(session.execute(command::Open{path("a/model.obj")}));
     ASSERT_FALSE(session.execute(command::Save{path("b/model.obj")}));
-    EXPECT_EQ(read("b/t.png"), "pixels");
+    EXPECT_EQ(read("b/t.png"), kPicture + "pixels");
+    EXPECT_EQ(session.remark(), "model.obj: material files copied: m.mtl, t.png");
+    EXPECT_FALSE(session.has_failed_partly());
     // From then on they are there as well, and the likelier for being saved later.
     write("b/m.mtl", "map_Kd t.png\nmap_Ks u.png\n");
     fs::remove(path("b/t.png"));
-    write("b/u.png", "more");
+    write("b/u.png", kPicture + "more");
     ASSERT_FALSE(session.execute(command::Save{path("c/model.obj")}));
     EXPECT_EQ(read("c/m.mtl"), read("b/m.mtl"));
-    EXPECT_EQ(read("c/t.png"), "pixels");
-    EXPECT_EQ(read("c/u.png"), "more");
+    EXPECT_EQ(read("c/t.png"), kPicture + "pixels");
+    EXPECT_EQ(read("c/u.png"), kPicture + "more");
+    EXPECT_EQ(session.remark(), "model.obj: material files copied: m.mtl, t.png, u.png")
+        << "what one folder lacks and another has is not missing";
     // Those of another object are not.
     ASSERT_FALSE(session.execute(command::Shape{}));
     EXPECT_TRUE(session.material_folders().empty());
+}
+
+TEST_F(ModelFile, SavedElsewhereSaysOfEachMaterialFileWhatBecameOfIt) {
+    for (const char* folder : {"a", "b", "a/.ssh"}) fs::create_directory(path(folder));
+    write("a/model.obj",
+          "mtllib m.mtl .ssh/k.mtl\nmtllib ../up.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("a/m.mtl", "newmtl m\nmap_Kd t.png\nmap_Ks gone\x1b[1m.png\nmap_Ka run.png\n");
+    write("a/t.png", kPicture);
+    write("a/run.png", "#!/bin/sh\n");
+    write("a/.ssh/k.mtl", "newmtl k\n");
+    write("up.mtl", "newmtl u\n");
+    Session session;
+    ASSERT_FALSE(session.execute(command::Open{path("a/model.obj")}));
+    ASSERT_FALSE(session.execute(command::Save{path("b/model.obj")}));
+    EXPECT_EQ(session.remark(),
+              "model.obj: material files copied: m.mtl, t.png; material files not found: "
+              "gone\\x1B[1m.png; material files not copied: ../up.mtl (leads out of the model's "
+              "folder), .ssh/k.mtl (is hidden), run.png (is no picture)");
+    EXPECT_FALSE(session.has_failed_partly()) << "nothing that should be copied was not";
 }
 
 TEST_F(ModelFile, IsSavedAlsoWhereItsMaterialFilesCannotBe) {
@@ -186,8 +211,11 @@ TEST_F(ModelFile, IsSavedAlsoWhereItsMaterialFilesCannotBe) {
     ASSERT_FALSE(session.execute(command::Save{path("b/model.obj")}));
     EXPECT_EQ(read("b/model.obj"), format_obj(session.mesh()));
     EXPECT_EQ(read("b/other.mtl"), "newmtl red\n");
-    EXPECT_NE(session.remark().find("m: the folder cannot be made"), std::string::npos)
+    EXPECT_TRUE(session.remark().starts_with(
+        "model.obj: material files copied: other.mtl; material files that could not be copied: "
+        "m/m.mtl (the folder cannot be made: "))
         << session.remark();
+    EXPECT_TRUE(session.has_failed_partly());
     // A save that fails copies nothing.
     fs::create_directory(path("c"));
     fs::create_directory(path("c/model.obj"));

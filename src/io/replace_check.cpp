@@ -1,0 +1,65 @@
+#include "io/replace_check.h"
+
+#include <sys/stat.h>
+
+#include <algorithm>
+#include <cerrno>
+
+#include "io/file_error.h"
+#include "io/material_library.h"
+#include "io/obj_keywords.h"
+#include "io/obj_statements.h"
+#include "io/open_file.h"
+#include "io/printable.h"
+
+namespace pectin {
+namespace {
+
+// So much of a file is enough to say what it is.
+constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+
+// Whether the beginning of a text has vertices and nothing but statements of OBJ. The last line may
+// be cut off.
+bool is_obj(std::string_view head) {
+    std::size_t vertices = 0;
+    ObjStatements statements(head.substr(0, head.rfind('\n')));
+    while (statements.next()) {
+        if (!is_obj_keyword(statements.keyword())) return false;
+        if (statements.keyword() == "v") ++vertices;
+    }
+    return vertices > 0;
+}
+
+std::string what_it_is(const FileKind& kind, std::string_view contents) {
+    if (kind.is_known()) return std::string(kind.is);
+    const std::string_view head = contents.substr(0, kSignatureBytes);
+    if (is_obj(head)) return "is an OBJ model";
+    if (head.find("newmtl") != head.npos && may_be_material_library(contents)) {
+        return "is a material library";
+    }
+    const bool is_text = std::none_of(head.begin(), head.end(), [](char c) {
+        const auto byte = static_cast<unsigned char>(c);
+        return byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f';
+    });
+    return is_text ? "is a text file" : "is a file of another kind";
+}
+
+}  // namespace
+
+void check_may_replace(const std::string& path, MayReplace may_replace, std::string_view writes) {
+    OpenAnswer answer = ask_patiently(path);
+    if (answer.error == ENOENT || answer.error == ENOTDIR) return;
+    if (answer.error == 0 && !S_ISREG(answer.mode)) return;
+    const OpenFile file = opened(path, std::move(answer));
+    std::string contents(std::min(file.bytes, kMostBytes), '\0');
+    contents.resize(read_bytes(file, path, contents.data(), contents.size()));
+    if (contents.empty()) return;
+    const FileKind kind = recognise_file(contents, file.bytes);
+    if (may_replace(kind, contents)) return;
+    throw FileError(path, what_it_is(kind, contents) + " and is not replaced; " +
+                              std::string(writes) + ", so give it another name");
+}
+
+bool is_png(const FileKind& kind, std::string_view) { return kind.is == "is a PNG picture"; }
+
+}  // namespace pectin

@@ -1,0 +1,109 @@
+// Files of other programs: what they leave out or write in their own way does not keep them from
+// being opened, and what is no OBJ file is told as what it is.
+#include <gtest/gtest.h>
+
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "replay/program.h"
+
+namespace pectin {
+namespace {
+
+using namespace std::string_literals;
+
+// Opens the file and saves it as out.obj.
+Outcome open_and_save(const ScratchFolder& folder, const std::string& name) {
+    return run_program(
+        {"replay", folder.write_script("s.jsonl", {R"({"cmd": "open", "path": ")" + name + "\"}",
+                                                   R"({"cmd": "save", "path": "out.obj"})",
+                                                   R"({"cmd": "stats", "path": "out.json"})"})});
+}
+
+TEST(ForeignFiles, OpenWithoutTheAttributesThatTheirFacesName) {
+    const ScratchFolder folder;
+    folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1/1 2/2/1 3/3/1\n");
+    const Outcome outcome = open_and_save(folder, "t.obj");
+    ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_EQ(folder.read("out.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nvn 0 0 1\nf 1//1 2//1 3//1\n");
+    EXPECT_EQ(outcome.err,
+              folder.path("s.jsonl") +
+                  ":2: open: t.obj: 3 corners name texture coordinates that the file does not have "
+                  "and get none (first in line 4); 3 corners name normals that the file does not "
+                  "have and get them from their faces (first in line 4)\n");
+    EXPECT_NE(folder.read("out.json").find("\"missing_uvs\": 3"), std::string::npos);
+}
+
+// ZBrush writes a cube like this, its colours in a comment.
+TEST(ForeignFiles, KeepThePolypaintOfZBrushAsVertexColours) {
+    const ScratchFolder folder;
+    folder.write("cube.obj",
+                 "g \n\nv 0.5 -0.5 0.5\nv -0.5 -0.5 0.5\nv 0.5 0.5 0.5\nv -0.5 0.5 0.5\n"
+                 "v -0.5 -0.5 -0.5\nv 0.5 -0.5 -0.5\nv -0.5 0.5 -0.5\nv 0.5 0.5 -0.5\n\n"
+                 "#MRGB ffff00ffff0000ffffffffffff00ffffff000000ffff0000ff00ff00ffffff00\n\ng \n\n"
+                 "f 1 3 4 2\nf 5 7 8 6\nf 7 4 3 8\nf 6 1 2 5\nf 6 8 3 1\nf 2 4 7 5\n");
+    const Outcome outcome = open_and_save(folder, "cube.obj");
+    ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_EQ(outcome.err, "");
+    EXPECT_TRUE(folder.read("out.obj").starts_with(
+        "v 0.5 -0.5 0.5 1 0 1\nv -0.5 -0.5 0.5 0 0 1\nv 0.5 0.5 0.5 1 1 1\n"
+        "v -0.5 0.5 0.5 0 1 1\nv -0.5 -0.5 -0.5 0 0 0\nv 0.5 -0.5 -0.5 1 0 0\n"
+        "v -0.5 0.5 -0.5 0 1 0\nv 0.5 0.5 -0.5 1 1 0\n"))
+        << folder.read("out.obj");
+}
+
+TEST(ForeignFiles, OpenWithColoursThatAreNoNumbers) {
+    const ScratchFolder folder;
+    folder.write("t.obj", "v 0 0 0 nan nan nan\nv 1 0 0 1 0 0\nv 0 1 0 inf 0 0\nf 1 2 3\n");
+    const Outcome outcome = open_and_save(folder, "t.obj");
+    ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_TRUE(folder.read("out.obj").starts_with("v 0 0 0\nv 1 0 0 1 0 0\nv 0 1 0\n"));
+    EXPECT_NE(outcome.err.find("2 vertices have colours that are no numbers and get none (first in "
+                               "line 1)\n"),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST(ForeignFiles, SaveDegeneratePolygonsWithoutZeroNormals) {
+    const ScratchFolder folder;
+    folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nf 1 2 4\nf 1 2 3\nf 1 2\nf\n");
+    const Outcome outcome = open_and_save(folder, "t.obj");
+    ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_EQ(folder.read("out.obj").find("vn 0 0 0"), std::string::npos) << folder.read("out.obj");
+    EXPECT_NE(outcome.err.find("1 f, l or p without corners dropped (line 8)"), std::string::npos)
+        << outcome.err;
+}
+
+TEST(ForeignFiles, ThatAreNoObjFilesAreToldAsWhatTheyAre) {
+    const std::vector<std::pair<std::string, std::string>> files = {
+        {"\x1f\x8b\x08\0\0\0\0\0\0\x03"s, "is a gzip file"},
+        {"\xff\xfe"s + "v\0 \0001\0"s, "is text in UTF-16"},
+        {"V 0 0 0\nF 1 2 3\n", "'V' in line 1 should be 'v'; 'F' in line 2 should be 'f'"},
+    };
+    for (const auto& [bytes, what] : files) {
+        const ScratchFolder folder;
+        folder.write("t.obj", bytes);
+        const Outcome outcome = open_and_save(folder, "t.obj");
+        EXPECT_EQ(outcome.exit_status, 1);
+        EXPECT_NE(outcome.err.find(what), std::string::npos) << outcome.err;
+    }
+}
+
+TEST(Messages, AreNotCutOffByAZeroByteInAFileAScriptOrAName) {
+    const ScratchFolder folder;
+    folder.write("t.obj", "v 0 0\0x 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"s);
+    Outcome outcome = open_and_save(folder, "t.obj");
+    EXPECT_NE(outcome.err.find("t.obj:1: '0\\x00x' is no number; numbers look like"),
+              std::string::npos)
+        << outcome.err;
+    folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nmtllib a\0b.mtl\n"s);
+    outcome =
+        run_program({"replay", "-"}, "{\"pectin\": 1}\n{\"cmd\": \"explode\\u0000\\u001b[1m\"}\n");
+    EXPECT_EQ(outcome.err.find('\0'), std::string::npos);
+    EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos);
+    EXPECT_NE(outcome.err.find("unknown command"), std::string::npos) << outcome.err;
+}
+
+}  // namespace
+}  // namespace pectin

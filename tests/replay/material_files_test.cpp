@@ -1,0 +1,113 @@
+// Saving a model elsewhere takes its material files along, no others, and says what became of each.
+#include <gtest/gtest.h>
+#include <sys/stat.h>
+
+#include <chrono>
+#include <filesystem>
+#include <set>
+#include <string>
+
+#include "replay/program.h"
+
+namespace pectin {
+namespace {
+
+using Files = std::set<std::string>;
+
+const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
+const std::string kPicture = "\x89PNG\r\n\x1a\n";
+
+// Opens the model and saves it; both are relative to the folder.
+Outcome open_and_save(const ScratchFolder& folder, const std::string& model,
+                      const std::string& saved) {
+    return run_program(
+        {"replay", folder.write_script("s.jsonl", {R"({"cmd": "open", "path": ")" + model + "\"}",
+                                                   R"({"cmd": "save", "path": ")" + saved + "\"}",
+                                                   R"({"cmd": "stats", "path": "s.json"})"})});
+}
+
+TEST(MaterialFiles, OfAModelThatWouldPlantAHiddenFileAreRefused) {
+    const ScratchFolder folder;
+    folder.write("from/w.obj", "mtllib w.mtl\n" + kTriangle);
+    folder.write("from/w.mtl", "newmtl a\nmap_Kd .config/autostart/x.desktop\n");
+    folder.write("from/.config/autostart/x.desktop", "[Desktop Entry]\n");
+    folder.write("home/own.txt", "");
+    const Outcome outcome = open_and_save(folder, "from/w.obj", "home/w.obj");
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_FALSE(folder.holds("home/.config"));
+    EXPECT_EQ(outcome.err, folder.path("s.jsonl") +
+                               ":3: save: w.obj: material files copied: w.mtl; material files not "
+                               "copied: .config/autostart/x.desktop (is hidden)\n");
+}
+
+TEST(MaterialFiles, DoNotTakeHiddenFilesOfTheHomeFolderAlong) {
+    const ScratchFolder folder;
+    folder.write("home/w.obj", "mtllib .bashrc\nmtllib w.mtl\n" + kTriangle);
+    folder.write("home/w.mtl", "newmtl a\nmap_Kd .ssh/id.png\nmap_Ks notes.txt\n");
+    folder.write("home/.bashrc", "newmtl export TOKEN=secret\n");
+    folder.write("home/.ssh/id.png", kPicture);
+    folder.write("home/notes.txt", "private\n");
+    folder.write("stick/own.txt", "");
+    const Outcome outcome = open_and_save(folder, "home/w.obj", "stick/w.obj");
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    for (const char* name : {"stick/.bashrc", "stick/.ssh", "stick/notes.txt"}) {
+        EXPECT_FALSE(folder.holds(name)) << name;
+    }
+    EXPECT_NE(outcome.err.find("not copied: .bashrc (is hidden), .ssh/id.png (is hidden), "
+                               "notes.txt (is no picture)\n"),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST(MaterialFiles, OutsideTheFolderOrMissingAreReported) {
+    const ScratchFolder folder;
+    folder.write("from/w.obj", "mtllib w.mtl ../up.mtl gone.mtl\n" + kTriangle);
+    folder.write("from/w.mtl", "newmtl a\nmap_Kd ../t.png\nmap_Ks lost.png\n");
+    folder.write("up.mtl", "newmtl b\n");
+    folder.write("t.png", kPicture);
+    folder.write("to/own.txt", "");
+    const Outcome outcome = open_and_save(folder, "from/w.obj", "to/w.obj");
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("material files not found: gone.mtl, lost.png; material files not "
+                               "copied: ../t.png (leads out of the model's folder), ../up.mtl "
+                               "(leads out of the model's folder)\n"),
+              std::string::npos)
+        << outcome.err;
+}
+
+// The model is saved and later lines are done, but the script has not done all that it should.
+TEST(MaterialFiles, ThatCannotBeCopiedMakeTheExitStatusOne) {
+    const ScratchFolder folder;
+    folder.write("from/w.obj", "mtllib w.mtl\n" + kTriangle);
+    folder.write("from/w.mtl", "newmtl a\nmap_Kd t/x.png\n");
+    folder.write("from/t/x.png", kPicture);
+    folder.write("to/t", "a file where the folder has to be");
+    const Outcome outcome = open_and_save(folder, "from/w.obj", "to/w.obj");
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_TRUE(folder.holds("to/w.obj"));
+    EXPECT_TRUE(folder.holds("s.json")) << "the next line is done";
+    EXPECT_NE(outcome.err.find("could not be copied: t/x.png (the folder cannot be made"),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST(MaterialFiles, ThatArePipesHoldNobodyUp) {
+    const ScratchFolder folder;
+    folder.write("from/w.obj", "mtllib w.mtl pipe.mtl\n" + kTriangle);
+    folder.write("from/w.mtl", "newmtl a\nmap_Kd pipe.png\n");
+    folder.write("to/own.txt", "");
+    for (const char* pipe : {"from/pipe.mtl", "from/pipe.png", "pipe.obj"}) {
+        ASSERT_EQ(::mkfifo(folder.path(pipe).c_str(), 0600), 0);
+    }
+    const auto begin = std::chrono::steady_clock::now();
+    Outcome outcome = open_and_save(folder, "from/w.obj", "to/w.obj");
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_NE(outcome.err.find("pipe.png (is a pipe"), std::string::npos) << outcome.err;
+    outcome = open_and_save(folder, "pipe.obj", "to/p.obj");
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_NE(outcome.err.find("pipe.obj: is a pipe, not a file"), std::string::npos);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(5));
+}
+
+}  // namespace
+}  // namespace pectin
