@@ -202,17 +202,27 @@ void ObjWriter::write_wedges() {
     const auto number_of_normal = [&](const Vec3f& normal) {
         return normal == Vec3f{0.0f} ? 0 : normals.number(normal);
     };
+    const auto number_wedge = [&](HalfEdgeId h) {
+        const WedgeId w = mesh_.wedge(h);
+        Attributes& wedge = wedges_[index(w)];
+        if (wedge.normal != 0) return;
+        wedge.normal = number_of_normal(mesh_.normal(w));
+        if (mesh_.has_uvs()) wedge.uv = number_of(mesh_.uv(w));
+    };
     wedges_.assign(mesh_.wedge_slots(), {});
-    const std::span<const FaceId> faces = pieces_.all();
-    Steps steps(progress_.part(kPositions, kNumbered), faces.size());
-    for (std::size_t i = 0; i < faces.size(); ++i) {
-        steps.at(i);
-        for (int corner = 0; corner < 3; ++corner) {
-            const WedgeId w = mesh_.wedge(TriMesh::half_edge(faces[i], corner));
-            Attributes& wedge = wedges_[index(w)];
-            if (wedge.normal != 0) continue;
-            wedge.normal = number_of_normal(mesh_.normal(w));
-            if (mesh_.has_uvs()) wedge.uv = number_of(mesh_.uv(w));
+    // In the order in which corners are written, which no diagonal of a polygon has a part in;
+    // those that no triangle has come last.
+    Steps steps(progress_.part(kPositions, kNumbered), mesh_.base_face_count());
+    for (PolygonWalk polygon(mesh_); polygon.next();) {
+        steps.at(polygon.first_face());
+        if (is_written_as_outline(polygon)) {
+            for (const OutlineCorner& corner : polygon.outline()) {
+                if (!corner.is_loose()) number_wedge(corner.half_edge());
+            }
+            continue;
+        }
+        for (FaceId f : pieces_.of(polygon.first_face(), polygon.end_face())) {
+            for (int corner = 0; corner < 3; ++corner) number_wedge(TriMesh::half_edge(f, corner));
         }
     }
     loose_.resize(form().loose_corners.size());

@@ -4,10 +4,13 @@
 #include <array>
 #include <cassert>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "mesh/corner_wedges.h"
 #include "mesh/growing_array.h"
+#include "mesh/mirror_centre.h"
+#include "mesh/shared_diagonals.h"
 #include "mesh/triangulate.h"
 
 namespace pectin {
@@ -32,6 +35,7 @@ class MeshBuilder {
         take_input();
         make_faces();
         match_twins();
+        exchange_diagonals();
         make_edges();
         join_siblings();
         name_vertices();
@@ -51,6 +55,8 @@ class MeshBuilder {
     void add_outline(std::uint32_t polygon);
     LooseCorner loose_corner(const Corner& corner) const;
     void match_twins();
+    void exchange_diagonals();
+    void renew_outline(std::uint32_t polygon);
     void match_run(std::span<const HalfEdgeId> run);
     void make_edges();
     void join_siblings();
@@ -68,6 +74,7 @@ class MeshBuilder {
     std::vector<std::uint32_t> corner_of_;  // 3 n_faces; into input_.corners
     std::vector<HalfEdgeId> cut_;           // half-edges along cuts, run by run
     std::vector<std::size_t> cut_ends_;     // of the runs
+    std::optional<Vec3> mirror_centre_;     // found where the first polygon needs it
 
     std::vector<std::uint32_t> ring_;  // scratch of add_polygon: corners without repetition
     std::vector<Vec3> ring_positions_;
@@ -134,7 +141,10 @@ void MeshBuilder::add_triangles(std::uint32_t polygon) {
     ring_corners_.assign(ring_.size(), OutlineCorner::loose(kNobody));
     if (ring_.size() < 3) return;
     for (std::uint32_t c : ring_) ring_positions_.push_back(mesh_.positions_[vertex(c)]);
-    triangulate(ring_positions_, triangles_);
+    if (ring_.size() > 3 && !mirror_centre_) mirror_centre_ = mirror_centre(mesh_.positions_);
+    if (!triangulate(ring_positions_, triangles_, mirror_centre_.value_or(Vec3{0.0}))) {
+        ++report_.crossing_polygons;
+    }
     for (const auto& t : triangles_) {
         const std::uint32_t a = ring_[t[0]], b = ring_[t[1]], c = ring_[t[2]];
         if (vertex(a) == vertex(b) || vertex(b) == vertex(c) || vertex(c) == vertex(a)) continue;
@@ -210,6 +220,46 @@ void MeshBuilder::match_run(std::span<const HalfEdgeId> run) {
     ++(run.size() == 2 ? report_.misoriented_edges : report_.nonmanifold_edges);
     cut_.insert(cut_.end(), run.begin(), run.end());
     cut_ends_.push_back(cut_.size());
+}
+
+// Where a diagonal has the ends of another edge, the other diagonal of its two triangles is tried.
+void MeshBuilder::exchange_diagonals() {
+    if (cut_.empty()) return;
+    std::vector<std::uint32_t> polygons;
+    polygons.reserve(mesh_.base_faces_.size());
+    for (const auto& face : mesh_.base_faces_) polygons.push_back(face.polygon);
+    const std::vector<std::uint32_t> changed =
+        exchange_shared_diagonals(input_, mesh_.positions_, polygons, cut_, corner_of_);
+    if (changed.empty()) return;
+    for (std::uint32_t polygon : changed) renew_outline(polygon);
+    for (std::size_t i = 0; i < corner_of_.size(); ++i) {
+        mesh_.half_edges_[i] = {.origin = VertexId{vertex(corner_of_[i])}};
+    }
+    report_.misoriented_edges = report_.nonmanifold_edges = 0;
+    cut_.clear();
+    cut_ends_.clear();
+    match_twins();
+}
+
+// Finds the half-edges of the polygon's corners again.
+void MeshBuilder::renew_outline(std::uint32_t polygon) {
+    InputForm& form = mesh_.form_;
+    const auto by_polygon = [](const auto& x, std::uint32_t p) { return x.polygon < p; };
+    const auto outline =
+        std::lower_bound(form.outlines.begin(), form.outlines.end(), polygon, by_polygon);
+    const auto face =
+        std::lower_bound(mesh_.base_faces_.begin(), mesh_.base_faces_.end(), polygon, by_polygon);
+    const std::uint32_t begin = input_.polygon_begin(polygon), end = input_.polygon_end[polygon];
+    auto h = static_cast<std::uint32_t>(3 * (face - mesh_.base_faces_.begin()));
+    std::vector<bool> is_found(end - begin, false);
+    for (; h < corner_of_.size() && corner_of_[h] >= begin && corner_of_[h] < end; ++h) {
+        const std::uint32_t corner = corner_of_[h] - begin;
+        if (!is_found[corner]) {
+            form.outline_corners[outline->corners_begin + corner] =
+                OutlineCorner::of(HalfEdgeId{h});
+        }
+        is_found[corner] = true;
+    }
 }
 
 void MeshBuilder::make_edges() {

@@ -164,6 +164,14 @@ TEST(WriteObj, KeepsTheUvsOfCornersThatNoTriangleHas) {
     EXPECT_EQ(format_obj(mesh_of(text)), text);
 }
 
+TEST(WriteObj, NumbersAttributesInTheOrderOfCornersWhateverDiagonalAPolygonGets) {
+    // An arrowhead, which only the diagonal between its second and fourth corner covers.
+    const std::string text =
+        "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
+        "f 1/1/1 2/2/1 3/3/1 4/4/1\n";
+    EXPECT_EQ(format_obj(mesh_of(text)), text);
+}
+
 TEST(WriteObj, ReportsWhatIsWrongWithThePathAndLeavesNothing) {
     const TriMesh mesh = mesh_of(kTriangle + "f 1 2 3");
     EXPECT_THROW(write_obj(mesh, "/nowhere/at/all.obj"), FileError);

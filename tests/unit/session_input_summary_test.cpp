@@ -47,8 +47,16 @@ TEST(InputSummary, ShowsControlCharactersOfTheFilesNameEscaped) {
               "\\x1B[2J\\x0A.obj: 1 isolated vertex");
 }
 
+TEST(InputSummary, TellsOfCrossingPolygonsInTheSingularAndThePlural) {
+    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 1}),
+              "a.obj: 1 polygon crosses itself, so that no triangles cover it exactly");
+    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 2}),
+              "a.obj: 2 polygons cross themselves, so that no triangles cover them exactly");
+}
+
 TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
     const BuildReport report{.triangulated_polygons = 1,
+                             .crossing_polygons = 13,
                              .degenerate_polygons = 2,
                              .repeated_corners = 3,
                              .zero_area_faces = 4,
@@ -79,10 +87,10 @@ TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
         names.insert(count.name);
         counts.insert(count.count);
     }
-    EXPECT_EQ(names.size(), 23u);
-    ASSERT_EQ(counts.size(), 23u);
+    EXPECT_EQ(names.size(), 24u);
+    ASSERT_EQ(counts.size(), 24u);
     EXPECT_EQ(*counts.begin(), 1u);
-    EXPECT_EQ(*counts.rbegin(), 23u);
+    EXPECT_EQ(*counts.rbegin(), 24u);
 }
 
 TEST(InputSummary, StatisticsHoldTheCountsOfTheObject) {
