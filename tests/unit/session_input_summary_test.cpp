@@ -56,7 +56,7 @@ TEST(InputSummary, TellsOfCrossingPolygonsInTheSingularAndThePlural) {
 
 TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
     const BuildReport report{.triangulated_polygons = 1,
-                             .crossing_polygons = 13,
+                             .crossing_polygons = 24,
                              .degenerate_polygons = 2,
                              .repeated_corners = 3,
                              .zero_area_faces = 4,
@@ -67,7 +67,7 @@ TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
                              .boundary_edges = 9,
                              .isolated_vertices = 10,
                              .lines = 11,
-                             .points = 12};
+                             .points = 12,
     const ReadReport read{.missing_uvs = {13},
                           .missing_normals = {14},
                           .undefined_uvs = {15},
