@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -144,6 +146,11 @@ class ObjWriter {
     void write_name(std::string_view keyword, std::string_view name);
 
     const InputForm& form() const { return mesh_.input_form(); }
+    bool has_defined_normal(HalfEdgeId h) const {
+        return mesh_.normal(mesh_.wedge(h)) != Vec3f{0.0f};
+    }
+    bool has_undefined_normals() const;
+    std::set<HalfEdgeId> unwritten_corners();
     bool is_written_as_outline(const PolygonWalk& polygon) const {
         return polygon.has_outline() && pieces_.are_whole(polygon.first_face(), polygon.end_face());
     }
@@ -173,6 +180,8 @@ class ObjWriter {
     std::vector<std::uint32_t> vertices_;  // n_vertex_slots; from 1
     std::vector<Attributes> wedges_;       // n_wedge_slots
     std::vector<Attributes> loose_;        // n_loose_corners
+    // Of corners whose own normal is undefined: the number of their face's, where it has area.
+    std::map<HalfEdgeId, std::uint32_t> face_normals_;
     std::vector<std::uint32_t> element_uvs_;
     std::uint32_t elements_written_ = 0;
     Part part_;  // that of the last face or element written
@@ -194,25 +203,58 @@ void ObjWriter::write_positions() {
     }
 }
 
+bool ObjWriter::has_undefined_normals() const {
+    for (std::uint32_t i = 0; i < mesh_.wedge_slots(); ++i) {
+        if (mesh_.normal(WedgeId{i}) == Vec3f{0.0f}) return true;
+    }
+    return false;
+}
+
+// Corners of triangles without a defined normal that their polygon does not name, since it names
+// another triangle's at the same vertex.
+std::set<HalfEdgeId> ObjWriter::unwritten_corners() {
+    std::set<HalfEdgeId> corners;
+    for (PolygonWalk polygon(mesh_); polygon.next();) {
+        if (!is_written_as_outline(polygon)) continue;
+        for (std::uint32_t f = polygon.first_face(); f < polygon.end_face(); ++f) {
+            for (int c = 0; c < 3; ++c) {
+                const HalfEdgeId h = TriMesh::half_edge(FaceId{f}, c);
+                if (!has_defined_normal(h)) corners.insert(h);
+            }
+        }
+        for (const OutlineCorner& corner : polygon.outline()) {
+            if (!corner.is_loose()) corners.erase(corner.half_edge());
+        }
+    }
+    return corners;
+}
+
 void ObjWriter::write_wedges() {
     const std::size_t loose = form().loose_corners.size() + form().element_corners.size();
     UniqueValues<Vec2f> uvs(mesh_.has_uvs() ? mesh_.wedge_slots() + loose : loose);
-    UniqueValues<Vec3f> normals(mesh_.wedge_slots() + loose);
+    const std::span<const FaceId> faces = pieces_.all();
+    const bool has_undefined = has_undefined_normals();
+    UniqueValues<Vec3f> normals(mesh_.wedge_slots() + loose + (has_undefined ? faces.size() : 0));
+    const std::set<HalfEdgeId> unwritten =
+        has_undefined ? unwritten_corners() : std::set<HalfEdgeId>{};
     const auto number_of = [&](const Vec2f& uv) { return std::isnan(uv.x) ? 0 : uvs.number(uv); };
     const auto number_of_normal = [&](const Vec3f& normal) {
         return normal == Vec3f{0.0f} ? 0 : normals.number(normal);
     };
     wedges_.assign(mesh_.wedge_slots(), {});
-    const std::span<const FaceId> faces = pieces_.all();
     Steps steps(progress_.part(kPositions, kNumbered), faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
         steps.at(i);
         for (int corner = 0; corner < 3; ++corner) {
-            const WedgeId w = mesh_.wedge(TriMesh::half_edge(faces[i], corner));
+            const HalfEdgeId h = TriMesh::half_edge(faces[i], corner);
+            const WedgeId w = mesh_.wedge(h);
             Attributes& wedge = wedges_[index(w)];
             if (wedge.normal != 0) continue;
             wedge.normal = number_of_normal(mesh_.normal(w));
             if (mesh_.has_uvs()) wedge.uv = number_of(mesh_.uv(w));
+            if (wedge.normal != 0 || unwritten.contains(h)) continue;
+            const Vec3f of_face{unit_or_zero(mesh_.area_normal(faces[i]))};
+            if (const std::uint32_t n = number_of_normal(of_face)) face_normals_.emplace(h, n);
         }
     }
     loose_.resize(form().loose_corners.size());
@@ -272,7 +314,12 @@ void ObjWriter::write_triangle(FaceId f) {
 }
 
 void ObjWriter::write_corner(HalfEdgeId h) {
-    write_corner(mesh_.origin(h), wedges_[index(mesh_.wedge(h))]);
+    Attributes attributes = wedges_[index(mesh_.wedge(h))];
+    if (attributes.normal == 0) {
+        const auto of_face = face_normals_.find(h);
+        if (of_face != face_normals_.end()) attributes.normal = of_face->second;
+    }
+    write_corner(mesh_.origin(h), attributes);
 }
 
 void ObjWriter::write_corner(VertexId v, const Attributes& attributes) {
