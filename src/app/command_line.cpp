@@ -3,6 +3,7 @@
 #include <CLI/CLI.hpp>
 
 #include "command/reference.h"
+#include "io/printable.h"
 
 namespace pectin {
 
@@ -43,7 +44,8 @@ std::string help() {
 }
 
 CommandLine refuse(const std::string& why) {
-    return {.action = CommandLine::Action::refuse, .text = "pectin: " + why + "\n" + kUsage};
+    return {.action = CommandLine::Action::refuse,
+            .text = "pectin: " + printable(why) + "\n" + kUsage};
 }
 
 }  // namespace

@@ -149,6 +149,22 @@ bool is_netpbm(std::string_view head) {
     return is_space && ((head[3] >= '0' && head[3] <= '9') || head[3] == '#');
 }
 
+// Chunks of which the first names itself and the length of all (Autodesk 3D Studio).
+bool is_3ds(std::string_view head, std::size_t bytes) {
+    return head.starts_with("MM") && head.size() >= 6 && little_endian(head, 2, 4) == bytes;
+}
+
+// Whether the first line that is no comment begins a material.
+bool begins_material(std::string_view head) {
+    while (true) {
+        const std::size_t begin = head.find_first_not_of(" \t\r\n");
+        if (begin == head.npos) return false;
+        head.remove_prefix(begin);
+        if (head.front() != '#') return head.starts_with("newmtl ") || head.starts_with("newmtl\t");
+        head.remove_prefix(std::min(head.find('\n'), head.size()));
+    }
+}
+
 // Formats in text that have no signature at one place.
 FileKind recognise_text(std::string_view head) {
     const std::size_t begin = head.find_first_not_of(" \t\r\n");
@@ -167,6 +183,9 @@ FileKind recognise_text(std::string_view head) {
         }
         if (start.starts_with("<?xml")) return {other, "is an XML file", ""};
     }
+    if (begins_material(head)) {
+        return {other, "is a material library (MTL)", "open the OBJ file that names it"};
+    }
     if (start.starts_with("0\n") && has("section")) return {model, "is a DXF file", kExport};
     return {};
 }
@@ -174,6 +193,9 @@ FileKind recognise_text(std::string_view head) {
 }  // namespace
 
 FileKind recognise_file(std::string_view head, std::size_t bytes) {
+    if (head.starts_with("PK") && head.find("3D/3dmodel.model") != head.npos) {
+        return {model, "is a 3MF model", kExport};
+    }
     const auto found =
         std::find_if(kSignatures.begin(), kSignatures.end(), [&](const Signature& s) {
             return head.size() >= s.offset && head.substr(s.offset).starts_with(s.bytes);
@@ -181,6 +203,7 @@ FileKind recognise_file(std::string_view head, std::size_t bytes) {
     if (found != kSignatures.end()) return found->kind;
     if (is_bmp(head, bytes)) return {image, "is a BMP picture", ""};
     if (is_netpbm(head)) return {image, "is a Netpbm picture", ""};
+    if (is_3ds(head, bytes)) return {model, "is a 3DS model", kExport};
     if (is_binary_stl(head, bytes)) return {model, "is an STL model", kExport};
     if (is_utf16_without_mark(head)) return {text, "is text in UTF-16", kUtf8};
     return recognise_text(head.substr(0, kSignatureBytes));

@@ -7,6 +7,8 @@
 #include <cmath>
 #include <functional>
 #include <limits>
+#include <map>
+#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -144,6 +146,10 @@ class ObjWriter {
     void write_name(std::string_view keyword, std::string_view name);
 
     const InputForm& form() const { return mesh_.input_form(); }
+    bool has_defined_normal(HalfEdgeId h) const {
+        return mesh_.normal(mesh_.wedge(h)) != Vec3f{0.0f};
+    }
+    bool has_undefined_normals() const;
     bool is_written_as_outline(const PolygonWalk& polygon) const {
         return polygon.has_outline() && pieces_.are_whole(polygon.first_face(), polygon.end_face());
     }
@@ -173,6 +179,8 @@ class ObjWriter {
     std::vector<std::uint32_t> vertices_;  // n_vertex_slots; from 1
     std::vector<Attributes> wedges_;       // n_wedge_slots
     std::vector<Attributes> loose_;        // n_loose_corners
+    // Of corners whose own normal is undefined: the number of their face's, where it has area.
+    std::map<HalfEdgeId, std::uint32_t> face_normals_;
     std::vector<std::uint32_t> element_uvs_;
     std::uint32_t elements_written_ = 0;
     Part part_;  // that of the last face or element written
@@ -194,20 +202,32 @@ void ObjWriter::write_positions() {
     }
 }
 
+bool ObjWriter::has_undefined_normals() const {
+    for (std::uint32_t i = 0; i < mesh_.wedge_slots(); ++i) {
+        if (mesh_.normal(WedgeId{i}) == Vec3f{0.0f}) return true;
+    }
+    return false;
+}
+
 void ObjWriter::write_wedges() {
     const std::size_t loose = form().loose_corners.size() + form().element_corners.size();
     UniqueValues<Vec2f> uvs(mesh_.has_uvs() ? mesh_.wedge_slots() + loose : loose);
-    UniqueValues<Vec3f> normals(mesh_.wedge_slots() + loose);
+    // Each face has one normal that can stand for those of its corners.
+    const std::size_t faces = has_undefined_normals() ? pieces_.all().size() : 0;
+    UniqueValues<Vec3f> normals(mesh_.wedge_slots() + loose + faces);
     const auto number_of = [&](const Vec2f& uv) { return std::isnan(uv.x) ? 0 : uvs.number(uv); };
     const auto number_of_normal = [&](const Vec3f& normal) {
         return normal == Vec3f{0.0f} ? 0 : normals.number(normal);
     };
-    const auto number_wedge = [&](HalfEdgeId h) {
+    const auto number_corner = [&](HalfEdgeId h) {
         const WedgeId w = mesh_.wedge(h);
         Attributes& wedge = wedges_[index(w)];
         if (wedge.normal != 0) return;
         wedge.normal = number_of_normal(mesh_.normal(w));
         if (mesh_.has_uvs()) wedge.uv = number_of(mesh_.uv(w));
+        if (wedge.normal != 0) return;
+        const Vec3f of_face{unit_or_zero(mesh_.area_normal(TriMesh::face(h)))};
+        if (const std::uint32_t n = number_of_normal(of_face)) face_normals_.emplace(h, n);
     };
     wedges_.assign(mesh_.wedge_slots(), {});
     // In the order in which corners are written, which no diagonal of a polygon has a part in;
@@ -217,12 +237,12 @@ void ObjWriter::write_wedges() {
         steps.at(polygon.first_face());
         if (is_written_as_outline(polygon)) {
             for (const OutlineCorner& corner : polygon.outline()) {
-                if (!corner.is_loose()) number_wedge(corner.half_edge());
+                if (!corner.is_loose()) number_corner(corner.half_edge());
             }
             continue;
         }
         for (FaceId f : pieces_.of(polygon.first_face(), polygon.end_face())) {
-            for (int corner = 0; corner < 3; ++corner) number_wedge(TriMesh::half_edge(f, corner));
+            for (int corner = 0; corner < 3; ++corner) number_corner(TriMesh::half_edge(f, corner));
         }
     }
     loose_.resize(form().loose_corners.size());
@@ -282,7 +302,12 @@ void ObjWriter::write_triangle(FaceId f) {
 }
 
 void ObjWriter::write_corner(HalfEdgeId h) {
-    write_corner(mesh_.origin(h), wedges_[index(mesh_.wedge(h))]);
+    Attributes attributes = wedges_[index(mesh_.wedge(h))];
+    if (attributes.normal == 0) {
+        const auto of_face = face_normals_.find(h);
+        if (of_face != face_normals_.end()) attributes.normal = of_face->second;
+    }
+    write_corner(mesh_.origin(h), attributes);
 }
 
 void ObjWriter::write_corner(VertexId v, const Attributes& attributes) {

@@ -6,7 +6,6 @@
 #include <cerrno>
 
 #include "io/file_error.h"
-#include "io/material_library.h"
 #include "io/obj_keywords.h"
 #include "io/obj_statements.h"
 #include "io/open_file.h"
@@ -34,9 +33,6 @@ std::string what_it_is(const FileKind& kind, std::string_view contents) {
     if (kind.is_known()) return std::string(kind.is);
     const std::string_view head = contents.substr(0, kSignatureBytes);
     if (is_obj(head)) return "is an OBJ model";
-    if (head.find("newmtl") != head.npos && may_be_material_library(contents)) {
-        return "is a material library";
-    }
     const bool is_text = std::none_of(head.begin(), head.end(), [](char c) {
         const auto byte = static_cast<unsigned char>(c);
         return byte < 0x20 && c != '\n' && c != '\r' && c != '\t' && c != '\f';

@@ -25,7 +25,7 @@ Outcome write_stats(const ScratchFolder& folder, const std::string& name) {
 TEST(Stats, RefusesToReplaceAFileOfAnotherKindAndSaysWhatItIs) {
     const std::vector<std::pair<std::string, std::string>> files = {
         {kModel, "is an OBJ model"},
-        {"newmtl a\nKd 1 1 1\n", "is a material library"},
+        {"newmtl a\nKd 1 1 1\n", "is a material library (MTL)"},
         {"\x89PNG\r\n\x1a\n\0\0"s, "is a PNG picture"},
         {"{\"pectin\": 1}\n", "is a script of pectin"},
         {"{\"asset\": {\"version\": \"2.0\"}}", "is a glTF model"},

@@ -60,6 +60,9 @@ TEST(OtherFiles, AreNamedWithWhatToDo) {
         {"version https://git-lfs.github.com/spec/v1\n", "is a Git LFS pointer"},
         {"\x89PNG\r\n\x1a\n\0\0"s, "is a PNG picture"},
         {"{\"pectin\": 1}\n", "is a script of pectin"},
+        {"# Blender MTL\n\n# 2 materials\nnewmtl red\nKd 1 0 0\n", "is a material library (MTL)"},
+        {"PK\x03\x04\x14\0\0\0 3D/3dmodel.model"s, "is a 3MF model"},
+        {"MM\x0e\0\0\0\x02\0\x0a\0\0\0\x03\0"s, "is a 3DS model"},
     };
     for (const auto& [text, what] : files) {
         const std::string message = refusal(text);

@@ -105,6 +105,13 @@ TEST(WriteObj, NeverWritesAZeroNormal) {
     EXPECT_EQ(format_obj(mesh_of(text)), text) << "a save of a save is the same bytes";
 }
 
+// The two sides of a doubled face are smooth across their edges, and so their normals cancel out.
+TEST(WriteObj, GivesCornersWhoseNormalsCancelOutThoseOfTheirFaces) {
+    const std::string text = format_obj(mesh_of(kTriangle + "s 1\nf 1 2 3\nf 3 2 1\n"));
+    EXPECT_EQ(text, kTriangle + "vn 0 0 1\nvn 0 0 -1\ns 1\nf 1//1 2//1 3//1\nf 3//2 2//2 1//2\n");
+    EXPECT_EQ(format_obj(mesh_of(text)), text);
+}
+
 TEST(WriteObj, GoesBackToNoObjectGroupMaterialAndSmoothing) {
     const std::string faces =
         "f 1//1 2//1 3//1\no a\\ \nf 1//1 2//1 3//1\ng b\nusemtl c\ns 1\nf 1//1 2//1 3//1\n"
