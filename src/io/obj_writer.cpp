@@ -8,7 +8,6 @@
 #include <functional>
 #include <limits>
 #include <map>
-#include <set>
 #include <span>
 #include <string_view>
 #include <vector>
@@ -146,9 +145,6 @@ class ObjWriter {
     void write_name(std::string_view keyword, std::string_view name);
 
     const InputForm& form() const { return mesh_.input_form(); }
-    bool has_defined_normal(HalfEdgeId h) const {
-        return mesh_.normal(mesh_.wedge(h)) != Vec3f{0.0f};
-    }
     bool has_undefined_normals() const;
     bool is_written_as_outline(const PolygonWalk& polygon) const {
         return polygon.has_outline() && pieces_.are_whole(polygon.first_face(), polygon.end_face());
