@@ -60,6 +60,9 @@ class Editor {
     // is under way, or what is under the cursor.
     void advance();
 
+    // There is no memory for something, such as "frame": gives up the drag in hand and says so.
+    void give_up_for_memory(const char* what) noexcept;
+
     // --- What menus, panels and keys ask for. Nothing happens during a drag, nor while a file is
     // under way: all there is then is to cancel it.
     void perform(Action action);

@@ -2,12 +2,14 @@
 // control points, and pins.
 #include <chrono>
 #include <cmath>
+#include <new>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "app/cursor_path.h"
 #include "app/editor.h"
+#include "app/execute.h"
 #include "app/rounded_numbers.h"
 
 namespace pectin {
@@ -28,10 +30,21 @@ bool Editor::attempt(Part part) {
     try {
         part();
         return true;
+    } catch (const std::bad_alloc&) {
+        give_up_for_memory("drag");
     } catch (const std::exception& error) {
         if (session().is_dragging()) cancel_drag();
         workspace_.tell(std::string("the drag was given up: ") + error.what());
-        return false;
+    }
+    return false;
+}
+
+void Editor::give_up_for_memory(const char* what) noexcept {
+    if (session().is_dragging()) cancel_drag();
+    try {
+        workspace_.tell(not_enough_memory(what, session().history()));
+    } catch (const std::bad_alloc&) {
+        // Not even for the message.
     }
 }
 

@@ -1,12 +1,21 @@
 #include "app/object_view.h"
 
+#include <utility>
+
 namespace pectin {
 
 GpuMesh::Upload ObjectView::follow(Session& session) {
+    // Until it is done: what throws in between leaves a picture of something else.
+    const bool was_stale = std::exchange(is_stale_, true);
     const DirtyElements dirty = session.take_dirty();
-    if (dirty.everything) return mesh_.upload(session.mesh());
-    if (dirty.wedges.empty() && dirty.faces.empty()) return {};
-    return mesh_.update(session.mesh(), dirty.wedges, dirty.faces);
+    GpuMesh::Upload upload;
+    if (dirty.everything || was_stale) {
+        upload = mesh_.upload(session.mesh());
+    } else if (!dirty.wedges.empty() || !dirty.faces.empty()) {
+        upload = mesh_.update(session.mesh(), dirty.wedges, dirty.faces);
+    }
+    is_stale_ = false;
+    return upload;
 }
 
 }  // namespace pectin

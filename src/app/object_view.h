@@ -10,13 +10,15 @@ class ObjectView {
   public:
     explicit ObjectView(const Gl& gl) : mesh_(gl) {}
 
-    // Uploads what has changed since it was last called, and nothing else.
+    // Uploads what has changed since it was last called, and nothing else; everything if it threw
+    // when it was last called.
     GpuMesh::Upload follow(Session& session);
 
     const GpuMesh& mesh() const { return mesh_; }
 
   private:
     GpuMesh mesh_;
+    bool is_stale_ = false;
 };
 
 }  // namespace pectin

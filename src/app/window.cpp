@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
+#include <new>
 #include <optional>
 #include <utility>
 #include <vector>
@@ -62,12 +63,12 @@ class Window {
 
     void run() {
         while (!editor_.wants_to_end()) {
-            take_input();
+            attempt([this] { take_input(); });
             if (frames_to_draw_ == 0) continue;
             --frames_to_draw_;
-            editor_.advance();
+            attempt([this] { editor_.advance(); });
             lay_out_panels();
-            follow_object();
+            attempt([this] { follow_object(); });
             draw();
             host_.show();
         }
@@ -75,6 +76,16 @@ class Window {
     }
 
   private:
+    // What takes memory by the size of the object may find none.
+    template <typename Part>
+    void attempt(Part part) {
+        try {
+            part();
+        } catch (const std::bad_alloc&) {
+            editor_.give_up_for_memory("frame");
+        }
+    }
+
     // Keeps this session for recovery and returns those that are to be offered.
     std::vector<LostSession> begin_recovery(TerminationWatch& termination) {
         std::vector<LostSession> sessions;

@@ -56,7 +56,7 @@ Workspace::Outcome Workspace::execute(const Command& command) {
         return Outcome::failed;
     }
     const std::size_t step_number = session_.history().step_number();
-    const auto complaint = complaint_about([&]() -> std::optional<std::string> {
+    const auto complaint = complaint_about(command, session_, [&]() -> std::optional<std::string> {
         auto work = file_work(command, session_);
         if (!work) return session_.execute(command);
         file_task_ = std::make_unique<FileTask>(command, std::move(work));
@@ -84,7 +84,7 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     const std::unique_ptr<FileTask> task = std::move(file_task_);
     const bool is_cancelled = task->work.is_cancelled();
     std::string written;
-    const auto complaint = complaint_about([&]() -> std::optional<std::string> {
+    const auto complaint = complaint_about(task->command, session_, [&]() -> std::optional<std::string> {
         FileTask::Result result = task->work.take();
         auto* const model = std::get_if<LoadedModel>(&result);
         if (model && is_cancelled) throw Cancelled();

@@ -115,8 +115,8 @@ float ActiveSet::measure(EdgeId e) {
     return state.rest_length;
 }
 
-void ActiveSet::roll_back() {
-    take_back(edits_, mesh_);
+void ActiveSet::roll_back() noexcept {
+    take_back(edits_, slots_at_begin_, mesh_);
     mesh_.truncate(slots_at_begin_);
     for (std::size_t i = 0; i < lost_wedges_.size(); ++i) {
         mesh_.set_normal(lost_wedges_[i], lost_normals_[i]);
@@ -139,7 +139,7 @@ void ActiveSet::roll_back() {
 }
 
 // Cuts the entries back to those of the beginning.
-void ActiveSet::drop_inserted() {
+void ActiveSet::drop_inserted() noexcept {
     for (std::uint32_t i = original_vertices_; i < vertex_entries(); ++i) {
         if (exists(vertices_[i])) vertex_entry_[index(vertices_[i])] = kNoEntry;
     }
@@ -181,6 +181,11 @@ MeshChange ActiveSet::finish() {
     return change;
 }
 
+void ActiveSet::cancel() noexcept {
+    roll_back();
+    forget();
+}
+
 bool ActiveSet::has_changed(FaceId original) const {
     if (!mesh_.is_live(original)) return true;
     for (int corner = 0; corner < 3; ++corner) {
@@ -193,7 +198,7 @@ bool ActiveSet::has_changed(FaceId original) const {
     return false;
 }
 
-void ActiveSet::abandon() {
+void ActiveSet::abandon() noexcept {
     faces_.clear();
     vertices_.clear();
     rest_positions_.clear();
@@ -246,7 +251,7 @@ void ActiveSet::record_states(MeshChange& change) const {
 }
 
 // Everything back to nothing active, at the cost of what was.
-void ActiveSet::forget() {
+void ActiveSet::forget() noexcept {
     for (VertexId v : original_ids_) vertex_entry_[index(v)] = kNoEntry;
     for (WedgeId w : original_wedge_ids_) wedge_entry_[index(w)] = kNoEntry;
     original_vertices_ = original_wedges_ = original_edges_ = 0;

@@ -36,10 +36,13 @@ class ActiveSet {
     // `faces`: live, sorted, each once. `zone`: only vertices strictly inside it will move.
     // Cost: O(faces); the first time, and when the mesh has grown, O(mesh).
     void begin(std::span<const FaceId> faces, const Box& zone);
-    // Takes back all edits and gives every element its rest state. Cost: O(touched).
-    void roll_back();
+    // Takes back all edits and gives every element its rest state. Allocates nothing.
+    // Cost: O(touched).
+    void roll_back() noexcept;
+    // The same, and the end of the gesture.
+    void cancel() noexcept;
     // Forgets a gesture that has not edited anything yet, also one whose begin has thrown.
-    void abandon();
+    void abandon() noexcept;
     // What was done since begin, as one change, and the end of the gesture. Cost: O(touched).
     MeshChange finish();
     bool is_begun() const { return begun_; }
@@ -249,8 +252,8 @@ class ActiveSet {
     void drop_wedge(WedgeId w);
     bool one_look_is_enough(EdgeId e) const;
     void note_length(float rest_length);
-    void drop_inserted();
-    void forget();
+    void drop_inserted() noexcept;
+    void forget() noexcept;
     void record_states(MeshChange& change) const;
     bool has_changed(FaceId original) const;
 

@@ -55,7 +55,9 @@ void unsplit_edge(TriMesh& mesh, EdgeId bc) {
 
 }  // namespace
 
-void take_back(std::span<const TopologyEdit> edits, TriMesh& mesh) {
+void take_back(std::span<const TopologyEdit> edits, const SlotCounts& slots_before,
+               TriMesh& mesh) noexcept {
+    const TriMesh::TakingBack taking_back(mesh, slots_before);
     for (std::size_t i = edits.size(); i-- > 0;) {
         if (edits[i].is_split()) {
             unsplit_edge(mesh, edits[i].edge());
@@ -65,18 +67,24 @@ void take_back(std::span<const TopologyEdit> edits, TriMesh& mesh) {
     }
 }
 
-void undo(const MeshChange& change, TriMesh& mesh) {
-    take_back(change.edits, mesh);
-    mesh.truncate(change.slots_before);
+void undo(const MeshChange& change, TriMesh& mesh) noexcept {
+    take_back(change.edits, change.slots_before, mesh);
     change.before.write_to(mesh);
 }
 
 void redo(const MeshChange& change, TriMesh& mesh) {
-    for (const TopologyEdit edit : change.edits) {
-        if (edit.is_split()) {
-            mesh.insert_midpoint(edit.edge());
-        } else {
-            unsplit_edge(mesh, edit.edge());
+    const std::span<const TopologyEdit> edits = change.edits;
+    for (std::size_t i = 0; i < edits.size(); ++i) {
+        try {
+            if (edits[i].is_split()) {
+                mesh.insert_midpoint(edits[i].edge());
+            } else {
+                unsplit_edge(mesh, edits[i].edge());
+            }
+        } catch (...) {
+            take_back(edits.first(i), change.slots_before, mesh);
+            change.before.write_to(mesh);
+            throw;
         }
     }
     change.after.write_to(mesh);

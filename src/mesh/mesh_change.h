@@ -57,13 +57,16 @@ struct MeshChange {
 };
 
 // Precondition: `mesh` is as the change left it (undo) or found it (redo). Restores ids,
-// attributes and free lists to the byte. Cost: O(size of the change).
-void undo(const MeshChange& change, TriMesh& mesh);
+// attributes and free lists to the byte. Cost: O(size of the change). undo() allocates nothing;
+// redo() throws std::bad_alloc where there is no memory, and the mesh is then as before.
+void undo(const MeshChange& change, TriMesh& mesh) noexcept;
 void redo(const MeshChange& change, TriMesh& mesh);
 
 // The vertex that split(bc) inserted, while it is still removable.
 VertexId inserted_vertex(const TriMesh& mesh, EdgeId bc);
-// Takes back edits, last first; attributes are not restored.
-void take_back(std::span<const TopologyEdit> edits, TriMesh& mesh);
+// Takes back edits, last first; attributes are not restored. slots_before: those of the mesh before
+// the edits. Allocates nothing.
+void take_back(std::span<const TopologyEdit> edits, const SlotCounts& slots_before,
+               TriMesh& mesh) noexcept;
 
 }  // namespace pectin

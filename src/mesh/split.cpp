@@ -86,6 +86,21 @@ bool TriMesh::has_free_slots() const {
            !free_faces_.empty();
 }
 
+// So it is where an unsplit of e is being taken back.
+bool TriMesh::has_free_slots_for_split(EdgeId e) const {
+    std::size_t wedges = 0, edges = 0, faces = 0;
+    EdgeId sheet = e;
+    do {
+        const std::size_t sides = exists(twin(half_edge(sheet))) ? 2 : 1;
+        wedges += sides == 2 && !is_smooth(sheet) ? 2 : 1;
+        edges += 1 + sides;
+        faces += sides;
+        sheet = sibling(sheet);
+    } while (sheet != e);
+    return !free_vertices_.empty() && free_wedges_.size() >= wedges &&
+           free_edges_.size() >= edges && free_faces_.size() >= faces;
+}
+
 EdgeId TriMesh::leader(EdgeId e) const {
     EdgeId lowest = e;
     for (EdgeId s = sibling(e); s != e; s = sibling(s)) lowest = std::min(lowest, s);
@@ -199,6 +214,8 @@ void TriMesh::make_room(EdgeId e) {
     }
     std::size_t sides = 0;
     for_each_side(e, [&](HalfEdgeId) { ++sides; });
+    if (along_cut) sheets_.reserve(sides);
+    if (has_free_slots_for_split(e)) return;
     reserve_for(std::max<std::size_t>(sides, 2));
     room_.splits = along_cut ? 0 : room_.splits - 1;
 }

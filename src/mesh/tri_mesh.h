@@ -234,6 +234,21 @@ class TriMesh {
     // The exact inverse of the split that made star.m: same ids, same bytes. Returns bc, the leader
     // of its siblings. Precondition: star is what removable(m) says.
     EdgeId unsplit(const Star& star);
+    // While one exists, unsplit() removes the slots that splits had added beyond `counts`, instead
+    // of adding them to the free lists. So edits that are taken back last first leave the mesh as
+    // it was, and nothing is allocated: the free lists were as long before.
+    class TakingBack {
+      public:
+        TakingBack(TriMesh& mesh, const SlotCounts& counts) : mesh_(mesh) {
+            mesh_.kept_slots_ = counts;
+        }
+        ~TakingBack() { mesh_.kept_slots_ = kAllSlots; }
+        TakingBack(const TakingBack&) = delete;
+        TakingBack& operator=(const TakingBack&) = delete;
+
+      private:
+        TriMesh& mesh_;
+    };
     // Cuts the slots back to `counts` where all edits made since then have been undone in
     // reverse order: the slots they had added are then free, below all others in the free lists.
     void truncate(const SlotCounts& counts);
@@ -282,6 +297,7 @@ class TriMesh {
     FaceId allocate_face();
     SplitIds allocate_split();
     bool has_free_slots() const;
+    bool has_free_slots_for_split(EdgeId e) const;
     void clear(VertexId v);
     void clear(WedgeId w);
     void clear(EdgeId e);
@@ -347,6 +363,12 @@ class TriMesh {
     GrowingArray<EdgeId> free_edges_;
     GrowingArray<FaceId> free_faces_;
     Room room_;
+    static constexpr std::uint32_t kAll = 0xffffffffu;
+    static constexpr SlotCounts kAllSlots{kAll, kAll, kAll, kAll};
+    SlotCounts kept_slots_ = kAllSlots;  // see TakingBack
+    // Scratch of unsplit_siblings(). A split makes it large enough, so that undoing it allocates
+    // nothing.
+    std::vector<Star> sheets_;
 };
 
 // A mesh of which everything is base: vertices in the order that a save would give them, faces too,

@@ -35,24 +35,35 @@ void TriMesh::clear(FaceId f) {
     face_bases_[index(f)] = kNone<FaceId>;
 }
 
+// A split adds a slot only where no other is free. So when splits are taken back, last first, an
+// added slot is the last one again, and none of its kind is free.
 void TriMesh::release(VertexId v) {
     clear(v);
-    free_vertices_.push_back(v);
+    if (index(v) < kept_slots_.vertices) return free_vertices_.push_back(v);
+    assert(free_vertices_.empty() && index(v) + 1 == vertex_slots());
+    for_each_array_of_vertices([](auto& slots) { slots.pop_back(); });
 }
 
 void TriMesh::release(WedgeId w) {
     clear(w);
-    free_wedges_.push_back(w);
+    if (index(w) < kept_slots_.wedges) return free_wedges_.push_back(w);
+    assert(free_wedges_.empty() && index(w) + 1 == wedge_slots());
+    for_each_array_of_wedges([](auto& slots) { slots.pop_back(); });
 }
 
 void TriMesh::release(EdgeId e) {
     clear(e);
-    free_edges_.push_back(e);
+    if (index(e) < kept_slots_.edges) return free_edges_.push_back(e);
+    assert(free_edges_.empty() && index(e) + 1 == edge_slots());
+    for_each_array_of_edges([](auto& slots) { slots.pop_back(); });
 }
 
 void TriMesh::release(FaceId f) {
     clear(f);
-    free_faces_.push_back(f);
+    if (index(f) < kept_slots_.faces) return free_faces_.push_back(f);
+    assert(free_faces_.empty() && index(f) + 1 == face_slots());
+    half_edges_.resize(half_edges_.size() - 3);
+    face_bases_.pop_back();
 }
 
 std::optional<Star> TriMesh::removable(VertexId m) const {
@@ -111,13 +122,13 @@ EdgeId TriMesh::unsplit(const Star& star) {
 }
 
 void TriMesh::unsplit_siblings(const Star& leader) {
-    std::vector<Star> sheets;
-    for_each_sheet(leader, [&](const Star& star) { sheets.push_back(star); });
-    for (std::size_t i = sheets.size(); i-- > 0;) {
-        const EdgeId e = edge(sheets[i].bm);
+    sheets_.clear();
+    for_each_sheet(leader, [&](const Star& star) { sheets_.push_back(star); });
+    for (std::size_t i = sheets_.size(); i-- > 0;) {
+        const EdgeId e = edge(sheets_[i].bm);
         assert(e >= edge(leader.bm));
-        siblings_[index(e)] = edge(sheets[(i + 1) % sheets.size()].bm);
-        if (i > 0) unsplit_sheet(sheets[i]);
+        siblings_[index(e)] = edge(sheets_[(i + 1) % sheets_.size()].bm);
+        if (i > 0) unsplit_sheet(sheets_[i]);
     }
 }
 

@@ -138,6 +138,27 @@ std::vector<Box> Session::State::zones_of_readapt() const {
     return {Box{.min = Vec3{-kFar}, .max = Vec3{kFar}}};
 }
 
+// In the active set, which has begun with all faces.
+Frame Session::State::adapt_everything() {
+    const Warp no_warp;
+    Embedding embedding(*active, no_warp);
+    AdaptLimits adapt_limits = limits(lattice_in_use);
+    // At the budget, refinement rests until a drag or the settings change.
+    const bool was_hit = outcome.budget_hit;
+    if (was_hit) adapt_limits.budget = 0;
+    Adaptation adaptation =
+        adapt_without_cuts(*active, embedding, Criteria(adapt_limits, zones_of_readapt(), {}));
+    Frame frame;
+    frame.splits = adaptation.refinement.splits;
+    frame.unsplits = adaptation.decimation.unsplits;
+    frame.floor_hit = adaptation.refinement.floor_hit;
+    frame.budget_hit = adaptation.refinement.budget_hit || was_hit;
+    frame.blocked = std::move(adaptation.refinement.blocked);
+    frame.refine_seconds = adaptation.refine_seconds;
+    frame.decimate_seconds = adaptation.decimate_seconds;
+    return frame;
+}
+
 Refusal Session::State::run(const command::Readapt& readapt) {
     if (!has_object()) return kNoObject;
     Stopwatch stopwatch;
@@ -147,29 +168,31 @@ Refusal Session::State::run(const command::Readapt& readapt) {
     }
     last = {};
     last.influenced_vertices = vertices_inside(*mesh, zones_in_use);
-    active->begin(faces, Box{});
+    try {
+        active->begin(faces, Box{});
+    } catch (...) {
+        active->abandon();
+        throw;
+    }
     last.seconds.begin = stopwatch.lap();
-    const Warp no_warp;
-    Embedding embedding(*active, no_warp);
-    AdaptLimits adapt_limits = limits(lattice_in_use);
-    // At the budget, refinement rests until a drag or the settings change.
-    const bool was_hit = outcome.budget_hit;
-    if (was_hit) adapt_limits.budget = 0;
-    const Adaptation adaptation =
-        adapt_without_cuts(*active, embedding, Criteria(adapt_limits, zones_of_readapt(), {}));
-    MeshChange change = active->finish();
-    Frame frame;
-    frame.splits = adaptation.refinement.splits;
-    frame.unsplits = adaptation.decimation.unsplits;
-    frame.floor_hit = adaptation.refinement.floor_hit;
-    frame.budget_hit = adaptation.refinement.budget_hit || was_hit;
-    frame.blocked = adaptation.refinement.blocked;
-    outcome.blocked.clear();
-    frame.refine_seconds = adaptation.refine_seconds;
-    frame.decimate_seconds = adaptation.decimate_seconds;
-    stopwatch.lap();
-    note(frame);
-    add_step(readapt, std::move(change));
+    MeshChange change;
+    try {
+        const Frame frame = adapt_everything();
+        change = active->finish();
+        stopwatch.lap();
+        outcome.blocked.clear();
+        note(frame);
+        add_step(readapt, change);
+    } catch (...) {  // no memory: the object as it was
+        if (active->is_begun()) {
+            active->cancel();
+        } else {
+            undo(change, *mesh);
+        }
+        follow_everything();
+        take_outcome();
+        throw;
+    }
     last.seconds.commit = stopwatch.lap();
     return std::nullopt;
 }
@@ -178,11 +201,18 @@ Refusal Session::State::run(const command::Bake& bake) {
     if (!has_object()) return kNoObject;
     if (mesh->vertex_count() == mesh->base_vertex_count()) return std::nullopt;
     Baked baked = mesh->baked();
-    for (EdgeId& e : outcome.blocked) e = baked.edges[index(e)];
-    std::sort(outcome.blocked.begin(), outcome.blocked.end());
-    auto before = std::make_unique<TriMesh>(std::move(baked.mesh));
-    exchange(*before);
-    history.add({bake, {}, outcome, std::move(before)});
+    AdaptOutcome reached = outcome;
+    for (EdgeId& e : reached.blocked) e = baked.edges[index(e)];
+    std::sort(reached.blocked.begin(), reached.blocked.end());
+    History::Step step{bake, {}, reached, std::make_unique<TriMesh>(std::move(baked.mesh))};
+    exchange(*step.exchanged);
+    try {
+        history.add(std::move(step));
+    } catch (...) {
+        exchange(*step.exchanged);
+        throw;
+    }
+    outcome = std::move(reached);
     last = {};
     return std::nullopt;
 }

@@ -149,7 +149,11 @@ Refusal Session::State::embed(InHand& begun) {
 
     // At rest again: faces are looked for and embedded there.
     if (begun.gesture) {
-        show(begun.gesture->cancel());
+        if (const auto changed = begun.gesture->cancel()) {
+            show(*changed);
+        } else {
+            follow_everything();
+        }
         begun.gesture.reset();
     }
     auto faces = faces_of(begun.drag, planned.warp.zones());
@@ -254,20 +258,37 @@ void Session::State::commit(std::span<const Vec3> displacements, bool is_nothing
     }
     Stopwatch stopwatch;
     MeshChange change = in_hand->gesture->commit(displacements);
-    // What frames have shown and the commit has taken back is shown anew, too.
-    show(in_hand->gesture->take_edited_faces());
-    lattice_in_use = in_hand->lattice;
-    zones_in_use = in_hand->gesture->warp().zones();
-    // Other parts reach into the zones, too, but were not refined there.
-    if (in_hand->drag.connected) zones_in_use.clear();
-    note(in_hand->gesture->last_frame());
-    remark = remark_on_cuts(in_hand->gesture->last_frame().cuts);
-    folded = in_hand->gesture->folded_vertices();
-    Command command = in_hand->is_control() ? Command{in_hand->control} : Command{in_hand->drag};
-    in_hand.reset();
-    add_step(std::move(command), std::move(change));
+    try {
+        finish_commit(change);
+    } catch (...) {  // no memory: the object as it was
+        undo(change, *mesh);
+        follow_everything();
+        take_outcome();
+        in_hand.reset();
+        throw;
+    }
     last.seconds.commit =
         stopwatch.lap() - last.seconds.deform - last.seconds.refine - last.seconds.decimate;
+}
+
+// Makes what the gesture in hand has done a step of the history. All that can fail for want of
+// memory comes first.
+void Session::State::finish_commit(MeshChange& change) {
+    const Gesture& gesture = *in_hand->gesture;
+    // What frames have shown and the commit has taken back is shown anew, too.
+    show(in_hand->gesture->take_edited_faces());
+    std::vector<Box> zones = gesture.warp().zones();
+    std::string told = remark_on_cuts(gesture.last_frame().cuts);
+    note(gesture.last_frame());
+    add_step(in_hand->is_control() ? Command{in_hand->control} : Command{in_hand->drag}, change);
+
+    lattice_in_use = in_hand->lattice;
+    zones_in_use = std::move(zones);
+    // Other parts reach into the zones, too, but were not refined there.
+    if (in_hand->drag.connected) zones_in_use.clear();
+    remark = std::move(told);
+    folded = gesture.folded_vertices();
+    in_hand.reset();
 }
 
 std::optional<command::Drag> Session::State::end_drag() {
@@ -284,12 +305,15 @@ std::optional<command::Drag> Session::State::end_drag() {
     return is_nothing ? std::nullopt : std::optional(drag);
 }
 
-void Session::State::cancel_drag() {
+void Session::State::cancel_drag() noexcept {
     assert(in_hand);
-    std::vector<FaceId> faces;
-    if (in_hand->gesture) faces = in_hand->gesture->cancel();
-    in_hand.reset();
-    follow(faces);
+    const std::unique_ptr<InHand> cancelled = std::move(in_hand);
+    if (!cancelled->gesture) return;
+    if (const auto changed = cancelled->gesture->cancel()) {
+        follow(*changed);
+    } else {
+        follow_everything();
+    }
 }
 
 Refusal Session::State::run(const command::Drag& drag) {

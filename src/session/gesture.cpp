@@ -4,6 +4,7 @@
 #include <cassert>
 #include <chrono>
 #include <iterator>
+#include <new>
 #include <utility>
 
 namespace pectin {
@@ -34,7 +35,7 @@ Gesture::Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
 }
 
 Gesture::~Gesture() {
-    if (active_.is_begun()) cancel();
+    if (active_.is_begun()) active_.cancel();
 }
 
 const Frame& Gesture::frame(std::span<const Vec3> displacements) {
@@ -80,11 +81,15 @@ MeshChange Gesture::commit(std::span<const Vec3> displacements) {
     return active_.finish();
 }
 
-std::vector<FaceId> Gesture::cancel() {
-    std::vector<FaceId> faces(active_.faces().begin(), active_.faces().end());
-    faces.insert(faces.end(), rolled_back_faces_.begin(), rolled_back_faces_.end());
-    active_.roll_back();
-    active_.finish();
+std::optional<std::vector<FaceId>> Gesture::cancel() noexcept {
+    std::optional<std::vector<FaceId>> faces;
+    try {
+        faces.emplace(active_.faces().begin(), active_.faces().end());
+        faces->insert(faces->end(), rolled_back_faces_.begin(), rolled_back_faces_.end());
+    } catch (const std::bad_alloc&) {
+        faces.reset();
+    }
+    active_.cancel();
     return faces;
 }
 

@@ -42,8 +42,9 @@ class Gesture {
     const Frame& frame(std::span<const Vec3> displacements);
     // The same as a single frame from the rest state, for good. Cuts are looked for here alone.
     MeshChange commit(std::span<const Vec3> displacements);
-    // Gives everything back, to the byte, and says which faces it had changed.
-    std::vector<FaceId> cancel();
+    // Gives everything back, to the byte, and allocates nothing for it. Returns the faces that it
+    // had changed, or nothing where there is no memory for them.
+    std::optional<std::vector<FaceId>> cancel() noexcept;
 
     // --- For who shows the frames.
     // Slots that edits have made, cut or freed since it was last asked, those that were rolled back

@@ -30,10 +30,12 @@ void History::measure(Entry& entry) {
     bytes_ += entry.bytes;
 }
 
-void History::add(Step step) {
-    while (redo_count() > 0) drop_last();
-    steps_.push_back({std::move(step)});
+void History::add(Step&& step) {
+    steps_.emplace_back();
+    std::swap(steps_[done_], steps_.back());  // the steps that could be redone are dropped below
+    steps_[done_].step = std::move(step);
     ++done_;
+    while (redo_count() > 0) drop_last();
     measure(steps_.back());
     keep_limit();
 }

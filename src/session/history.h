@@ -38,7 +38,8 @@ class History {
 
     // A new step drops what could be redone. Where the limit is exceeded the oldest steps are
     // dropped.
-    void add(Step step);
+    // Where there is no memory it throws, and neither the step nor the history has changed.
+    void add(Step&& step);
     // Starts anew; the limit stays.
     void clear();
 
@@ -55,12 +56,12 @@ class History {
     // earliest first. Precondition: there are as many.
     template <typename Apply>
     void undo(std::size_t count, Apply apply) {
-        for (; count > 0; --count) visit(steps_[--done_], apply);
+        for (; count > 0; --count, --done_) visit(steps_[done_ - 1], apply);
         keep_limit();
     }
     template <typename Apply>
     void redo(std::size_t count, Apply apply) {
-        for (; count > 0; --count) visit(steps_[done_++], apply);
+        for (; count > 0; --count, ++done_) visit(steps_[done_], apply);
         keep_limit();
     }
 

@@ -42,9 +42,19 @@ const FaceTree& Session::State::face_tree() {
     return *tree;
 }
 
-void Session::State::follow(std::span<const FaceId> faces) {
-    if (tree) tree->update(faces, *mesh);
-    show(faces);
+void Session::State::follow(std::span<const FaceId> faces) noexcept {
+    try {
+        if (tree) tree->update(faces, *mesh);
+        show(faces);
+    } catch (const std::bad_alloc&) {
+        follow_everything();
+    }
+}
+
+void Session::State::follow_everything() noexcept {
+    tree.reset();  // made anew when it is asked for
+    dirty = {};
+    dirty.everything = true;
 }
 
 void Session::State::show(std::span<const FaceId> faces) {

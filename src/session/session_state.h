@@ -93,7 +93,11 @@ struct Session::State {
     // The picture has to learn these faces and their corners anew.
     void show(std::span<const FaceId> faces);
     // The same, and the tree has to follow.
-    void follow(std::span<const FaceId> faces);
+    void follow(std::span<const FaceId> faces) noexcept;
+    // The same for all faces. Allocates nothing.
+    void follow_everything() noexcept;
+    // Of the step that led to the mesh as it is.
+    void take_outcome() noexcept;
 
     // --- One for each command.
     Refusal run(const command::Open& open);
@@ -115,7 +119,10 @@ struct Session::State {
     Refusal run(const command::Screenshot& screenshot);
 
     // --- Steps (undo.cpp).
-    void add_step(Command command, MeshChange change);
+    // Takes over the change. Where there is no memory it throws, and the change is as it was.
+    void add_step(Command command, MeshChange& change);
+    // Refines and decimates the whole object once.
+    Frame adapt_everything();
     // Adds to the remark how many steps the limit of the history has dropped, if any.
     void report_dropped_steps();
     // Of a bake's step: the mesh on its one side for that on its other.
@@ -145,7 +152,8 @@ struct Session::State {
     void show_frame(std::span<const Vec3> displacements);
     // Ends the gesture with these displacements of the last step; a step of the history.
     void commit(std::span<const Vec3> displacements, bool moves_nothing);
-    void cancel_drag();
+    void finish_commit(MeshChange& change);
+    void cancel_drag() noexcept;
 
     Statistics statistics() const;
 };

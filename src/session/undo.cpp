@@ -32,14 +32,28 @@ std::string remark_on_dropped_steps(std::size_t count, std::size_t limit) {
 
 void Session::State::exchange(TriMesh& other) {
     std::swap(*mesh, other);
-    tree.reset();
-    dirty = {};
-    dirty.everything = true;
+    follow_everything();
 }
 
-void Session::State::add_step(Command command, MeshChange change) {
+void Session::State::take_outcome() noexcept {
+    try {
+        outcome = history.outcome();
+    } catch (const std::bad_alloc&) {
+        outcome = {};  // edges that were held back are not counted then
+    }
+}
+
+void Session::State::add_step(Command command, MeshChange& change) {
     follow(change.faces);
-    if (!change.is_empty()) history.add({std::move(command), std::move(change), outcome});
+    if (change.is_empty()) return;
+    AdaptOutcome reached = outcome;
+    History::Step step{std::move(command), std::move(change), std::move(reached)};
+    try {
+        history.add(std::move(step));
+    } catch (...) {
+        change = std::move(step.change);
+        throw;
+    }
 }
 
 void Session::State::report_dropped_steps() {
@@ -68,7 +82,7 @@ Refusal Session::State::run(const command::Undo& undo_command) {
             follow(step.change.faces);
         }
     });
-    outcome = history.outcome();
+    take_outcome();
     return std::nullopt;
 }
 
@@ -85,7 +99,7 @@ Refusal Session::State::run(const command::Redo& redo_command) {
             follow(step.change.faces);
         }
     });
-    outcome = history.outcome();
+    take_outcome();
     return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #include "memory/failing_new.h"
 
+#include <sys/mman.h>
+
 #include <atomic>
 #include <cstdlib>
 #include <new>
@@ -39,6 +41,19 @@ FailingNew::~FailingNew() { armed = false; }
 bool FailingNew::has_failed() const { return failed; }
 
 }  // namespace pectin::test
+
+// What large arrays ask the system for, by the linker's option --wrap.
+extern "C" {
+void* __real_realloc(void* block, std::size_t size);
+void* __wrap_realloc(void* block, std::size_t size) {
+    return pectin::test::fails() ? nullptr : __real_realloc(block, size);
+}
+void* __real_mmap(void* at, std::size_t size, int protection, int flags, int file, off_t offset);
+void* __wrap_mmap(void* at, std::size_t size, int protection, int flags, int file, off_t offset) {
+    return pectin::test::fails() ? MAP_FAILED
+                                 : __real_mmap(at, size, protection, flags, file, offset);
+}
+}
 
 // Those of alignments beyond malloc's stay the library's.
 void* operator new(std::size_t size) { return pectin::test::allocated(size); }

@@ -1,0 +1,184 @@
+// A session where memory runs out at any allocation of any command: the object is then as it was,
+// and the same command works once there is memory again.
+#include <gtest/gtest.h>
+
+#include <cstdio>
+#include <filesystem>
+#include <functional>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "memory/failing_new.h"
+#include "session/session.h"
+
+namespace pectin {
+namespace {
+
+namespace fs = std::filesystem;
+using test::FailingNew;
+
+const command::Shape kSphere{command::Shape::Kind::sphere, 3};
+
+command::Drag drag(const Vec3& from, const Vec3& to) {
+    return {.moves = {{.from = from, .to = to}}, .connected = true, .fold_free = true};
+}
+
+void execute(Session& session, const Command& command) {
+    const auto refusal = session.execute(command);
+    ASSERT_FALSE(refusal) << name(command) << ": " << *refusal;
+}
+
+// A refined object with steps to undo and to redo.
+void prepare(Session& session) {
+    execute(session, kSphere);
+    execute(session, command::Brush{.radius = 0.9});
+    execute(session, drag(Vec3(0, 0, 1), Vec3(0.2, 0, 1.8)));
+    execute(session, drag(Vec3(0, 1, 0), Vec3(0, 1.5, 0.1)));
+    execute(session, drag(Vec3(1, 0, 0), Vec3(1.4, 0, 0)));
+    execute(session, command::Undo{});
+}
+
+class SessionMemory : public testing::Test {
+  protected:
+    SessionMemory() {
+        std::string name = (fs::temp_directory_path() / "pectin memory XXXXXX").string();
+        folder_ = mkdtemp(name.data());
+    }
+    ~SessionMemory() override { fs::remove_all(folder_); }
+    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+
+    // Runs `work` on a prepared session again and again, each time with a later allocation failing,
+    // until none does. Where it fails, the mesh must be as it was; and once more it must succeed
+    // and lead to the same mesh as without a failure.
+    void expect_all_or_nothing(const std::function<void(Session&)>& work) const {
+        Session undisturbed;
+        prepare(undisturbed);
+        const TriMesh before = undisturbed.mesh();
+        work(undisturbed);
+        const TriMesh after = undisturbed.mesh();
+        int failures = 0;
+        for (const auto how : {FailingNew::How::once, FailingNew::How::from_there_on}) {
+            bool is_enough = false;
+            for (std::size_t served = 0; !is_enough; served += 1 + served / 32) {
+                SCOPED_TRACE("served " + std::to_string(served));
+                Session session;
+                prepare(session);
+                bool is_done = false;
+                {
+                    const FailingNew failing(served, how);
+                    try {
+                        work(session);
+                        is_done = true;
+                    } catch (const std::bad_alloc&) {
+                        if (session.is_dragging()) session.cancel_drag();
+                    }
+                    is_enough = !failing.has_failed();
+                }
+                ASSERT_TRUE(is_done || !is_enough);
+                EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
+                if (!is_done) {
+                    ++failures;
+                    ASSERT_TRUE(session.mesh() == before);
+                    work(session);
+                }
+                ASSERT_TRUE(session.mesh() == after);
+            }
+        }
+        EXPECT_GT(failures, 5);
+        std::printf("%d failures\n", failures);
+        RecordProperty("failures", failures);
+    }
+    void expect_all_or_nothing(const Command& command) const {
+        expect_all_or_nothing([&command](Session& session) {
+            const auto refusal = session.execute(command);
+            if (refusal) FAIL() << *refusal;
+        });
+    }
+
+  private:
+    fs::path folder_;
+};
+
+TEST_F(SessionMemory, ADragIsDoneOrTakenBack) {
+    expect_all_or_nothing(drag(Vec3(0, -1, 0), Vec3(0, -1.7, 0.2)));
+}
+
+TEST_F(SessionMemory, AnUndoIsDoneOrNot) { expect_all_or_nothing(command::Undo{}); }
+
+TEST_F(SessionMemory, ARedoIsDoneOrNot) { expect_all_or_nothing(command::Redo{}); }
+
+TEST_F(SessionMemory, ReadaptingIsDoneOrTakenBack) {
+    expect_all_or_nothing([](Session& session) {
+        const auto refusal = session.execute(command::Adapt{.theta_max = Setting::of(9.0)});
+        if (refusal) FAIL() << *refusal;
+        session.execute(command::Readapt{});
+    });
+}
+
+TEST_F(SessionMemory, BakingIsDoneOrNot) { expect_all_or_nothing(command::Bake{}); }
+
+TEST_F(SessionMemory, ADragWithTheMouseIsDoneOrTakenBack) {
+    expect_all_or_nothing([](Session& session) {
+        const std::vector<Vec3> points{Vec3(0, -1, 0)};
+        ASSERT_FALSE(session.begin_drag(points, {}, {.connected = true, .fold_free = true}));
+        for (int i = 1; i <= 4; ++i) {
+            const std::vector<Vec3> targets{Vec3(0.1 * i, -1 - 0.2 * i, 0)};
+            ASSERT_FALSE(session.drag_to(targets));
+        }
+        session.end_drag();
+    });
+}
+
+TEST_F(SessionMemory, CancellingADragNeverFails) {
+    Session session;
+    prepare(session);
+    const TriMesh before = session.mesh();
+    const std::vector<Vec3> points{Vec3(0, -1, 0)}, targets{Vec3(0.4, -1.8, 0)};
+    ASSERT_FALSE(session.begin_drag(points, {}, {.connected = true, .fold_free = true}));
+    ASSERT_FALSE(session.drag_to(targets));
+    ASSERT_FALSE(session.mesh() == before);
+    {
+        const FailingNew failing(0, FailingNew::How::from_there_on);
+        session.cancel_drag();
+    }
+    EXPECT_TRUE(session.mesh() == before);
+    EXPECT_TRUE(session.take_dirty().everything) << "there was no memory to list what to draw anew";
+}
+
+TEST_F(SessionMemory, ASaveIsWholeOrNotThere) {
+    int failures = 0;
+    Session session;
+    prepare(session);
+    bool is_enough = false;
+    for (std::size_t served = 0; !is_enough; served += 1 + served / 32) {
+        bool is_done = false;
+        {
+            const command::Save save{path("model.obj")};
+            const FailingNew failing(served, FailingNew::How::once);
+            try {
+                is_done = !session.execute(save);
+            } catch (const std::bad_alloc&) {
+            }
+            is_enough = !failing.has_failed();
+        }
+        failures += is_done ? 0 : 1;
+        EXPECT_EQ(fs::exists(path("model.obj")), is_done);
+        EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path("")).parent_path()),
+                                fs::directory_iterator()),
+                  is_done ? 1 : 0)
+            << "a temporary file stayed";
+        fs::remove(path("model.obj"));
+    }
+    EXPECT_GT(failures, 5);
+}
+
+TEST_F(SessionMemory, OpeningAModelLeavesTheOldOneWhereItFails) {
+    Session first;
+    prepare(first);
+    execute(first, command::Save{path("model.obj")});
+    expect_all_or_nothing(command::Open{.path = path("model.obj")});
+}
+
+}  // namespace
+}  // namespace pectin
