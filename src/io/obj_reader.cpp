@@ -238,7 +238,8 @@ std::array<Real, n> ObjParser::take_numbers(std::string_view& rest, std::size_t 
         if (!token && i >= needed) break;
         if (!token) {
             fail("'" + std::string(statements_.keyword()) + "' needs " + std::to_string(needed) +
-                 (needed == 1 ? " number" : " numbers") + ", here are " + std::to_string(i));
+                 (needed == 1 ? " number" : " numbers") + (i == 1 ? ", here is " : ", here are ") +
+                 std::to_string(i));
         }
         const std::optional<Real> number = parse_number<Real>(*token, why_not);
         if (!number) fail(why_not);

@@ -54,7 +54,7 @@ const std::vector<Restricted>& restricted_headers() {
                                                 {"glad/", {"render/", "app/"}},
                                                 {"KHR/", {"render/", "app/"}},
                                                 {"imgui", {"render/", "app/"}},
-                                                {"thread", {"app/"}},
+                                                {"thread", {"app/", "adapt/parallel.cpp"}},
                                                 {"tbb/", {"adapt/parallel.cpp"}},
                                                 {"future", {"app/"}}};
     return kTable;
