@@ -40,6 +40,14 @@ void add(Refinement& result, const Refinement& more) {
     result.blocked.insert(result.blocked.end(), more.blocked.begin(), more.blocked.end());
 }
 
+// What ends the search after a round, with these cuts left.
+CutLimit limit_after(const Cuts& cuts, const std::vector<Cut>& found, const Refinement& refinement,
+                     int round) {
+    if (found.empty()) return CutLimit::none;
+    if (cuts.is_exhausted() || round == kMostRounds) return CutLimit::search;
+    return refinement.budget_hit ? CutLimit::budget : CutLimit::none;
+}
+
 Refinement refine_without_cuts(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
     Refinement result = refine(active, embedding, criteria);
     if (embedding.is_at_rest()) return result;
@@ -47,12 +55,14 @@ Refinement refine_without_cuts(ActiveSet& active, Embedding& embedding, const Cr
     for (int round = 0;; ++round) {
         const std::vector<Cut>& found = cuts.find();
         result.cuts = found.size();
-        if (found.empty() || cuts.is_exhausted() || result.budget_hit || round == kMostRounds)
-            break;
+        result.cut_limit = limit_after(cuts, found, result, round);
+        if (result.cut_limit != CutLimit::none || found.empty()) break;
         const Refinement more = refine_at(active, embedding, criteria,
                                           edges_to_mend(active, embedding, criteria, found));
         add(result, more);
-        if (more.splits == 0) break;
+        if (more.splits > 0) continue;
+        result.cut_limit = result.budget_hit ? CutLimit::budget : CutLimit::floor;
+        break;
     }
     return result;
 }
@@ -71,7 +81,14 @@ Adaptation adapt_without_cuts(ActiveSet& active, Embedding& embedding, const Cri
                                   Cuts cuts(active);
                                   return decimate(active, criteria, is_guarded ? &cuts : nullptr);
                               });
-    if (!is_guarded && !embedding.is_at_rest()) result.refinement.cuts = Cuts(active).find().size();
+    if (!is_guarded && !embedding.is_at_rest()) {
+        Refinement& refinement = result.refinement;
+        refinement.cuts = Cuts(active).find().size();
+        if (refinement.cuts == 0) refinement.cut_limit = CutLimit::none;
+        if (refinement.cuts > 0 && refinement.cut_limit == CutLimit::none) {
+            refinement.cut_limit = CutLimit::thinning;
+        }
+    }
     return result;
 }
 

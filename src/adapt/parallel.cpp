@@ -1,12 +1,49 @@
 #include "adapt/parallel.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cstddef>
+#include <memory>
+#include <mutex>
+#include <system_error>
+#include <thread>
+#include <vector>
+
 namespace pectin {
+namespace {
+
+// How many more threads the system lets this process have now, up to those of the machine. TBB ends
+// the program where it cannot start a thread that it counts on, so it is asked before, once.
+std::size_t threads_to_be_had() {
+    const std::size_t wanted = std::max(1u, std::thread::hardware_concurrency()) - 1;
+    std::mutex starting;
+    std::vector<std::jthread> threads;
+    const std::scoped_lock all_at_once(starting);  // released first, so that all end
+    try {
+        while (threads.size() < wanted) {
+            threads.emplace_back([&] { const std::scoped_lock wait(starting); });
+        }
+    } catch (const std::system_error&) {
+    }
+    return threads.size();
+}
+
+// Keeps TBB to the threads there are; nothing where the system sets no limit below the machine's.
+const tbb::global_control* limit_threads() {
+    const std::size_t threads = 1 + threads_to_be_had();
+    if (threads >= std::thread::hardware_concurrency()) return nullptr;
+    static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+    return &limit;
+}
+
+}  // namespace
 
 void for_pieces_on_all_threads(std::uint32_t first, std::uint32_t end, std::uint32_t piece,
                                const Piece& work) {
+    [[maybe_unused]] static const tbb::global_control* const limit = limit_threads();
     tbb::parallel_for(
         tbb::blocked_range<std::uint32_t>(first, end, piece),
         [&](const tbb::blocked_range<std::uint32_t>& range) { work(range.begin(), range.end()); },

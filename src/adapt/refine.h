@@ -11,6 +11,15 @@
 
 namespace pectin {
 
+// Why adapt_without_cuts has left faces that intersect each other.
+enum class CutLimit : std::uint8_t {
+    none,      // it has left none
+    floor,     // the edges to split are as short as they may be
+    budget,    // there are as many triangles as there may be
+    search,    // looking for them was ended
+    thinning,  // without a flatness limit vertices were removed all the same
+};
+
 struct Refinement {
     std::uint64_t splits = 0;
     std::uint64_t splits_in_lanes = 0;  // of these, with others at the same time
@@ -21,6 +30,7 @@ struct Refinement {
     // being split and would leave too thin a triangle; some may have been split since.
     std::vector<EdgeId> blocked;
     std::uint64_t cuts = 0;  // that adapt_without_cuts has to leave
+    CutLimit cut_limit = CutLimit::none;
 };
 
 // A queue by decreasing deformed length (in octaves of its square; within one, where few wait,

@@ -5,7 +5,9 @@
 #include <chrono>
 #include <functional>
 #include <future>
+#include <memory>
 #include <stop_token>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -18,13 +20,19 @@ namespace pectin {
 template <typename Result>
 class BackgroundTask {
   public:
-    // work: called once, with a Progress that it advances often.
+    // work: called once, with a Progress that it advances often. Where the system allows no further
+    // thread it is done here, before the constructor returns.
     explicit BackgroundTask(std::function<Result(const Progress&)> work) {
-        std::packaged_task<Result(const Progress&)> task(std::move(work));
-        result_ = task.get_future();
-        thread_ = std::jthread([this, task = std::move(task)](std::stop_token stop) mutable {
-            task(Progress(std::move(stop), [this](double fraction) { fraction_ = fraction; }));
-        });
+        auto task = std::make_shared<std::packaged_task<Result(const Progress&)>>(std::move(work));
+        result_ = task->get_future();
+        const auto run = [this, task](std::stop_token stop) {
+            (*task)(Progress(std::move(stop), [this](double fraction) { fraction_ = fraction; }));
+        };
+        try {
+            thread_ = std::jthread(run);
+        } catch (const std::system_error&) {
+            run({});
+        }
     }
     BackgroundTask(const BackgroundTask&) = delete;
     BackgroundTask& operator=(const BackgroundTask&) = delete;

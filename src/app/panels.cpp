@@ -63,6 +63,10 @@ std::string grouped(std::uint64_t number) {
     return digits;
 }
 
+std::string counted(std::uint64_t number, const char* one, const char* many) {
+    return grouped(number) + ' ' + (number == 1 ? one : many);
+}
+
 std::string formatted(const char* format, double value) {
     std::array<char, 48> text{};
     std::snprintf(text.data(), text.size(), format, value);
@@ -227,7 +231,8 @@ void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
     ImGui::Begin("status", nullptr, kBare);
     claim_window();
     const FrameFigures frame = editor.figures();
-    ImGui::Text("%s triangles", grouped(editor.session().mesh().face_count()).c_str());
+    ImGui::TextUnformatted(
+        counted(editor.session().mesh().face_count(), "triangle", "triangles").c_str());
     ImGui::SameLine(scaled(180.0f));
     ImGui::Text("+%s  −%s", grouped(frame.splits).c_str(), grouped(frame.unsplits).c_str());
     if (ImGui::IsItemHovered()) {
@@ -265,8 +270,8 @@ void Panels::draw_frame_tooltip(const FrameFigures& frame, const PictureFigures&
     tooltip_row("moving", formatted("%.1f ms", 1e3 * frame.deform_seconds));
     tooltip_row("refining", formatted("%.1f ms", 1e3 * frame.refine_seconds));
     tooltip_row("thinning", formatted("%.1f ms", 1e3 * frame.decimate_seconds));
-    tooltip_row("uploaded", grouped(figures.uploaded_bytes) + " bytes in " +
-                                grouped(figures.uploaded_ranges) + " pieces");
+    tooltip_row("uploaded", counted(figures.uploaded_bytes, "byte", "bytes") + " in " +
+                                counted(figures.uploaded_ranges, "piece", "pieces"));
     ImGui::EndTooltip();
 }
 
@@ -297,7 +302,9 @@ void Panels::draw_drag_figures(const Editor& editor) const {
         if (frame.degrees != 0.0) tell(formatted("twist %.0f°", frame.degrees), plain);
         if (frame.scale != 1.0) tell(formatted("scale %.2f", frame.scale), plain);
     }
-    if (frame.folded > 0) tell(grouped(frame.folded) + " vertices folded", kWarning);
+    if (frame.folded > 0) {
+        tell(counted(frame.folded, "vertex folded", "vertices folded"), kWarning);
+    }
     if (frame.budget_hit) {
         tell("the triangle budget is used up", kWarning);
     } else if (frame.floor_hit) {

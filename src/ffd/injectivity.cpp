@@ -57,7 +57,7 @@ struct Interval {
         int first = 0;  // control point
         Conversion conversion{};
     };
-    double width = 0.0;
+    double start = 0.0, width = 0.0;
     std::vector<Share> shares;  // one a field
 };
 
@@ -90,7 +90,7 @@ std::vector<Interval> intervals(std::span<const LatticeField> sum, int axis, int
     const std::vector<double> ends = knots(sum, axis, parts);
     std::vector<Interval> result;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        Interval interval{.width = ends[i + 1] - ends[i], .shares = {}};
+        Interval interval{.start = ends[i], .width = ends[i + 1] - ends[i], .shares = {}};
         for (const LatticeField& field : sum) {
             const Lattice& lattice = field.lattice();
             const double middle = 0.5 * (ends[i] + ends[i + 1]);
@@ -178,6 +178,11 @@ class BernsteinGrid {
     IVec3 counts() const {
         return {static_cast<int>(axes_[0].size()), static_cast<int>(axes_[1].size()),
                 static_cast<int>(axes_[2].size())};
+    }
+    Box box(const IVec3& index) const {
+        const Interval &x = interval(0, index), &y = interval(1, index), &z = interval(2, index);
+        const Vec3 start{x.start, y.start, z.start};
+        return {.min = start, .max = start + Vec3{x.width, y.width, z.width}};
     }
     // Whether anything moves in the box; its coefficients then.
     // part(d): what of a control point's displacement is looked at.
@@ -327,6 +332,14 @@ struct SymmetricPartLimit {
     }
 };
 
+// The largest t ≤ most that one box allows, by all of its coefficients.
+template <typename T, typename Limit>
+double limit_of(const Coefficients<T>& coefficients, double most, const Limit& limit) {
+    if (limit.surely_allows(coefficients, most)) return most;
+    for (int flat = 0; flat < 64; ++flat) most = limit(coefficients.gradient(flat), most);
+    return most;
+}
+
 // Boxes that allow less than all so far are halved.
 template <typename T, typename Limit>
 double limit_over_boxes(std::span<const LatticeField> sum, double most, const Limit& limit) {
@@ -335,21 +348,31 @@ double limit_over_boxes(std::span<const LatticeField> sum, double most, const Li
     const auto part = [&](const Vec3& d) { return limit.part(d); };
     Coefficients<T> coefficients;
     double fraction = most;
-    const auto lower = [&](double& t) {
-        if (limit.surely_allows(coefficients, t)) return;
-        for (int flat = 0; flat < 64; ++flat) t = limit(coefficients.gradient(flat), t);
-    };
     for_each_box(IVec3{0}, whole.counts(), [&](const IVec3& box) {
         if (!whole.coefficients(box, part, coefficients)) return;
-        double of_whole = fraction;
-        lower(of_whole);
-        if (of_whole == fraction) return;
+        if (limit_of(coefficients, fraction, limit) == fraction) return;
         if (!halved) halved.emplace(sum, 2);
         for_each_box(2 * box, 2 * box + 2, [&](const IVec3& eighth) {
-            if (halved->coefficients(eighth, part, coefficients)) lower(fraction);
+            if (halved->coefficients(eighth, part, coefficients)) {
+                fraction = limit_of(coefficients, fraction, limit);
+            }
         });
     });
     return fraction;
+}
+
+template <typename T, typename Limit>
+std::vector<BoxLimit> limits_of_boxes(std::span<const LatticeField> sum, double most,
+                                      const Limit& limit) {
+    const BernsteinGrid halved(sum, 2);
+    const auto part = [&](const Vec3& d) { return limit.part(d); };
+    std::vector<BoxLimit> limits;
+    Coefficients<T> coefficients;
+    for_each_box(IVec3{0}, halved.counts(), [&](const IVec3& box) {
+        if (!halved.coefficients(box, part, coefficients)) return;
+        limits.push_back({halved.box(box), limit_of(coefficients, most, limit)});
+    });
+    return limits;
 }
 
 }  // namespace
@@ -361,6 +384,13 @@ double injective_limit(std::span<const LatticeField> sum, double most) {
         return limit_over_boxes<double>(sum, most, DivergenceLimit{*direction});
     }
     return limit_over_boxes<Vec3>(sum, most, SymmetricPartLimit{});
+}
+
+std::vector<BoxLimit> injective_limits_of_boxes(std::span<const LatticeField> sum, double most) {
+    if (const auto direction = common_direction(sum)) {
+        return limits_of_boxes<double>(sum, most, DivergenceLimit{*direction});
+    }
+    return limits_of_boxes<Vec3>(sum, most, SymmetricPartLimit{});
 }
 
 double gradient_bound(std::span<const LatticeField> sum) {

@@ -27,7 +27,10 @@
 
 #include <span>
 
+#include <vector>
+
 #include "ffd/lattice_field.h"
+#include "geometry/box.h"
 
 namespace pectin {
 
@@ -40,6 +43,15 @@ inline constexpr double kLeastStretch = 0.05;
 // field. Deterministic. Cost: about 5k multiplications for each cell that moves, eight times as
 // much again for each that is halved.
 double injective_limit(std::span<const LatticeField> sum, double most = 1.0);
+
+// The same for every part of space by itself: of each box in which something moves, an eighth of
+// what lies between knots, the largest t in (0, most] that its own coefficients prove.
+// Precondition: no displacement is beyond 1e90 cells.
+struct BoxLimit {
+    Box box;
+    double limit = 0.0;
+};
+std::vector<BoxLimit> injective_limits_of_boxes(std::span<const LatticeField> sum, double most);
 
 // A bound on |∇D(x)| over space (Frobenius norm, of the coefficients), found in the same way.
 double gradient_bound(std::span<const LatticeField> sum);

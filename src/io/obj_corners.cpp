@@ -46,8 +46,8 @@ std::optional<std::uint32_t> ObjReferences::resolve_back(std::int32_t raw, std::
                                                          std::string& why_not) const {
     const auto back = static_cast<std::size_t>(-static_cast<std::int64_t>(raw));
     if (back > count) {
-        why_not = what_ + " " + std::to_string(raw) + " does not exist; up to here are " +
-                  std::to_string(count);
+        why_not = what_ + " " + std::to_string(raw) + " does not exist; up to here " +
+                  (count == 1 ? "is " : "are ") + std::to_string(count);
         return std::nullopt;
     }
     return static_cast<std::uint32_t>(count - back);

@@ -233,7 +233,9 @@ std::array<double, 3> ObjParser::take_position(std::string_view& rest) const {
     std::string why_not;
     for (std::size_t i = 0; i < position.size(); ++i) {
         const auto token = take_token(rest);
-        if (!token) fail("'v' needs 3 numbers, here are " + std::to_string(i));
+        if (!token)
+            fail(std::string("'v' needs 3 numbers, here ") + (i == 1 ? "is " : "are ") +
+                 std::to_string(i));
         const std::optional<double> number = parse_number<double>(*token, why_not);
         if (!number) fail(why_not);
         position[i] = *number;

@@ -65,6 +65,7 @@ const Frame& Gesture::show(std::span<const Vec3> displacements, Adapt adapt) {
         last_.floor_hit = adaptation.refinement.floor_hit;
         last_.budget_hit = adaptation.refinement.budget_hit;
         last_.cuts = adaptation.refinement.cuts;
+        last_.cut_limit = adaptation.refinement.cut_limit;
         last_.blocked = std::move(adaptation.refinement.blocked);
         last_.refine_seconds = adaptation.refine_seconds;
         last_.decimate_seconds = adaptation.decimate_seconds;

@@ -20,6 +20,7 @@ struct Frame {
     bool floor_hit = false, budget_hit = false;
     std::vector<EdgeId> blocked;  // see Refinement
     std::uint64_t cuts = 0;       // left (Refinement::cuts); only a commit looks for them
+    CutLimit cut_limit = CutLimit::none;
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 };
 

@@ -1,14 +1,20 @@
 // Passes over an active set are cut into pieces for all threads; what comes out may not tell.
 #include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
+#include <algorithm>
+#include <cstdint>
+#include <cstdlib>
 #include <memory>
 #include <utility>
 #include <variant>
 #include <vector>
 
+#include "adapt/parallel.h"
 #include "ffd/drag_solver.h"
 #include "session/session.h"
 
@@ -80,6 +86,28 @@ TEST(Threads, GiveTheSameBytesHoweverMany) {
         EXPECT_TRUE(dragged(2, has_two_moves) == one);
         EXPECT_TRUE(dragged(8, has_two_moves) == one);
     }
+}
+
+// For a user that is not the administrator; and only as many threads as there are already.
+void allow_no_further_thread() {
+    if (geteuid() == 0 && setuid(65534) != 0) std::_Exit(2);
+    const rlimit none{1, 1};
+    if (setrlimit(RLIMIT_NPROC, &none) != 0) std::_Exit(2);
+}
+
+TEST(Threads, AreFewerWhereTheSystemAllowsNoMore) {
+    GTEST_FLAG_SET(death_test_style, "threadsafe");
+    EXPECT_EXIT(
+        {
+            allow_no_further_thread();
+            std::vector<std::uint8_t> done(1'000'000, 0);
+            for_pieces(0, 1'000'000, [&](std::uint32_t first, std::uint32_t end) {
+                for (std::uint32_t i = first; i < end; ++i) ++done[i];
+            });
+            const bool all = std::count(done.begin(), done.end(), 1) == 1'000'000;
+            std::_Exit(all ? 0 : 1);
+        },
+        testing::ExitedWithCode(0), "");
 }
 
 }  // namespace

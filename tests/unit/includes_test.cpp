@@ -40,23 +40,24 @@ struct Restricted {
 };
 
 const std::vector<Restricted>& restricted_headers() {
-    static const std::vector<Restricted> kTable{{"tiny_obj_loader", {"io/material_library.cpp"}},
-                                                {"png.h", {"io/png.cpp"}},
-                                                {"nlohmann/", {"command/json.cpp"}},
-                                                {"CLI/", {"app/"}},
-                                                {"Eigen/", {"ffd/"}},
-                                                {"eigen3/", {"ffd/"}},
-                                                {"sqlite3", {"document/"}},
-                                                {"GLFW/", {"app/"}},
-                                                {"GL/", {"render/", "app/"}},
-                                                {"EGL/", {"render/", "app/"}},
-                                                {"GLES", {"render/", "app/"}},
-                                                {"glad/", {"render/", "app/"}},
-                                                {"KHR/", {"render/", "app/"}},
-                                                {"imgui", {"render/", "app/"}},
-                                                {"thread", {"app/", "io/open_file.cpp"}},
-                                                {"tbb/", {"adapt/parallel.cpp"}},
-                                                {"future", {"app/", "io/open_file.cpp"}}};
+    static const std::vector<Restricted> kTable{
+        {"tiny_obj_loader", {"io/material_library.cpp"}},
+        {"png.h", {"io/png.cpp"}},
+        {"nlohmann/", {"command/json.cpp"}},
+        {"CLI/", {"app/"}},
+        {"Eigen/", {"ffd/"}},
+        {"eigen3/", {"ffd/"}},
+        {"sqlite3", {"document/"}},
+        {"GLFW/", {"app/"}},
+        {"GL/", {"render/", "app/"}},
+        {"EGL/", {"render/", "app/"}},
+        {"GLES", {"render/", "app/"}},
+        {"glad/", {"render/", "app/"}},
+        {"KHR/", {"render/", "app/"}},
+        {"imgui", {"render/", "app/"}},
+        {"thread", {"app/", "adapt/parallel.cpp", "io/open_file.cpp"}},
+        {"tbb/", {"adapt/parallel.cpp"}},
+        {"future", {"app/", "io/open_file.cpp"}}};
     return kTable;
 }
 

@@ -210,6 +210,9 @@ TEST(ReadObj, NamesTheLineOfABadNumber) {
     EXPECT_EQ(refusal("v 1,5 2 3\n"),
               "t.obj:1: '1,5' is no number; numbers look like -1.5 or 2e-3");
     EXPECT_EQ(refusal(kTriangle + "v 1 2\n"), "t.obj:4: 'v' needs 3 numbers, here are 2");
+    EXPECT_EQ(refusal(kTriangle + "v 1\n"), "t.obj:4: 'v' needs 3 numbers, here is 1");
+    EXPECT_EQ(refusal("v 0 0 0\nf -1 -1 -2\n"),
+              "t.obj:2: vertex -2 does not exist; up to here is 1");
     EXPECT_EQ(refusal("\r\n\r\nv\r\n"), "t.obj:3: 'v' needs 3 numbers, here are 0");
     EXPECT_EQ(refusal("\rv nan 0 0"), "t.obj:2: 'nan' is not a finite number");
     EXPECT_EQ(refusal("v 0 -inf 0"), "t.obj:1: '-inf' is not a finite number");
