@@ -105,6 +105,10 @@ class RepeatedFields : public nlohmann::json_sax<json> {
 };
 
 json parse_strictly(std::string_view text) {
+    // Versions of nlohmann-json say this differently.
+    if (text.empty()) {
+        throw Problem("not valid JSON at column 1: unexpected end of input; expected a value");
+    }
     RepeatedFields repeated;
     json::sax_parse(text.begin(), text.end(), &repeated);
     try {

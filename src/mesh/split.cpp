@@ -86,8 +86,8 @@ bool TriMesh::has_free_slots() const {
            !free_faces_.empty();
 }
 
-// So it is where an unsplit of e is being taken back.
-bool TriMesh::has_free_slots_for_split(EdgeId e) const {
+// Whether the split of e needs no memory: so it is where an unsplit of e is taken back.
+bool TriMesh::has_slots_for_split(EdgeId e) {
     std::size_t wedges = 0, edges = 0, faces = 0;
     EdgeId sheet = e;
     do {
@@ -97,8 +97,16 @@ bool TriMesh::has_free_slots_for_split(EdgeId e) const {
         faces += sides;
         sheet = sibling(sheet);
     } while (sheet != e);
-    return !free_vertices_.empty() && free_wedges_.size() >= wedges &&
-           free_edges_.size() >= edges && free_faces_.size() >= faces;
+    bool suffices = true;
+    const auto check = [&suffices](const auto& slots, std::size_t needed, std::size_t free) {
+        if (needed > free) suffices &= slots.capacity() - slots.size() >= needed - free;
+    };
+    for_each_array_of_vertices([&](auto& slots) { check(slots, 1, free_vertices_.size()); });
+    for_each_array_of_wedges([&](auto& slots) { check(slots, wedges, free_wedges_.size()); });
+    for_each_array_of_edges([&](auto& slots) { check(slots, edges, free_edges_.size()); });
+    check(half_edges_, 3 * faces, 3 * free_faces_.size());
+    check(face_bases_, faces, free_faces_.size());
+    return suffices;
 }
 
 EdgeId TriMesh::leader(EdgeId e) const {
@@ -215,7 +223,7 @@ void TriMesh::make_room(EdgeId e) {
     std::size_t sides = 0;
     for_each_side(e, [&](HalfEdgeId) { ++sides; });
     if (along_cut) sheets_.reserve(sides);
-    if (has_free_slots_for_split(e)) return;
+    if (has_slots_for_split(e)) return;
     reserve_for(std::max<std::size_t>(sides, 2));
     room_.splits = along_cut ? 0 : room_.splits - 1;
 }

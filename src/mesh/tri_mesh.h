@@ -297,7 +297,9 @@ class TriMesh {
     FaceId allocate_face();
     SplitIds allocate_split();
     bool has_free_slots() const;
-    bool has_free_slots_for_split(EdgeId e) const;
+    bool has_slots_for_split(EdgeId e);
+    static bool removes(std::uint32_t slot, std::uint32_t slots, std::uint32_t kept,
+                        std::size_t free);
     void clear(VertexId v);
     void clear(WedgeId w);
     void clear(EdgeId e);

@@ -35,35 +35,48 @@ void TriMesh::clear(FaceId f) {
     face_bases_[index(f)] = kNone<FaceId>;
 }
 
-// A split adds a slot only where no other is free. So when splits are taken back, last first, an
-// added slot is the last one again, and none of its kind is free.
+// While edits are taken back, the last slot is removed where no other of its kind is free.
+// Allocating then adds it again, so this makes no difference to which slots later allocations give.
+bool TriMesh::removes(std::uint32_t slot, std::uint32_t slots, std::uint32_t kept,
+                      std::size_t free) {
+    return slot >= kept && slot + 1 == slots && free == 0;
+}
+
 void TriMesh::release(VertexId v) {
     clear(v);
-    if (index(v) < kept_slots_.vertices) return free_vertices_.push_back(v);
-    assert(free_vertices_.empty() && index(v) + 1 == vertex_slots());
-    for_each_array_of_vertices([](auto& slots) { slots.pop_back(); });
+    if (removes(index(v), vertex_slots(), kept_slots_.vertices, free_vertices_.size())) {
+        for_each_array_of_vertices([](auto& slots) { slots.pop_back(); });
+    } else {
+        free_vertices_.push_back(v);
+    }
 }
 
 void TriMesh::release(WedgeId w) {
     clear(w);
-    if (index(w) < kept_slots_.wedges) return free_wedges_.push_back(w);
-    assert(free_wedges_.empty() && index(w) + 1 == wedge_slots());
-    for_each_array_of_wedges([](auto& slots) { slots.pop_back(); });
+    if (removes(index(w), wedge_slots(), kept_slots_.wedges, free_wedges_.size())) {
+        for_each_array_of_wedges([](auto& slots) { slots.pop_back(); });
+    } else {
+        free_wedges_.push_back(w);
+    }
 }
 
 void TriMesh::release(EdgeId e) {
     clear(e);
-    if (index(e) < kept_slots_.edges) return free_edges_.push_back(e);
-    assert(free_edges_.empty() && index(e) + 1 == edge_slots());
-    for_each_array_of_edges([](auto& slots) { slots.pop_back(); });
+    if (removes(index(e), edge_slots(), kept_slots_.edges, free_edges_.size())) {
+        for_each_array_of_edges([](auto& slots) { slots.pop_back(); });
+    } else {
+        free_edges_.push_back(e);
+    }
 }
 
 void TriMesh::release(FaceId f) {
     clear(f);
-    if (index(f) < kept_slots_.faces) return free_faces_.push_back(f);
-    assert(free_faces_.empty() && index(f) + 1 == face_slots());
-    half_edges_.resize(half_edges_.size() - 3);
-    face_bases_.pop_back();
+    if (removes(index(f), face_slots(), kept_slots_.faces, free_faces_.size())) {
+        half_edges_.resize(half_edges_.size() - 3);
+        face_bases_.pop_back();
+    } else {
+        free_faces_.push_back(f);
+    }
 }
 
 std::optional<Star> TriMesh::removable(VertexId m) const {

@@ -4,7 +4,9 @@
 
 #include <cstdio>
 #include <filesystem>
+#include <fstream>
 #include <functional>
+#include <iterator>
 #include <new>
 #include <string>
 #include <vector>
@@ -47,11 +49,16 @@ class SessionMemory : public testing::Test {
     }
     ~SessionMemory() override { fs::remove_all(folder_); }
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string read(const std::string& name) const {
+        std::ifstream file(path(name), std::ios::binary);
+        return {std::istreambuf_iterator<char>(file), {}};
+    }
 
     // Runs `work` on a prepared session again and again, each time with a later allocation failing,
     // until none does. Where it fails, the mesh must be as it was; and once more it must succeed
     // and lead to the same mesh as without a failure.
-    void expect_all_or_nothing(const std::function<void(Session&)>& work) const {
+    void expect_all_or_nothing(const std::function<void(Session&)>& work,
+                               int least_failures = 5) const {
         Session undisturbed;
         prepare(undisturbed);
         const TriMesh before = undisturbed.mesh();
@@ -85,15 +92,16 @@ class SessionMemory : public testing::Test {
                 ASSERT_TRUE(session.mesh() == after);
             }
         }
-        EXPECT_GT(failures, 5);
-        std::printf("%d failures\n", failures);
-        RecordProperty("failures", failures);
+        EXPECT_GE(failures, least_failures);
+        std::printf("memory ended at %d allocations\n", failures);
     }
-    void expect_all_or_nothing(const Command& command) const {
-        expect_all_or_nothing([&command](Session& session) {
-            const auto refusal = session.execute(command);
-            if (refusal) FAIL() << *refusal;
-        });
+    void expect_all_or_nothing(const Command& command, int least_failures = 5) const {
+        expect_all_or_nothing(
+            [&command](Session& session) {
+                const auto refusal = session.execute(command);
+                if (refusal) FAIL() << *refusal;
+            },
+            least_failures);
     }
 
   private:
@@ -104,9 +112,11 @@ TEST_F(SessionMemory, ADragIsDoneOrTakenBack) {
     expect_all_or_nothing(drag(Vec3(0, -1, 0), Vec3(0, -1.7, 0.2)));
 }
 
-TEST_F(SessionMemory, AnUndoIsDoneOrNot) { expect_all_or_nothing(command::Undo{}); }
-
-TEST_F(SessionMemory, ARedoIsDoneOrNot) { expect_all_or_nothing(command::Redo{}); }
+// What they need the drag has had before.
+TEST_F(SessionMemory, UndoAndRedoOfADragNeedNoMemory) {
+    expect_all_or_nothing(command::Undo{}, 0);
+    expect_all_or_nothing(command::Redo{}, 0);
+}
 
 TEST_F(SessionMemory, ReadaptingIsDoneOrTakenBack) {
     expect_all_or_nothing([](Session& session) {
@@ -150,6 +160,9 @@ TEST_F(SessionMemory, ASaveIsWholeOrNotThere) {
     int failures = 0;
     Session session;
     prepare(session);
+    execute(session, command::Save{path("model.obj")});
+    const std::string whole = read("model.obj");
+    fs::remove(path("model.obj"));
     bool is_enough = false;
     for (std::size_t served = 0; !is_enough; served += 1 + served / 32) {
         bool is_done = false;
@@ -163,12 +176,14 @@ TEST_F(SessionMemory, ASaveIsWholeOrNotThere) {
             is_enough = !failing.has_failed();
         }
         failures += is_done ? 0 : 1;
-        EXPECT_EQ(fs::exists(path("model.obj")), is_done);
-        EXPECT_EQ(std::distance(fs::directory_iterator(fs::path(path("")).parent_path()),
-                                fs::directory_iterator()),
-                  is_done ? 1 : 0)
-            << "a temporary file stayed";
+        // It may also be there where only the report of it failed.
+        const bool is_there = fs::exists(path("model.obj"));
+        EXPECT_TRUE(is_there || !is_done);
+        if (is_there) {
+            EXPECT_EQ(read("model.obj"), whole);
+        }
         fs::remove(path("model.obj"));
+        EXPECT_TRUE(fs::is_empty(path(""))) << "a temporary file stayed";
     }
     EXPECT_GT(failures, 5);
 }
