@@ -58,7 +58,15 @@ void* __wrap_mmap(void* at, std::size_t size, int protection, int flags, int fil
 // Those of alignments beyond malloc's stay the library's.
 void* operator new(std::size_t size) { return pectin::test::allocated(size); }
 void* operator new[](std::size_t size) { return pectin::test::allocated(size); }
+void* operator new(std::size_t size, const std::nothrow_t&) noexcept {
+    return pectin::test::fails() ? nullptr : std::malloc(size > 0 ? size : 1);
+}
+void* operator new[](std::size_t size, const std::nothrow_t& nothrow) noexcept {
+    return operator new(size, nothrow);
+}
 void operator delete(void* block) noexcept { std::free(block); }
 void operator delete[](void* block) noexcept { std::free(block); }
+void operator delete(void* block, const std::nothrow_t&) noexcept { std::free(block); }
+void operator delete[](void* block, const std::nothrow_t&) noexcept { std::free(block); }
 void operator delete(void* block, std::size_t) noexcept { std::free(block); }
 void operator delete[](void* block, std::size_t) noexcept { std::free(block); }

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <cstdlib>
 #include <cstring>
 #include <optional>
 #include <utility>
@@ -17,6 +18,25 @@ std::string last_error() {
     const char* description = nullptr;
     glfwGetError(&description);
     return description ? description : "no reason given";
+}
+
+bool is_set(const char* variable) {
+    const char* const value = std::getenv(variable);
+    return value && value[0] != '\0';
+}
+
+// A Wayland display may be found by its folder alone.
+bool may_have_display() {
+    return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || is_set("XDG_RUNTIME_DIR");
+}
+
+// GLFW 3.4 would look for a Wayland display first, and its library complains where there is none.
+void prefer_display_that_is_named() {
+#ifdef GLFW_PLATFORM
+    if (is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) {
+        glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
+    }
+#endif
 }
 
 WindowHost& host_of(GLFWwindow* window) {
@@ -133,8 +153,13 @@ GLFWwindow* make_window(const std::string& title, const IVec2& wanted) {
 }  // namespace
 
 WindowHost::Library::Library() {
-    if (glfwInit() == GLFW_TRUE) return;
-    throw ContextError("there is no display to open a window on (" + last_error() +
+    std::string why = "neither DISPLAY nor WAYLAND_DISPLAY is set";
+    if (may_have_display()) {
+        prefer_display_that_is_named();
+        if (glfwInit() == GLFW_TRUE) return;
+        why = last_error();
+    }
+    throw ContextError("there is no display to open a window on (" + why +
                        "); start pectin in a desktop session, or do without a window: "
                        "pectin replay SCRIPT");
 }
