@@ -16,7 +16,7 @@ inline std::string not_enough_memory(const std::string& what, const History& his
     const double megabytes = 1e-6 * static_cast<double>(history.memory_bytes());
     return "not enough memory for this " + what + "; undo history takes " +
            std::to_string(std::llround(megabytes)) +
-           " MB, which a lower limit of it frees, or use a lower resolution, budget or model";
+           " MB; lower its limit, or use a lower resolution, budget or model";
 }
 
 // What `work`, which does the command, answers is wrong, or what it throws.
