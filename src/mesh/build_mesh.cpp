@@ -4,10 +4,12 @@
 #include <array>
 #include <cassert>
 #include <numeric>
+#include <optional>
 #include <utility>
 
 #include "mesh/corner_wedges.h"
 #include "mesh/growing_array.h"
+#include "mesh/mirror_centre.h"
 #include "mesh/triangulate.h"
 
 namespace pectin {
@@ -68,6 +70,7 @@ class MeshBuilder {
     std::vector<std::uint32_t> corner_of_;  // 3 n_faces; into input_.corners
     std::vector<HalfEdgeId> cut_;           // half-edges along cuts, run by run
     std::vector<std::size_t> cut_ends_;     // of the runs
+    std::optional<Vec3> mirror_centre_;     // found where the first polygon needs it
 
     std::vector<std::uint32_t> ring_;  // scratch of add_polygon: corners without repetition
     std::vector<Vec3> ring_positions_;
@@ -134,7 +137,10 @@ void MeshBuilder::add_triangles(std::uint32_t polygon) {
     ring_corners_.assign(ring_.size(), OutlineCorner::loose(kNobody));
     if (ring_.size() < 3) return;
     for (std::uint32_t c : ring_) ring_positions_.push_back(mesh_.positions_[vertex(c)]);
-    triangulate(ring_positions_, triangles_);
+    if (ring_.size() > 3 && !mirror_centre_) mirror_centre_ = mirror_centre(mesh_.positions_);
+    if (!triangulate(ring_positions_, triangles_, mirror_centre_.value_or(Vec3{0.0}))) {
+        ++report_.crossing_polygons;
+    }
     for (const auto& t : triangles_) {
         const std::uint32_t a = ring_[t[0]], b = ring_[t[1]], c = ring_[t[2]];
         if (vertex(a) == vertex(b) || vertex(b) == vertex(c) || vertex(c) == vertex(a)) continue;

@@ -10,14 +10,17 @@
 
 namespace pectin {
 
-// Appends the triangles of the polygon with these corners (in order, at least 3), as indices of
-// corners, each with the polygon's orientation. Quads are cut along 0-2 unless only 1-3 keeps
-// both halves facing the polygon's way. Larger polygons are cut by ears (Meisters 1975) in the
-// plane of their Newell normal; convex ones become fans. Polygons that cross themselves or have no
-// area get some triangulation of n - 2 triangles. Cost: about O(n) for most polygons, since corners
-// that lie in an ear are looked up in a grid; O(n^2) at worst, with a bound that only polygons
-// which cross themselves meet.
-void triangulate(std::span<const Vec3> corners,
-                 std::vector<std::array<std::uint32_t, 3>>& triangles);
+// Appends n - 2 triangles of the polygon with these corners (in order, at least 3), as indices of
+// corners, each with the polygon's orientation. Quads get the diagonal of choose_diagonal. Larger
+// polygons are projected along the axis that their normal is nearest to, which moves no coordinate,
+// cut by their ears and made constrained Delaunay. Apart from ties in polygons that are their own
+// mirror image, the result does not depend on the first corner, and mirroring the polygon in any
+// axis through `centre` mirrors it.
+// Returns whether the triangles cover the polygon and nothing else. They do unless it crosses
+// itself (where it is not flat: in that projection and in its own plane).
+// Cost: that of clip_ears and flip_to_delaunay.
+bool triangulate(std::span<const Vec3> corners,
+                 std::vector<std::array<std::uint32_t, 3>>& triangles,
+                 const Vec3& centre = Vec3{0.0});
 
 }  // namespace pectin

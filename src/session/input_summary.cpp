@@ -18,6 +18,9 @@ struct Finding {
 // In the order in which they are told.
 constexpr std::array kFindings{
     Finding{"triangulated_polygons", &BuildReport::triangulated_polygons},
+    Finding{"crossing_polygons", &BuildReport::crossing_polygons,
+            "polygon crosses itself, so that no triangles cover it exactly",
+            "polygons cross themselves, so that no triangles cover them exactly"},
     Finding{"boundary_edges", &BuildReport::boundary_edges},
     Finding{"nonmanifold_edges", &BuildReport::nonmanifold_edges,
             "edge cut where more than two faces meet", "edges cut where more than two faces meet"},

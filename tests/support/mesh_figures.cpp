@@ -1,8 +1,12 @@
 #include "support/mesh_figures.h"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <filesystem>
+#include <iterator>
 #include <limits>
+#include <map>
 #include <utility>
 
 #include "geometry/ray.h"
@@ -112,6 +116,46 @@ double asymmetry(const TriMesh& mesh) {
         worst = std::max(worst, nearest);
     }
     return worst;
+}
+
+std::size_t faces_without_image(const TriMesh& mesh, int axis, double tolerance, double middle) {
+    // Faces by their centres, in cells that are searched with their neighbours.
+    struct Corners {
+        Vec3 at[3];
+    };
+    std::map<std::array<long long, 3>, std::vector<Corners>> by_cell;
+    const double cell = 4.0 * tolerance;
+    const auto cell_of = [cell](const Corners& c) {
+        const Vec3 p = (c.at[0] + c.at[1] + c.at[2]) / (3.0 * cell);
+        return std::array{std::llround(p.x), std::llround(p.y), std::llround(p.z)};
+    };
+    const auto corners_of = [&](FaceId f) {
+        Corners c;
+        for (int i = 0; i < 3; ++i) c.at[i] = mesh.position(mesh.origin(TriMesh::half_edge(f, i)));
+        return c;
+    };
+    const auto is_near = [tolerance](const Corners& x, const Corners& y) {
+        return std::all_of(std::begin(x.at), std::end(x.at), [&](const Vec3& p) {
+            return std::any_of(std::begin(y.at), std::end(y.at),
+                               [&](const Vec3& q) { return glm::distance(p, q) <= tolerance; });
+        });
+    };
+    const std::vector<FaceId> faces = live_faces(mesh);
+    for (FaceId f : faces) by_cell[cell_of(corners_of(f))].push_back(corners_of(f));
+    return static_cast<std::size_t>(std::count_if(faces.begin(), faces.end(), [&](FaceId f) {
+        Corners image = corners_of(f);
+        for (Vec3& p : image.at) p[axis] = 2.0 * middle - p[axis];
+        const auto around = cell_of(image);
+        for (int k = 0; k < 27; ++k) {
+            const auto found = by_cell.find(
+                {around[0] + k % 3 - 1, around[1] + k / 3 % 3 - 1, around[2] + k / 9 - 1});
+            if (found == by_cell.end()) continue;
+            for (const Corners& c : found->second) {
+                if (is_near(image, c)) return false;
+            }
+        }
+        return true;
+    }));
 }
 
 bool has_the_faces_of(const TriMesh& mesh, const TriMesh& base) {

@@ -18,7 +18,8 @@ std::vector<std::string> real_models();
 std::vector<EdgeId> live_edges(const TriMesh& mesh);
 std::vector<FaceId> live_faces(const TriMesh& mesh);
 
-// V - E + F, counting also vertices without a face; edges that a cut has laid along each other are
+// V - E + F, counting also vertices without a face, except those that a seam has joined to others;
+// edges that a cut has laid along each other are
 // one.
 int euler_characteristic(const TriMesh& mesh);
 double area(const TriMesh& mesh);
@@ -32,6 +33,11 @@ std::size_t crossings(const TriMesh& mesh);
 // The farthest that the image of a vertex or of the middle of an edge, mirrored at x = 0, is from
 // the nearest of them.
 double asymmetry(const TriMesh& mesh);
+
+// How many faces have no mirror image: one whose corners lie within `tolerance` of the images of
+// its corners in the plane where the axis (0 to 2) has the value `middle`.
+std::size_t faces_without_image(const TriMesh& mesh, int axis, double tolerance,
+                                double middle = 0.0);
 
 // Whether `mesh` has the faces, corners and positions of `base`, in the same slots, and no others.
 bool has_the_faces_of(const TriMesh& mesh, const TriMesh& base);

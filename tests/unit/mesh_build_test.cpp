@@ -59,6 +59,7 @@ std::string text_of(const BuildReport& r) {
         if (count > 0) text += std::to_string(count) + ' ' + what + "; ";
     };
     add("triangulated", r.triangulated_polygons);
+    add("crossing", r.crossing_polygons);
     add("degenerate", r.degenerate_polygons);
     add("repeated", r.repeated_corners);
     add("zero-area", r.zero_area_faces);

@@ -99,7 +99,7 @@ TEST(FoldFreeSession, CutsNoFlatTrianglesThatWereLongBetweenItsSteps) {
         expect_done(session, Brush{.radius = radius});
         const Vec3 from{0, 1, 0};
         for (int i = 0; i < 8; ++i) {
-            const double angle = 0.1 + 0.25 * std::numbers::pi * i;
+            const double angle = 0.4 + 0.25 * std::numbers::pi * i;
             expect_done(
                 session,
                 Drag{.moves = {{from, {0, 0.97, 0}}},

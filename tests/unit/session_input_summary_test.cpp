@@ -27,8 +27,16 @@ TEST(InputSummary, IsOneSentenceThatBeginsWithTheFilesName) {
         "kept; 1 isolated vertex");
 }
 
+TEST(InputSummary, TellsOfCrossingPolygonsInTheSingularAndThePlural) {
+    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 1}),
+              "a.obj: 1 polygon crosses itself, so that no triangles cover it exactly");
+    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 2}),
+              "a.obj: 2 polygons cross themselves, so that no triangles cover them exactly");
+}
+
 TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
     const BuildReport report{.triangulated_polygons = 1,
+                             .crossing_polygons = 13,
                              .degenerate_polygons = 2,
                              .repeated_corners = 3,
                              .zero_area_faces = 4,
@@ -46,8 +54,8 @@ TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
         names.insert(count.name);
         counts.insert(count.count);
     }
-    EXPECT_EQ(names.size(), 12u);
-    EXPECT_EQ(counts, (std::set<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12}));
+    EXPECT_EQ(names.size(), 13u);
+    EXPECT_EQ(counts, (std::set<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13}));
 }
 
 TEST(InputSummary, StatisticsHoldTheCountsOfTheObject) {

@@ -1,0 +1,61 @@
+#include "geometry/orientation.h"
+
+#include <array>
+#include <cmath>
+#include <cstddef>
+
+namespace pectin {
+namespace {
+
+// A sum of doubles without rounding: components in increasing order that do not overlap.
+class ExactSum {
+  public:
+    // Adds x * y (Shewchuk 1997, sections 2.4 and 2.5).
+    void add_product(double x, double y) {
+        const double product = x * y;
+        add(std::fma(x, y, -product));
+        add(product);
+    }
+    int sign() const {
+        for (std::size_t i = size_; i-- > 0;) {
+            if (parts_[i] != 0.0) return parts_[i] > 0.0 ? 1 : -1;
+        }
+        return 0;
+    }
+
+  private:
+    void add(double value) {
+        for (std::size_t i = 0; i < size_; ++i) {
+            const double part = parts_[i], sum = value + part;
+            const double rounded = sum - value;
+            parts_[i] = (value - (sum - rounded)) + (part - rounded);
+            value = sum;
+        }
+        parts_[size_++] = value;
+    }
+
+    std::array<double, 12> parts_{};
+    std::size_t size_ = 0;
+};
+
+}  // namespace
+
+int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
+    const double left = (a.x - c.x) * (b.y - c.y), right = (a.y - c.y) * (b.x - c.x);
+    // Shewchuk 1997, section 4.1: (3 + 16 u) u with u = 2^-53.
+    constexpr double kErrorBound = 3.3306690738754716e-16;
+    const double determinant = left - right;
+    if (std::abs(determinant) > kErrorBound * (std::abs(left) + std::abs(right))) {
+        return determinant > 0.0 ? 1 : -1;
+    }
+    ExactSum sum;
+    sum.add_product(a.x, b.y);
+    sum.add_product(-a.x, c.y);
+    sum.add_product(-c.x, b.y);
+    sum.add_product(-a.y, b.x);
+    sum.add_product(a.y, c.x);
+    sum.add_product(c.y, b.x);
+    return sum.sign();
+}
+
+}  // namespace pectin

@@ -1,0 +1,168 @@
+#include "mesh/ear_clipping.h"
+
+#include <bit>
+#include <functional>
+#include <queue>
+#include <tuple>
+
+#include "geometry/orientation.h"
+#include "mesh/point_tree.h"
+
+namespace pectin {
+namespace {
+
+// What an ear may be, from what simple polygons have to what is left of those that cross
+// themselves.
+enum class Rule { proper, touched, flat, any };
+
+// Polygons that do not cross themselves never need a rule to be eased as often as this.
+constexpr int kMostEasings = 16;
+
+class EarClipper {
+  public:
+    explicit EarClipper(const FlatPolygon& polygon)
+        : polygon_(polygon),
+          next_(polygon.points.size()),
+          prev_(polygon.points.size()),
+          version_(polygon.points.size(), 0),
+          is_blocker_(polygon.points.size(), false),
+          left_(polygon.points.size()),
+          blockers_(link_corners()) {}
+
+    std::vector<CornerTriangle> clip() {
+        triangles_.reserve(polygon_.points.size());
+        push_all();
+        while (left_ > 3) {
+            if (ears_.empty()) {
+                ease_rule();
+                continue;
+            }
+            const Ear ear = ears_.top();
+            ears_.pop();
+            const bool is_current = version_[ear.tip] == ear.version;
+            if (is_current && is_ear(ear.tip)) cut(ear.tip);
+        }
+        triangles_.push_back({prev_[last_], last_, next_[last_]});
+        return std::move(triangles_);
+    }
+
+  private:
+    struct Ear {
+        std::uint32_t length = 0;  // of the diagonal, as bits of a float: coarse enough that
+                                   // lengths which rounding has made different are equal
+        std::uint32_t order = 0, tip = 0, version = 0;
+        bool operator>(const Ear& o) const {
+            return std::tie(length, order, tip) > std::tie(o.length, o.order, o.tip);
+        }
+    };
+
+    const Vec2& point(std::uint32_t i) const { return polygon_.points[i]; }
+    int turn(std::uint32_t i) const {
+        return orientation(point(prev_[i]), point(i), point(next_[i]));
+    }
+
+    // Makes a ring of the corners. Returns a tree of those that are not convex: where any corner
+    // lies in a triangle, one of these does.
+    PointTree link_corners() {
+        const auto n = static_cast<std::uint32_t>(polygon_.points.size());
+        for (std::uint32_t i = 0; i < n; ++i) {
+            next_[i] = (i + 1) % n;
+            prev_[i] = (i + n - 1) % n;
+        }
+        std::vector<std::uint32_t> blockers;
+        for (std::uint32_t i = 0; i < n; ++i) {
+            if (turn(i) > 0) continue;
+            is_blocker_[i] = true;
+            blockers.push_back(i);
+        }
+        return {polygon_.points, std::move(blockers)};
+    }
+
+    void push(std::uint32_t tip) {
+        const Vec3 diagonal = polygon_.in_space[next_[tip]] - polygon_.in_space[prev_[tip]];
+        const auto squared = static_cast<float>(glm::dot(diagonal, diagonal));
+        constexpr std::uint32_t kEqual = (1u << 10) - 1;  // 2^-13 of a squared length
+        ears_.push({std::bit_cast<std::uint32_t>(squared) & ~kEqual, polygon_.order[tip], tip,
+                    ++version_[tip]});
+    }
+    void push_all() {
+        std::uint32_t i = last_;
+        do push(i);
+        while ((i = next_[i]) != last_);
+    }
+
+    bool is_ear(std::uint32_t i) const {
+        if (rule_ == Rule::any) return true;
+        const int turned = turn(i);
+        if (turned < 0 || (turned == 0 && rule_ < Rule::flat)) return false;
+        if (blockers_.is_empty() || turned == 0) return true;
+        const std::uint32_t before = prev_[i], after = next_[i];
+        const Vec2 &a = point(before), &b = point(i), &c = point(after);
+        const int least = rule_ == Rule::proper ? 0 : 1;  // whether points on a side are in the way
+        return !blockers_.any_near({a, b, c}, [&](std::uint32_t r) {
+            const Vec2& p = point(r);
+            return p != a && p != b && p != c && orientation(a, b, p) >= least &&
+                   orientation(b, c, p) >= least && orientation(c, a, p) >= least;
+        });
+    }
+
+    void cut(std::uint32_t i) {
+        const std::uint32_t before = prev_[i], after = next_[i];
+        triangles_.push_back({before, i, after});
+        next_[before] = after;
+        prev_[after] = before;
+        ++version_[i];
+        stop_blocking(i);
+        for (std::uint32_t r : {before, after}) {
+            if (turn(r) > 0) stop_blocking(r);
+            push(r);
+        }
+        last_ = after;
+        --left_;
+        has_cut_ = true;
+        if (rule_ == Rule::any && easings_ < kMostEasings) restart(Rule::proper);
+    }
+    void stop_blocking(std::uint32_t i) {
+        if (!is_blocker_[i]) return;
+        is_blocker_[i] = false;
+        blockers_.remove(i);
+    }
+
+    // No corner is an ear by the present rule.
+    void ease_rule() {
+        if (has_cut_ && rule_ != Rule::proper && easings_ < kMostEasings) {
+            restart(Rule::proper);
+        } else {
+            restart(rule_ == Rule::proper    ? Rule::touched
+                    : rule_ == Rule::touched ? Rule::flat
+                                             : Rule::any);
+        }
+    }
+    void restart(Rule rule) {
+        rule_ = ++easings_ < kMostEasings ? rule : Rule::any;
+        has_cut_ = false;
+        ears_ = {};
+        push_all();
+    }
+
+    const FlatPolygon& polygon_;
+    std::vector<std::uint32_t> next_, prev_;
+    std::vector<std::uint32_t> version_;  // an ear of an earlier version is out of date
+    std::vector<bool> is_blocker_;
+    std::size_t left_;
+    PointTree blockers_;
+    std::priority_queue<Ear, std::vector<Ear>, std::greater<>> ears_;
+    std::vector<CornerTriangle> triangles_;
+    std::uint32_t last_ = 0;  // a corner that is left
+    Rule rule_ = Rule::proper;
+    bool has_cut_ = false;  // since the rule was changed
+    int easings_ = 0;
+};
+
+}  // namespace
+
+std::vector<CornerTriangle> clip_ears(const FlatPolygon& polygon) {
+    return EarClipper(polygon).clip();
+}
+
+}  // namespace pectin

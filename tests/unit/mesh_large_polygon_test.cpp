@@ -1,0 +1,215 @@
+// Polygons of many corners and awkward shapes: their triangles cover them exactly, or the result
+// says that they do not.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <functional>
+#include <numbers>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "io/obj_reader.h"
+#include "mesh/build_mesh.h"
+#include "mesh/triangulate.h"
+#include "support/random_mesh.h"
+
+namespace pectin {
+namespace {
+
+using test::Random;
+using Triangles = std::vector<std::array<std::uint32_t, 3>>;
+using Ring = std::vector<Vec3>;
+
+double area(const Vec3& a, const Vec3& b, const Vec3& c) {
+    return 0.5 * glm::length(glm::cross(b - a, c - a));
+}
+
+double area_of(const Ring& ring) {
+    Vec3 sum{0.0};
+    for (std::size_t i = 1; i + 1 < ring.size(); ++i) {
+        sum += 0.5 * glm::cross(ring[i] - ring[0], ring[i + 1] - ring[0]);
+    }
+    return glm::length(sum);
+}
+
+double area_of(const Ring& ring, const Triangles& triangles) {
+    double sum = 0.0;
+    for (const auto& t : triangles) sum += area(ring[t[0]], ring[t[1]], ring[t[2]]);
+    return sum;
+}
+
+void expect_covered(const Ring& ring) {
+    Triangles triangles;
+    EXPECT_TRUE(triangulate(ring, triangles));
+    ASSERT_EQ(triangles.size(), ring.size() - 2);
+    EXPECT_NEAR(area_of(ring, triangles), area_of(ring), 1e-11 * area_of(ring));
+}
+
+// A band between two arms of a spiral.
+Ring spiral(int corners, double angle_step, double growth, double width) {
+    Ring ring;
+    const auto add = [&](int i, double offset) {
+        const double a = angle_step * i, r = 0.1 + growth * i + offset;
+        ring.push_back({r * std::cos(a), r * std::sin(a), 0});
+    };
+    for (int i = 0; i < corners / 2; ++i) add(i, 0.0);
+    for (int i = corners / 2; i-- > 0;) add(i, width);
+    return ring;
+}
+
+// Thin teeth along a line, turned about the origin.
+Ring comb(int teeth, double angle) {
+    Ring ring;
+    const auto add = [&](double x, double y) {
+        ring.push_back({x * std::cos(angle) - y * std::sin(angle),
+                        x * std::sin(angle) + y * std::cos(angle), 0});
+    };
+    add(0, -0.1);
+    add(1, -0.1);
+    for (int i = teeth; i-- > 0;) {
+        const double x = static_cast<double>(i) / teeth, gap = 1.0 / teeth;
+        add(x + 0.6 * gap, 0);
+        add(x + 0.5 * gap, 1);
+        add(x + 0.4 * gap, 0);
+    }
+    return ring;
+}
+
+Ring turned(Ring ring, std::size_t by) {
+    std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(by), ring.end());
+    return ring;
+}
+
+TEST(LargePolygon, SpiralOfFourThousandCornersIsCoveredExactly) {
+    const Ring ring = spiral(4000, 0.05 * std::numbers::pi, 0.0005, 0.002);
+    EXPECT_NEAR(area_of(ring), 0.375, 0.01);
+    expect_covered(ring);
+    expect_covered(turned(ring, 1234));
+}
+
+TEST(LargePolygon, CombsSpiralsAndStarsAreCoveredExactly) {
+    expect_covered(spiral(60'000, 0.01 * std::numbers::pi, 0.0005, 0.05));
+    for (const double angle : {0.0, std::numbers::pi / 4.0, 1.0}) {
+        expect_covered(comb(15'000, angle));
+    }
+    Random random(9);
+    Ring star;
+    for (int i = 0; i < 40'000; ++i) {
+        const double a = 2.0 * std::numbers::pi * i / 40'000, r = random.uniform(0.1, 1.0);
+        star.push_back({r * std::cos(a), 0.3 * r * std::cos(a), r * std::sin(a)});
+    }
+    expect_covered(star);
+}
+
+TEST(LargePolygon, BridgesToHolesAreCoveredExactly) {
+    // A plate with many square holes in a row, each joined to the one before by a bridge that the
+    // outline runs along twice.
+    Ring ring{{0, 0, 0}, {100, 0, 0}, {100, 1, 0}, {0, 1, 0}, {0, 0.5, 0}};
+    Ring back;
+    for (int i = 0; i < 90; ++i) {
+        const double x = 1.0 + i;
+        ring.push_back({x, 0.5, 0});
+        ring.push_back({x + 0.25, 0.75, 0});
+        ring.push_back({x + 0.5, 0.5, 0});
+        back.push_back({x, 0.5, 0});
+        back.push_back({x + 0.25, 0.25, 0});
+        back.push_back({x + 0.5, 0.5, 0});
+    }
+    ring.pop_back();
+    ring.insert(ring.end(), back.rbegin(), back.rend());
+    ring.push_back({0, 0.5, 0});
+    for (std::size_t by = 0; by < ring.size(); by += 37) expect_covered(turned(ring, by));
+}
+
+TEST(LargePolygon, CornersOnGridsWithManyOnOneLineAreCoveredExactly) {
+    // The outline of random columns of unit squares: most corners are straight or right angles.
+    Random random(4);
+    for (int i = 0; i < 300; ++i) {
+        Ring ring;
+        const int columns = random.integer(3, 30);
+        std::vector<int> heights;
+        for (int c = 0; c < columns; ++c) heights.push_back(random.integer(1, 4));
+        for (int c = 0; c <= columns; ++c) ring.push_back({c, 0, 2.0 * c});
+        for (int c = columns; c-- > 0;) {
+            const auto h = static_cast<std::size_t>(c);
+            for (const int x : {c + 1, c}) ring.push_back({x, heights[h], 2.0 * x});
+        }
+        ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
+        SCOPED_TRACE("case " + std::to_string(i));
+        expect_covered(turned(ring, ring.size() / 3));
+        if (testing::Test::HasFailure()) return;
+    }
+}
+
+TEST(LargePolygon, TrianglesAreMirroredAndDoNotDependOnTheFirstCorner) {
+    Random random(12);
+    const auto triangles_of = [](const Ring& ring) {
+        Triangles triangles;
+        triangulate(ring, triangles);
+        std::set<std::set<std::pair<double, double>>> result;  // corners by |x| and y
+        for (const auto& t : triangles) {
+            std::set<std::pair<double, double>> corners;
+            for (std::uint32_t c : t) corners.insert({std::abs(ring[c].x), ring[c].y});
+            result.insert(corners);
+        }
+        return result;
+    };
+    for (int i = 0; i < 300; ++i) {
+        const int n = random.integer(5, 30);
+        const bool is_regular = random.chance(0.5);
+        const Vec3 at{random.uniform(2.5, 5), random.uniform(-3, 3), 0};
+        Ring ring;
+        for (int k = 0; k < n; ++k) {
+            const double a = 2.0 * std::numbers::pi * k / n;
+            const double r = is_regular ? 1.0 : random.uniform(0.5, 2.0);
+            ring.push_back(at + r * Vec3{std::cos(a), std::sin(a), 0});
+        }
+        const auto expected = triangles_of(ring);
+        ASSERT_EQ(triangles_of(turned(ring, static_cast<std::size_t>(n / 2))), expected)
+            << "case " << i << (is_regular ? ", regular, of " : ", of ") << n;
+        for (Vec3& p : ring) p.x = -p.x;
+        std::reverse(ring.begin(), ring.end());
+        ASSERT_EQ(triangles_of(ring), expected)
+            << "case " << i << (is_regular ? ", regular, of " : ", of ") << n;
+    }
+}
+
+TEST(LargePolygon, WithoutAnInsideIsSaidToBe) {
+    Triangles triangles;
+    Ring star;
+    for (int i = 0; i < 7; ++i) {
+        const double a = 2.0 * std::numbers::pi * 3 * i / 7;
+        star.push_back({std::cos(a), std::sin(a), 0});
+    }
+    Ring eight{{0, 0, 0}, {2, 2, 0}, {3, 1, 0}, {2, 0, 0}, {0, 2, 0}, {-1, 1, 0}};
+    Random random(3);
+    Ring tangle(5'000);
+    for (Vec3& p : tangle) p = random.direction();
+    EXPECT_FALSE(triangulate(eight, triangles));
+    EXPECT_FALSE(triangulate(tangle, triangles));
+    EXPECT_EQ(triangles.size(), eight.size() - 2 + tangle.size() - 2);
+    // The star winds three times about its middle: covered as often, or reported.
+    Triangles of_star;
+    if (triangulate(star, of_star)) {
+        EXPECT_NEAR(area_of(star, of_star), area_of(star), 1e-12);
+    }
+    Ring line;
+    for (int i = 0; i < 50; ++i) line.push_back({0.1 * i, 0.3 * i, 0.7 * i});
+    EXPECT_TRUE(triangulate(line, of_star)) << "it has no area to cover";
+}
+
+TEST(LargePolygon, ThatCrossesItselfIsReportedAndOthersAreNot) {
+    const std::string corners =
+        "v 0 0 0\nv 2 2 0\nv 3 1 0\nv 2 0 0\nv 0 2 0\nv -1 1 0\nv 0 0 5\nv 2 0 5\nv 0 2 5\n";
+    const auto report_of = [&](const std::string& faces) {
+        return build_mesh(parse_obj(corners + faces, "t.obj")).report;
+    };
+    EXPECT_EQ(report_of("f 1 2 3 4 5 6\n").crossing_polygons, 1u);
+    EXPECT_EQ(report_of("f 1 2 4 5\nf 1 2 3 4 5 6\n").crossing_polygons, 2u);
+    EXPECT_EQ(report_of("f 1 4 3 2 5 6\nf 1 4 2 5\nf 7 8 9\n").crossing_polygons, 0u);
+}
+
+}  // namespace
+}  // namespace pectin
