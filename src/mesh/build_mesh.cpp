@@ -10,6 +10,7 @@
 #include "mesh/corner_wedges.h"
 #include "mesh/growing_array.h"
 #include "mesh/mirror_centre.h"
+#include "mesh/shared_diagonals.h"
 #include "mesh/triangulate.h"
 
 namespace pectin {
@@ -34,6 +35,7 @@ class MeshBuilder {
         take_input();
         make_faces();
         match_twins();
+        exchange_diagonals();
         make_edges();
         join_siblings();
         name_vertices();
@@ -53,6 +55,8 @@ class MeshBuilder {
     void add_outline(std::uint32_t polygon);
     LooseCorner loose_corner(const Corner& corner) const;
     void match_twins();
+    void exchange_diagonals();
+    void renew_outline(std::uint32_t polygon);
     void match_run(std::span<const HalfEdgeId> run);
     void make_edges();
     void join_siblings();
@@ -216,6 +220,46 @@ void MeshBuilder::match_run(std::span<const HalfEdgeId> run) {
     ++(run.size() == 2 ? report_.misoriented_edges : report_.nonmanifold_edges);
     cut_.insert(cut_.end(), run.begin(), run.end());
     cut_ends_.push_back(cut_.size());
+}
+
+// Where a diagonal has the ends of another edge, the other diagonal of its two triangles is tried.
+void MeshBuilder::exchange_diagonals() {
+    if (cut_.empty()) return;
+    std::vector<std::uint32_t> polygons;
+    polygons.reserve(mesh_.base_faces_.size());
+    for (const auto& face : mesh_.base_faces_) polygons.push_back(face.polygon);
+    const std::vector<std::uint32_t> changed =
+        exchange_shared_diagonals(input_, mesh_.positions_, polygons, cut_, corner_of_);
+    if (changed.empty()) return;
+    for (std::uint32_t polygon : changed) renew_outline(polygon);
+    for (std::size_t i = 0; i < corner_of_.size(); ++i) {
+        mesh_.half_edges_[i] = {.origin = VertexId{vertex(corner_of_[i])}};
+    }
+    report_.misoriented_edges = report_.nonmanifold_edges = 0;
+    cut_.clear();
+    cut_ends_.clear();
+    match_twins();
+}
+
+// Finds the half-edges of the polygon's corners again.
+void MeshBuilder::renew_outline(std::uint32_t polygon) {
+    InputForm& form = mesh_.form_;
+    const auto by_polygon = [](const auto& x, std::uint32_t p) { return x.polygon < p; };
+    const auto outline =
+        std::lower_bound(form.outlines.begin(), form.outlines.end(), polygon, by_polygon);
+    const auto face =
+        std::lower_bound(mesh_.base_faces_.begin(), mesh_.base_faces_.end(), polygon, by_polygon);
+    const std::uint32_t begin = input_.polygon_begin(polygon), end = input_.polygon_end[polygon];
+    auto h = static_cast<std::uint32_t>(3 * (face - mesh_.base_faces_.begin()));
+    std::vector<bool> is_found(end - begin, false);
+    for (; h < corner_of_.size() && corner_of_[h] >= begin && corner_of_[h] < end; ++h) {
+        const std::uint32_t corner = corner_of_[h] - begin;
+        if (!is_found[corner]) {
+            form.outline_corners[outline->corners_begin + corner] =
+                OutlineCorner::of(HalfEdgeId{h});
+        }
+        is_found[corner] = true;
+    }
 }
 
 void MeshBuilder::make_edges() {
