@@ -1,4 +1,4 @@
-// Points of the plane by their place, for the question whether any lies in a triangle.
+// A spatial index of points of the plane that answers whether any lies in a triangle.
 #pragma once
 
 #include <algorithm>
@@ -24,7 +24,7 @@ class PointTree {
         std::size_t leaves = 1;
         while (leaves * kLeafSize < members_.size()) leaves *= 2;
         nodes_.resize(2 * leaves);
-        place_of_.resize(points.size());
+        leaf_of_.resize(points.size());
         build(1, 0, members_.size());
     }
 
@@ -32,7 +32,7 @@ class PointTree {
     // Cost: O(log n).
     void remove(std::uint32_t point) {
         is_removed_[point] = true;
-        for (std::size_t node = place_of_[point]; node > 0; node /= 2) --nodes_[node].count;
+        for (std::size_t node = leaf_of_[point]; node > 0; node /= 2) --nodes_[node].count;
     }
 
     // Whether holds(i) for any point i that may lie in the triangle a, b, c, which turns
@@ -58,7 +58,7 @@ class PointTree {
         for (std::size_t i = begin; i < end; ++i) {
             node.min = glm::min(node.min, points_[members_[i]]);
             node.max = glm::max(node.max, points_[members_[i]]);
-            place_of_[members_[i]] = static_cast<std::uint32_t>(n);
+            leaf_of_[members_[i]] = static_cast<std::uint32_t>(n);
         }
         if (2 * n >= nodes_.size()) return;
         const int axis = node.max.x - node.min.x >= node.max.y - node.min.y ? 0 : 1;
@@ -106,10 +106,10 @@ class PointTree {
     }
 
     std::span<const Vec2> points_;
-    std::vector<std::uint32_t> members_;   // those of a node lie side by side
-    std::vector<bool> is_removed_;         // n_points
-    std::vector<Node> nodes_;              // from 1; node n has the children 2n and 2n + 1
-    std::vector<std::uint32_t> place_of_;  // n_points; the leaf that holds it
+    std::vector<std::uint32_t> members_;  // those of a node lie side by side
+    std::vector<bool> is_removed_;        // n_points
+    std::vector<Node> nodes_;             // from 1; node n has the children 2n and 2n + 1
+    std::vector<std::uint32_t> leaf_of_;  // n_points; the leaf that holds it
 };
 
 }  // namespace pectin
