@@ -27,11 +27,13 @@ TEST(InputSummary, IsOneSentenceThatBeginsWithTheFilesName) {
         "kept; 1 isolated vertex");
 }
 
-TEST(InputSummary, TellsOfCrossingPolygonsInTheSingularAndThePlural) {
-    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 1}),
-              "a.obj: 1 polygon crosses itself, so that no triangles cover it exactly");
-    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 2}),
-              "a.obj: 2 polygons cross themselves, so that no triangles cover them exactly");
+TEST(InputSummary, TellsOfSeamsAndCrossingPolygonsInTheSingularAndThePlural) {
+    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 1, .seams = 1, .seam_edges = 4}),
+              "a.obj: 1 polygon crosses itself, so that no triangles cover it exactly; "
+              "1 seam of unshared vertices is moved together");
+    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 2, .seams = 12}),
+              "a.obj: 2 polygons cross themselves, so that no triangles cover them exactly; "
+              "12 seams of unshared vertices are moved together");
 }
 
 TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
@@ -44,6 +46,8 @@ TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
                              .nonmanifold_edges = 6,
                              .misoriented_edges = 7,
                              .nonmanifold_vertices = 8,
+                             .seams = 14,
+                             .seam_edges = 15,
                              .boundary_edges = 9,
                              .isolated_vertices = 10,
                              .lines = 11,
@@ -54,8 +58,8 @@ TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
         names.insert(count.name);
         counts.insert(count.count);
     }
-    EXPECT_EQ(names.size(), 13u);
-    EXPECT_EQ(counts, (std::set<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13}));
+    EXPECT_EQ(names.size(), 15u);
+    EXPECT_EQ(counts, (std::set<std::uint64_t>{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12, 13, 14, 15}));
 }
 
 TEST(InputSummary, StatisticsHoldTheCountsOfTheObject) {
