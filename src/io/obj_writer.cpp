@@ -8,12 +8,15 @@
 #include <functional>
 #include <limits>
 #include <map>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "io/atomic_file.h"
 #include "mesh/face_pieces.h"
+#include "mesh/unshared_colors.h"
+#include "mesh/unshared_vertices.h"
 
 namespace pectin {
 namespace {
@@ -116,7 +119,11 @@ class ObjWriter {
   public:
     ObjWriter(const TriMesh& mesh, const Progress& progress,
               std::function<void(std::string_view)> sink)
-        : mesh_(mesh), progress_(progress), text_(std::move(sink)), pieces_(mesh) {}
+        : mesh_(mesh),
+          progress_(progress),
+          text_(std::move(sink)),
+          pieces_(mesh),
+          unshared_(mesh) {}
 
     void write() {
         for (const std::string& name : form().material_libraries) write_name("mtllib", name);
@@ -137,7 +144,8 @@ class ObjWriter {
     void write_polygon(const PolygonWalk& polygon);
     void write_outline(std::span<const OutlineCorner> corners);
     void write_triangle(FaceId f);
-    void write_corner(VertexId v, const Attributes& attributes);
+    void write_position(const Vec3& position, const Vec3f& color);
+    void write_corner(std::uint32_t vertex, const Attributes& attributes);
     void write_corner(HalfEdgeId h);
     void write_elements_before(std::uint32_t polygon);
     void write_element(const InputForm::Element& element);
@@ -172,7 +180,8 @@ class ObjWriter {
     const Progress& progress_;
     TextBuffer text_;
     FacePieces pieces_;
-    std::vector<std::uint32_t> vertices_;  // n_vertex_slots; from 1
+    UnsharedVertices unshared_;
+    std::vector<std::uint32_t> vertices_;  // n_vertex_slots and those added along seams; from 1
     std::vector<Attributes> wedges_;       // n_wedge_slots
     std::vector<Attributes> loose_;        // n_loose_corners
     // Of corners whose own normal is undefined: the number of their face's, where it has area.
@@ -185,17 +194,32 @@ class ObjWriter {
 void ObjWriter::write_positions() {
     vertices_.assign(mesh_.vertex_slots(), 0);
     std::uint32_t number = 0;
+    const std::optional<std::vector<Vec3f>> colors = unshared_colors(mesh_, unshared_);
+    const auto color = [&](VertexId v) {
+        constexpr Vec3f kNoColor{std::numeric_limits<float>::quiet_NaN()};
+        if (colors) return (*colors)[index(v)];
+        return mesh_.has_colors() ? mesh_.color(v) : kNoColor;
+    };
     Steps steps(progress_.part(0.0, kPositions), mesh_.vertex_slots());
     for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) {
         steps.at(i);
         const VertexId v{i};
         if (!mesh_.is_live(v)) continue;
         vertices_[i] = ++number;
-        text_ << 'v';
-        write_vector(mesh_.position(v));
-        if (mesh_.has_colors() && !std::isnan(mesh_.color(v).x)) write_vector(mesh_.color(v));
-        text_ << '\n';
+        write_position(unshared_.position(v), color(v));
     }
+    for (const VertexId v : unshared_.added()) {
+        const auto added = static_cast<std::uint32_t>(vertices_.size());
+        vertices_.push_back(++number);
+        write_position(mesh_.position(v), colors ? (*colors)[added] : color(v));
+    }
+}
+
+void ObjWriter::write_position(const Vec3& position, const Vec3f& color) {
+    text_ << 'v';
+    write_vector(position);
+    if (!std::isnan(color.x)) write_vector(color);
+    text_ << '\n';
 }
 
 bool ObjWriter::has_undefined_normals() const {
@@ -283,7 +307,7 @@ void ObjWriter::write_outline(std::span<const OutlineCorner> corners) {
     for (const OutlineCorner& corner : corners) {
         if (corner.is_loose()) {
             const std::uint32_t i = corner.loose_index();
-            write_corner(form().loose_corners[i].vertex, loose_[i]);
+            write_corner(index(form().loose_corners[i].vertex), loose_[i]);
         } else {
             write_corner(corner.half_edge());
         }
@@ -303,11 +327,11 @@ void ObjWriter::write_corner(HalfEdgeId h) {
         const auto of_face = face_normals_.find(h);
         if (of_face != face_normals_.end()) attributes.normal = of_face->second;
     }
-    write_corner(mesh_.origin(h), attributes);
+    write_corner(unshared_.of(h), attributes);
 }
 
-void ObjWriter::write_corner(VertexId v, const Attributes& attributes) {
-    (text_ << ' ').number(vertices_[index(v)]);
+void ObjWriter::write_corner(std::uint32_t vertex, const Attributes& attributes) {
+    (text_ << ' ').number(vertices_[vertex]);
     if (attributes.uv != 0 || attributes.normal != 0) text_ << '/';
     if (attributes.uv != 0) text_.number(attributes.uv);
     if (attributes.normal != 0) (text_ << '/').number(attributes.normal);

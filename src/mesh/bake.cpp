@@ -4,6 +4,8 @@
 #include <vector>
 
 #include "mesh/face_pieces.h"
+#include "mesh/unshared_colors.h"
+#include "mesh/unshared_vertices.h"
 
 namespace pectin {
 namespace {
@@ -44,6 +46,7 @@ class MeshBaker {
     explicit MeshBaker(const TriMesh& from)
         : from_(from),
           pieces_(from),
+          unshared_(from),
           vertices_(from.vertex_slots()),
           wedges_(from.wedge_slots()),
           edges_(from.edge_slots()),
@@ -55,6 +58,7 @@ class MeshBaker {
         take_connectivity();
         take_polygons();
         take_elements();
+        take_seams();
         return {std::move(to_), edges_.take()};
     }
 
@@ -65,6 +69,9 @@ class MeshBaker {
     void take_polygons();
     void take_outline(const PolygonWalk& polygon);
     void take_elements();
+    void take_seams();
+    void add_unused_vertex(VertexId v);
+    void take_colors(std::span<const Vec3f> colors);
     HalfEdgeId renumbered(HalfEdgeId h) const {
         if (!exists(h)) return h;
         return HalfEdgeId{3 * index(faces_[TriMesh::face(h)]) + index(h) % 3};
@@ -72,6 +79,7 @@ class MeshBaker {
 
     const TriMesh& from_;
     FacePieces pieces_;
+    UnsharedVertices unshared_;
     Renumbering<VertexId> vertices_;
     Renumbering<WedgeId> wedges_;
     Renumbering<EdgeId> edges_;
@@ -174,6 +182,49 @@ void MeshBaker::take_elements() {
             std::min<std::size_t>(element.before_polygon, polygons_.size() - 1);
         element.before_polygon = polygons_[before];
     }
+}
+
+// Vertices that have been inserted along seams become as many as a save would write; those that the
+// faces do not use come last.
+void MeshBaker::take_seams() {
+    const UnsharedSeams& seams = from_.form_.seams;
+    if (seams.is_empty()) return;
+    UnsharedSeams& to = to_.form_.seams;
+    for (const EdgeId e : unshared_.edges()) to.edges.push_back(edges_[e]);
+    std::sort(to.edges.begin(), to.edges.end());
+    const std::uint32_t slots = from_.vertex_slots();
+    for (const FaceId f : pieces_.all()) {
+        for (int c = 0; c < 3; ++c) {
+            const std::uint32_t v = unshared_.of(TriMesh::half_edge(f, c));
+            to.corner_vertices.push_back(v < slots ? vertices_[VertexId{v}]
+                                                   : VertexId{vertices_.count() + v - slots});
+        }
+    }
+    for (std::uint32_t v = 0; v < vertices_.count(); ++v) {
+        const bool was_base = v < from_.base_vertex_count();  // base vertices keep their ids
+        to.representatives.push_back(was_base ? seams.representatives[v] : VertexId{v});
+    }
+    for (const VertexId v : unshared_.added()) add_unused_vertex(v);
+    if (const auto colors = unshared_colors(from_, unshared_)) take_colors(*colors);
+}
+
+void MeshBaker::take_colors(std::span<const Vec3f> colors) {
+    for (std::uint32_t v = 0; v < from_.vertex_slots(); ++v) {
+        if (exists(vertices_[VertexId{v}])) to_.colors_[index(vertices_[VertexId{v}])] = colors[v];
+    }
+    const std::span<const Vec3f> added = colors.subspan(from_.vertex_slots());
+    std::copy(added.begin(), added.end(), to_.colors_.begin() + vertices_.count());
+}
+
+// A vertex without faces at v.
+void MeshBaker::add_unused_vertex(VertexId v) {
+    to_.form_.seams.representatives.push_back(vertices_[v]);
+    to_.positions_.push_back(from_.position(v));
+    if (from_.has_colors()) to_.colors_.push_back(from_.color(v));
+    to_.deformed_.push_back(from_.is_deformed(v) ? 1 : 0);
+    to_.vertex_levels_.push_back(0);
+    to_.vertex_half_edges_.push_back(kNone<HalfEdgeId>);
+    ++to_.base_vertices_;
 }
 
 Baked TriMesh::baked() const { return MeshBaker(*this).bake(); }

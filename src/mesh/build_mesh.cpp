@@ -9,6 +9,7 @@
 
 #include "mesh/corner_wedges.h"
 #include "mesh/growing_array.h"
+#include "mesh/join_seams.h"
 #include "mesh/mirror_centre.h"
 #include "mesh/shared_diagonals.h"
 #include "mesh/triangulate.h"
@@ -36,6 +37,7 @@ class MeshBuilder {
         make_faces();
         match_twins();
         exchange_diagonals();
+        join_unshared();
         make_edges();
         join_siblings();
         name_vertices();
@@ -57,6 +59,7 @@ class MeshBuilder {
     void match_twins();
     void exchange_diagonals();
     void renew_outline(std::uint32_t polygon);
+    void join_unshared();
     void match_run(std::span<const HalfEdgeId> run);
     void make_edges();
     void join_siblings();
@@ -74,6 +77,7 @@ class MeshBuilder {
     std::vector<std::uint32_t> corner_of_;  // 3 n_faces; into input_.corners
     std::vector<HalfEdgeId> cut_;           // half-edges along cuts, run by run
     std::vector<std::size_t> cut_ends_;     // of the runs
+    std::vector<HalfEdgeId> seams_;         // half-edges along unshared seams
     std::optional<Vec3> mirror_centre_;     // found where the first polygon needs it
 
     std::vector<std::uint32_t> ring_;  // scratch of add_polygon: corners without repetition
@@ -262,6 +266,19 @@ void MeshBuilder::renew_outline(std::uint32_t polygon) {
     }
 }
 
+// Joins sides that coincide without sharing vertices; cuts then include those among them.
+void MeshBuilder::join_unshared() {
+    std::optional<JoinedSeams> joined = join_seams(mesh_.positions_, mesh_.half_edges_);
+    if (!joined) return;
+    report_.seams = joined->seams;
+    report_.seam_edges = joined->edges;
+    mesh_.form_.seams.representatives = std::move(joined->representatives);
+    mesh_.form_.seams.corner_vertices = std::move(joined->corner_vertices);
+    seams_ = std::move(joined->half_edges);
+    cut_ = std::move(joined->cut);
+    cut_ends_ = std::move(joined->cut_ends);
+}
+
 void MeshBuilder::make_edges() {
     // Each inner edge has two half-edges.
     mesh_.edge_half_edges_.reserve(mesh_.half_edges_.size() / 2 + cut_.size());
@@ -274,6 +291,10 @@ void MeshBuilder::make_edges() {
         if (exists(half(h).twin)) half(half(h).twin).edge = e;
     }
     mesh_.edge_levels_.assign(mesh_.edge_half_edges_.size(), 0);
+    std::vector<EdgeId>& seam_edges = mesh_.form_.seams.edges;
+    for (const HalfEdgeId h : seams_) seam_edges.push_back(half(h).edge);
+    std::sort(seam_edges.begin(), seam_edges.end());
+    seam_edges.erase(std::unique(seam_edges.begin(), seam_edges.end()), seam_edges.end());
 }
 
 void MeshBuilder::join_siblings() {

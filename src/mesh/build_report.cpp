@@ -45,14 +45,26 @@ std::uint32_t corners_in_sheet(const TriMesh& mesh, HalfEdgeId first) {
     return count;
 }
 
-std::uint32_t count_nonmanifold_vertices(const TriMesh& mesh) {
+// Whether the faces at v use it in place of other vertices of the input, where sheets share it
+// although those of the input do not; or whether v is one of those.
+std::vector<bool> joined_vertices(const TriMesh& mesh) {
+    const std::vector<VertexId>& representatives = mesh.input_form().seams.representatives;
+    std::vector<bool> is_joined(mesh.vertex_slots(), false);
+    for (std::uint32_t v = 0; v < representatives.size(); ++v) {
+        if (representatives[v] == VertexId{v}) continue;
+        is_joined[v] = is_joined[index(representatives[v])] = true;
+    }
+    return is_joined;
+}
+
+std::uint32_t count_nonmanifold_vertices(const TriMesh& mesh, const std::vector<bool>& is_joined) {
     std::vector<std::uint32_t> corners(mesh.vertex_slots(), 0);
     for (std::uint32_t h = 0; h < 3 * mesh.face_slots(); ++h) {
         ++corners[index(mesh.origin(HalfEdgeId{h}))];
     }
     std::uint32_t count = 0;
     for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
-        if (corners[v] == 0) continue;
+        if (corners[v] == 0 || is_joined[v]) continue;
         if (corners_in_sheet(mesh, mesh.half_edge(VertexId{v})) < corners[v]) ++count;
     }
     return count;
@@ -68,11 +80,13 @@ void survey(const TriMesh& mesh, BuildReport& report) {
         const bool is_boundary = !exists(mesh.twin(mesh.half_edge(EdgeId{e})));
         report.boundary_edges += is_boundary && mesh.sibling(EdgeId{e}) == EdgeId{e} ? 1 : 0;
     }
+    const std::vector<bool> is_joined = joined_vertices(mesh);
     for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
-        report.isolated_vertices += exists(mesh.half_edge(VertexId{v})) ? 0 : 1;
+        const bool has_face = exists(mesh.half_edge(VertexId{v})) || is_joined[v];
+        report.isolated_vertices += has_face ? 0 : 1;
     }
     report.duplicate_faces = count_duplicates(mesh);
-    report.nonmanifold_vertices = count_nonmanifold_vertices(mesh);
+    report.nonmanifold_vertices = count_nonmanifold_vertices(mesh, is_joined);
 }
 
 }  // namespace pectin

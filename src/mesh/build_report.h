@@ -18,6 +18,8 @@ struct BuildReport {
     std::uint32_t nonmanifold_edges = 0;      // more than two faces; cut into sheets
     std::uint32_t misoriented_edges = 0;      // two faces that disagree on direction; cut
     std::uint32_t nonmanifold_vertices = 0;   // several sheets meet; shared by them
+    std::uint32_t seams = 0;                  // runs of edges whose faces share no vertices
+    std::uint32_t seam_edges = 0;             // that these consist of; their faces are joined
     std::uint32_t boundary_edges = 0;         // one face
     std::uint32_t isolated_vertices = 0;      // no face
     std::uint32_t lines = 0, points = 0;      // elements; kept as they are

@@ -1,32 +1,13 @@
 #include "mesh/connected_part.h"
 
 #include <algorithm>
-#include <numeric>
 #include <tuple>
 #include <utility>
 
+#include "mesh/disjoint_sets.h"
+
 namespace pectin {
 namespace {
-
-// Disjoint sets with path halving (Tarjan & van Leeuwen 1984); the lowest index stands for a set.
-class DisjointSets {
-  public:
-    explicit DisjointSets(std::size_t count) : parent_(count) {
-        std::iota(parent_.begin(), parent_.end(), std::size_t{0});
-    }
-    std::size_t find(std::size_t i) {
-        while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
-        return i;
-    }
-    void join(std::size_t i, std::size_t j) {
-        i = find(i);
-        j = find(j);
-        parent_[std::max(i, j)] = std::min(i, j);
-    }
-
-  private:
-    std::vector<std::size_t> parent_;
-};
 
 // Something that faces may share: a vertex in a zone (twice), or the two ends of an edge.
 struct Place {

@@ -37,6 +37,20 @@ class OutlineCorner {
     std::uint32_t bits_;
 };
 
+// Seams where faces of the input meet without sharing vertices: open edges whose ends coincide. The
+// mesh joins them: of the vertices that coincide at an end its faces use one, the representative,
+// so that both sides move and are refined together. A save gives each side vertices of its own
+// again (UnsharedVertices).
+struct UnsharedSeams {
+    std::vector<VertexId> representatives;  // n_base_vertices; itself for most; empty: no seams
+    std::vector<VertexId> corner_vertices;  // 3 n_base_faces, or empty; the input's own vertices
+    std::vector<EdgeId> edges;              // base edges along seams, ascending
+
+    bool is_empty() const { return representatives.empty(); }
+    bool operator==(const UnsharedSeams&) const = default;
+    std::size_t memory_bytes() const;
+};
+
 // Sculpting leaves all of this as it is.
 struct InputForm {
     std::vector<Part> parts;
@@ -58,6 +72,8 @@ struct InputForm {
     std::vector<LooseCorner> element_corners;
 
     std::vector<LooseCorner> loose_corners;
+
+    UnsharedSeams seams;
 
     std::span<const OutlineCorner> corners(std::size_t outline) const {
         const std::size_t begin = outlines[outline].corners_begin;

@@ -19,10 +19,10 @@
 //  9. The half-edge of an inserted vertex m that unsplit would accept is m->c, in the face that
 //     m's split made; where m lies on a cut, of the sheet whose bm has the lowest id.
 // 10. Siblings are boundary edges with the same two ends, and their rings are closed.
+// 11. Of the vertices that an unshared seam has joined only the representative has faces.
 //
 // Non-manifold input is cut into sheets by build_mesh: the edges along a cut are boundaries and
-// siblings of each other. Sheets share the vertices along it, and siblings split and unsplit
-// together about one midpoint, so no crack opens there.
+// siblings. Sheets share the vertices along it; siblings split and unsplit about one midpoint.
 //
 // Source: Gain & Dodgson 1999, section 4 and figure 3.
 #pragma once

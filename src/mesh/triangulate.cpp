@@ -115,7 +115,7 @@ class PolygonCutter {
     PolygonCutter(std::span<const Vec3> corners, const Vec3& centre)
         : polygon_{.points = {}, .in_space = scaled(corners), .order = {}} {
         normal_ = newell_normal(polygon_.in_space);
-        polygon_.order = cutting_order(corners, centre);
+        polygon_.order = cutting_order(polygon_.in_space, scaled(centre, scale_exponent(corners)));
         polygon_.points.resize(corners.size());
     }
 

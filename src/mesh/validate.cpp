@@ -124,6 +124,9 @@ class TriMesh::Validator {
         expect(is_finite(mesh_.position(v)), "8: position not finite at vertex", v);
         expect(!mesh_.has_colors() || !glm::any(glm::isinf(mesh_.color(v))),
                "8: colour infinite at vertex", v);
+        const auto& representatives = mesh_.input_form().seams.representatives;
+        expect(index(v) >= representatives.size() || representatives[index(v)] == v || !exists(h),
+               "11: face at joined vertex", v);
         const auto star = mesh_.removable(v);
         if (!star) return;
         expect(star->mc == half_edge(face(star->mc), 0) &&

@@ -49,7 +49,13 @@ std::vector<FaceId> live_faces(const TriMesh& mesh) {
 int euler_characteristic(const TriMesh& mesh) {
     int edges = 0;
     for (EdgeId e : live_edges(mesh)) edges += mesh.leader(e) == e ? 1 : 0;
-    return static_cast<int>(mesh.vertex_count()) - edges + static_cast<int>(mesh.face_count());
+    const auto& representatives = mesh.input_form().seams.representatives;
+    int joined = 0;
+    for (std::uint32_t v = 0; v < representatives.size(); ++v) {
+        joined += representatives[v] == VertexId{v} ? 0 : 1;
+    }
+    return static_cast<int>(mesh.vertex_count()) - joined - edges +
+           static_cast<int>(mesh.face_count());
 }
 
 double area(const TriMesh& mesh) {
@@ -116,6 +122,30 @@ double asymmetry(const TriMesh& mesh) {
         worst = std::max(worst, nearest);
     }
     return worst;
+}
+
+std::size_t open_sides(const IndexedFaceSet& set) {
+    using Point = std::array<double, 3>;
+    std::map<std::pair<Point, Point>, std::size_t> sides;
+    const auto point = [&](std::uint32_t corner) {
+        const Vec3 p = set.positions[set.corners[corner].position] + Vec3{0.0};  // -0 is 0
+        return Point{p.x, p.y, p.z};
+    };
+    for (std::size_t p = 0; p < set.polygon_count(); ++p) {
+        const std::uint32_t begin = set.polygon_begin(p), end = set.polygon_end[p];
+        for (std::uint32_t c = begin; c < end; ++c) {
+            ++sides[std::minmax(point(c), point(c + 1 < end ? c + 1 : begin))];
+        }
+    }
+    return static_cast<std::size_t>(std::count_if(
+        sides.begin(), sides.end(), [](const auto& side) { return side.second == 1; }));
+}
+
+std::size_t open_edges(const TriMesh& mesh) {
+    const std::vector<EdgeId> edges = live_edges(mesh);
+    return static_cast<std::size_t>(std::count_if(edges.begin(), edges.end(), [&](EdgeId e) {
+        return !exists(mesh.twin(mesh.half_edge(e))) && mesh.sibling(e) == e;
+    }));
 }
 
 std::size_t faces_without_image(const TriMesh& mesh, int axis, double tolerance, double middle) {

@@ -34,6 +34,12 @@ std::size_t crossings(const TriMesh& mesh);
 // the nearest of them.
 double asymmetry(const TriMesh& mesh);
 
+// How many sides of the polygons have no other side with the same two positions, in either
+// direction; the vertices need not be shared. A crack or an open border has such sides.
+std::size_t open_sides(const IndexedFaceSet& set);
+// Edges with one face and no siblings.
+std::size_t open_edges(const TriMesh& mesh);
+
 // How many faces have no mirror image: one whose corners lie within `tolerance` of the images of
 // its corners in the plane where the axis (0 to 2) has the value `middle`.
 std::size_t faces_without_image(const TriMesh& mesh, int axis, double tolerance,

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdlib>
 #include <limits>
+#include <map>
 
 #include "ffd/drag_solver.h"
 #include "mesh/build_mesh.h"
@@ -157,6 +158,29 @@ int case_count(int count) {
     return count;
 }
 
+void unshare_vertices(IndexedFaceSet& set, Random& random, double share) {
+    std::vector<bool> is_used(set.positions.size(), false);
+    for (std::size_t p = 0; p < set.polygon_count(); ++p) {
+        const bool has_own = random.chance(share);
+        std::map<std::uint32_t, std::uint32_t> own;  // a polygon may name a vertex twice
+        for (std::uint32_t c = set.polygon_begin(p); c < set.polygon_end[p]; ++c) {
+            std::uint32_t& v = set.corners[c].position;
+            if (!has_own || !is_used[v]) {
+                is_used[v] = true;
+                own[v] = v;
+                continue;
+            }
+            const auto [found, is_new] =
+                own.try_emplace(v, static_cast<std::uint32_t>(set.positions.size()));
+            if (is_new) {
+                set.positions.push_back(Vec3{set.positions[v]});
+                if (!set.colors.empty()) set.colors.push_back(Vec3f{set.colors[v]});
+            }
+            v = found->second;
+        }
+    }
+}
+
 RandomMesh random_mesh(Random& random) {
     const ShapeKind kind = random_kind(random);
     const int resolution = random_resolution(kind, random);
@@ -183,6 +207,11 @@ RandomMesh random_mesh(Random& random) {
     }
     if (random.chance(0.3)) add_colors(set, random);
     if (random.chance(0.3)) add_parts(set, random);
+    // A copy, so that this draws nothing from what comes after.
+    if (Random copy = random; copy.chance(0.25)) {
+        unshare_vertices(set, copy, copy.chance(0.5) ? 1.0 : 0.2);
+        description += ", vertices not shared";
+    }
     const double crease_angle = random.chance(0.5) ? 45.0 : random.uniform(5.0, 170.0);
     return {build_mesh(set, {.crease_angle = crease_angle}).mesh, description};
 }

@@ -33,6 +33,10 @@ class Random {
 // What `count` cases should be here: more in a long run, fewer under sanitizers.
 int case_count(int count);
 
+// The same surface whose polygons share no vertices with others, as in files of separate facets;
+// `share`: of the polygons, the others still share theirs.
+void unshare_vertices(IndexedFaceSet& set, Random& random, double share = 1.0);
+
 struct RandomMesh {
     TriMesh mesh;
     std::string description;
@@ -40,7 +44,8 @@ struct RandomMesh {
 
 // Coarse and fine spheres, open grids, cubes with creases, cylinders, tori, a two-triangle
 // square; many of them perturbed, stretched or with thin triangles, some with texture coordinates,
-// colours, groups, lines; some damaged: not manifold, with faces turned, doubled or degenerate.
+// colours, groups, lines; some damaged: not manifold, with faces turned, doubled or degenerate;
+// some with polygons that coincide with their neighbours' vertices without sharing them.
 RandomMesh random_mesh(Random& random);
 
 // A drag of a point of the mesh by a brush or a cage with unequal cells, as one step of a warp.

@@ -67,6 +67,8 @@ std::string text_of(const BuildReport& r) {
     add("non-manifold edges", r.nonmanifold_edges);
     add("misoriented", r.misoriented_edges);
     add("non-manifold vertices", r.nonmanifold_vertices);
+    add("seams", r.seams);
+    add("seam edges", r.seam_edges);
     add("boundary", r.boundary_edges);
     add("isolated", r.isolated_vertices);
     add("lines", r.lines);

@@ -7,8 +7,11 @@
 #include <functional>
 #include <numbers>
 #include <set>
+#include <string>
 #include <utility>
 
+#include "io/obj_reader.h"
+#include "mesh/build_mesh.h"
 #include "mesh/triangulate.h"
 #include "support/random_mesh.h"
 
@@ -195,6 +198,17 @@ TEST(LargePolygon, WithoutAnInsideIsSaidToBe) {
     Ring line;
     for (int i = 0; i < 50; ++i) line.push_back({0.1 * i, 0.3 * i, 0.7 * i});
     EXPECT_TRUE(triangulate(line, of_star)) << "it has no area to cover";
+}
+
+TEST(LargePolygon, ThatCrossesItselfIsReportedAndOthersAreNot) {
+    const std::string corners =
+        "v 0 0 0\nv 2 2 0\nv 3 1 0\nv 2 0 0\nv 0 2 0\nv -1 1 0\nv 0 0 5\nv 2 0 5\nv 0 2 5\n";
+    const auto report_of = [&](const std::string& faces) {
+        return build_mesh(parse_obj(corners + faces, "t.obj")).report;
+    };
+    EXPECT_EQ(report_of("f 1 2 3 4 5 6\n").crossing_polygons, 1u);
+    EXPECT_EQ(report_of("f 1 2 4 5\nf 1 2 3 4 5 6\n").crossing_polygons, 2u);
+    EXPECT_EQ(report_of("f 1 4 3 2 5 6\nf 1 4 2 5\nf 7 8 9\n").crossing_polygons, 0u);
 }
 
 }  // namespace

@@ -47,11 +47,13 @@ TEST(InputSummary, ShowsControlCharactersOfTheFilesNameEscaped) {
               "\\x1B[2J\\x0A.obj: 1 isolated vertex");
 }
 
-TEST(InputSummary, TellsOfCrossingPolygonsInTheSingularAndThePlural) {
-    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 1}),
-              "a.obj: 1 polygon crosses itself, so that no triangles cover it exactly");
-    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 2}),
-              "a.obj: 2 polygons cross themselves, so that no triangles cover them exactly");
+TEST(InputSummary, TellsOfSeamsAndCrossingPolygonsInTheSingularAndThePlural) {
+    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 1, .seams = 1, .seam_edges = 4}),
+              "a.obj: 1 polygon crosses itself, so that no triangles cover it exactly; "
+              "1 seam of unshared vertices is moved together");
+    EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 2, .seams = 12}),
+              "a.obj: 2 polygons cross themselves, so that no triangles cover them exactly; "
+              "12 seams of unshared vertices are moved together");
 }
 
 TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
@@ -64,10 +66,12 @@ TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
                              .nonmanifold_edges = 6,
                              .misoriented_edges = 7,
                              .nonmanifold_vertices = 8,
+                             .seams = 25,
+                             .seam_edges = 26,
                              .boundary_edges = 9,
                              .isolated_vertices = 10,
                              .lines = 11,
-                             .points = 12,
+                             .points = 12};
     const ReadReport read{.missing_uvs = {13},
                           .missing_normals = {14},
                           .undefined_uvs = {15},
@@ -87,10 +91,10 @@ TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
         names.insert(count.name);
         counts.insert(count.count);
     }
-    EXPECT_EQ(names.size(), 24u);
-    ASSERT_EQ(counts.size(), 24u);
+    EXPECT_EQ(names.size(), 26u);
+    ASSERT_EQ(counts.size(), 26u);
     EXPECT_EQ(*counts.begin(), 1u);
-    EXPECT_EQ(*counts.rbegin(), 24u);
+    EXPECT_EQ(*counts.rbegin(), 26u);
 }
 
 TEST(InputSummary, StatisticsHoldTheCountsOfTheObject) {

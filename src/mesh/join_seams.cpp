@@ -1,0 +1,185 @@
+#include "mesh/join_seams.h"
+
+#include <algorithm>
+#include <tuple>
+#include <utility>
+
+#include "mesh/disjoint_sets.h"
+
+namespace pectin {
+namespace {
+
+constexpr std::uint32_t kNone = 0xffffffffu;
+
+class SeamJoiner {
+  public:
+    SeamJoiner(std::span<const Vec3> positions, std::span<HalfEdge> half_edges)
+        : positions_(positions), half_edges_(half_edges) {}
+
+    std::optional<JoinedSeams> join() {
+        find_boundary();
+        if (!find_equal_positions()) return std::nullopt;
+        exclude_short_faces();
+        join_coinciding();
+        if (result_.half_edges.empty()) return std::nullopt;
+        use_representatives();
+        match();
+        count_seams();
+        return std::move(result_);
+    }
+
+  private:
+    using Ends = std::pair<std::uint32_t, std::uint32_t>;
+    struct Edge {
+        Ends ends;  // in ascending order
+        HalfEdgeId half_edge = HalfEdgeId{0};
+        bool operator<(const Edge& o) const {
+            return std::tie(ends, half_edge) < std::tie(o.ends, o.half_edge);
+        }
+    };
+
+    std::uint32_t origin(HalfEdgeId h) const { return index(half_edges_[index(h)].origin); }
+    std::uint32_t target(HalfEdgeId h) const { return origin(TriMesh::next(h)); }
+
+    void find_boundary() {
+        for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
+            if (!exists(half_edges_[h].twin)) boundary_.push_back(HalfEdgeId{h});
+        }
+    }
+
+    // Gives ends of boundary edges that have equal positions the same site, the lowest of these
+    // vertices. Returns whether any two have one. -0 equals 0.
+    bool find_equal_positions() {
+        std::vector<std::uint32_t> ends;
+        for (const HalfEdgeId h : boundary_) ends.insert(ends.end(), {origin(h), target(h)});
+        std::sort(ends.begin(), ends.end());
+        ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
+        const auto coordinates = [&](std::uint32_t v) {
+            return std::tie(positions_[v].x, positions_[v].y, positions_[v].z);
+        };
+        std::stable_sort(ends.begin(), ends.end(), [&](std::uint32_t v, std::uint32_t w) {
+            return coordinates(v) < coordinates(w);
+        });
+        site_.assign(positions_.size(), kNone);
+        bool any_equal = false;
+        for (std::size_t i = 0; i < ends.size(); ++i) {
+            const bool is_equal = i > 0 && positions_[ends[i]] == positions_[ends[i - 1]];
+            site_[ends[i]] = is_equal ? site_[ends[i - 1]] : ends[i];
+            any_equal = any_equal || is_equal;
+        }
+        return any_equal;
+    }
+
+    // A face with two corners at one site would lose an edge if they were joined, so the vertices
+    // of such a face are not; those of other faces at the site are.
+    void exclude_short_faces() {
+        std::vector<std::uint32_t> excluded;
+        for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
+            const std::uint32_t from = origin(HalfEdgeId{h}), to = target(HalfEdgeId{h});
+            if (site_[from] != kNone && site_[from] == site_[to]) {
+                excluded.insert(excluded.end(), {from, to});
+            }
+        }
+        for (const std::uint32_t v : excluded) site_[v] = kNone;
+    }
+
+    // visit(span of edges): those with the same ends, one span after the other.
+    template <typename Visit>
+    static void for_each_run(std::span<const Edge> edges, Visit visit) {
+        for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
+            while (end < edges.size() && edges[end].ends == edges[begin].ends) ++end;
+            visit(edges.subspan(begin, end - begin));
+        }
+    }
+
+    void join_coinciding() {
+        std::vector<Edge> edges;
+        for (const HalfEdgeId h : boundary_) {
+            const std::uint32_t from = site_[origin(h)], to = site_[target(h)];
+            if (from != kNone && to != kNone) edges.push_back({std::minmax(from, to), h});
+        }
+        std::sort(edges.begin(), edges.end());
+        for_each_run(edges, [&](std::span<const Edge> run) {
+            const Ends first = ends_by_site(run.front());
+            if (std::all_of(run.begin(), run.end(),
+                            [&](const Edge& e) { return ends_by_site(e) == first; })) {
+                return;
+            }
+            for (const Edge& e : run) {
+                const Ends ends = ends_by_site(e);
+                vertices_.join(first.first, ends.first);
+                vertices_.join(first.second, ends.second);
+                result_.half_edges.push_back(e.half_edge);
+            }
+            ++result_.edges;
+        });
+        std::sort(result_.half_edges.begin(), result_.half_edges.end());
+    }
+    // The edge's own vertices, in the order of their sites.
+    Ends ends_by_site(const Edge& e) const {
+        const std::uint32_t v = origin(e.half_edge), w = target(e.half_edge);
+        return site_[v] == e.ends.first ? Ends{v, w} : Ends{w, v};
+    }
+
+    void use_representatives() {
+        result_.corner_vertices.reserve(half_edges_.size());
+        for (HalfEdge& h : half_edges_) {
+            result_.corner_vertices.push_back(h.origin);
+            h.origin = representative(h.origin);
+        }
+        result_.representatives.reserve(positions_.size());
+        for (std::uint32_t v = 0; v < positions_.size(); ++v) {
+            result_.representatives.push_back(representative(VertexId{v}));
+        }
+    }
+    VertexId representative(VertexId v) {
+        return VertexId{static_cast<std::uint32_t>(vertices_.find(index(v)))};
+    }
+
+    // Two boundary half-edges that run in opposite directions become twins, others that share both
+    // ends siblings.
+    void match() {
+        std::vector<Edge> edges;
+        for (const HalfEdgeId h : boundary_) {
+            edges.push_back({std::minmax(origin(h), target(h)), h});
+        }
+        std::sort(edges.begin(), edges.end());
+        for_each_run(edges, [&](std::span<const Edge> run) {
+            if (run.size() == 1) return;
+            const HalfEdgeId g = run[0].half_edge, h = run[1].half_edge;
+            if (run.size() == 2 && origin(g) != origin(h)) {
+                half_edges_[index(g)].twin = h;
+                half_edges_[index(h)].twin = g;
+                return;
+            }
+            for (const Edge& e : run) result_.cut.push_back(e.half_edge);
+            result_.cut_ends.push_back(result_.cut.size());
+        });
+    }
+
+    void count_seams() {
+        DisjointSets runs(positions_.size());
+        for (const HalfEdgeId h : result_.half_edges) runs.join(origin(h), target(h));
+        std::vector<std::size_t> roots;
+        for (const HalfEdgeId h : result_.half_edges) roots.push_back(runs.find(origin(h)));
+        std::sort(roots.begin(), roots.end());
+        result_.seams =
+            static_cast<std::uint32_t>(std::unique(roots.begin(), roots.end()) - roots.begin());
+    }
+
+    std::span<const Vec3> positions_;
+    std::span<HalfEdge> half_edges_;
+    std::vector<HalfEdgeId> boundary_;
+    std::vector<std::uint32_t> site_;  // n_vertices; none away from boundaries
+    DisjointSets vertices_{positions_.size()};
+    JoinedSeams result_;
+};
+
+}  // namespace
+
+std::optional<JoinedSeams> join_seams(std::span<const Vec3> positions,
+                                      std::span<HalfEdge> half_edges) {
+    return SeamJoiner(positions, half_edges).join();
+}
+
+}  // namespace pectin

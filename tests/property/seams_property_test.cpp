@@ -1,0 +1,134 @@
+// Random drags on surfaces whose faces share no vertices leave no gap along any seam.
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <cstdio>
+#include <filesystem>
+
+#include "io/atomic_file.h"
+#include "io/obj_reader.h"
+#include "io/obj_writer.h"
+#include "mesh/build_mesh.h"
+#include "mesh/shapes.h"
+#include "session/session.h"
+#include "support/mesh_figures.h"
+#include "support/random_mesh.h"
+
+namespace pectin {
+namespace {
+
+using command::Drag;
+using test::Random;
+
+class ScratchFile {
+  public:
+    ScratchFile()
+        : path_(std::filesystem::temp_directory_path() /
+                ("pectin-seams-" + std::to_string(::getpid()) + ".obj")) {}
+    ~ScratchFile() { std::filesystem::remove(path_); }
+    std::string path() const { return path_.string(); }
+
+  private:
+    std::filesystem::path path_;
+};
+
+struct Total {
+    int drags = 0;
+    std::uint64_t inserted = 0;
+};
+
+Command random_drag(const TriMesh& mesh, double size, Random& random) {
+    while (true) {
+        const VertexId v{static_cast<std::uint32_t>(
+            random.integer(0, static_cast<int>(mesh.vertex_slots()) - 1))};
+        if (!mesh.is_live(v) || !exists(mesh.half_edge(v))) continue;
+        const Vec3 from = mesh.position(v);
+        const Vec3 to = from + size * random.scale(0.005, 0.1) * random.direction();
+        return Drag{.moves = {{from, to}},
+                    .connected = random.chance(0.3),
+                    .fold_free = random.chance(0.1)};
+    }
+}
+
+// A side of a saved polygon whose ends are those of no other is an edge that is open in the mesh,
+// too: sides along seams agree to the bit.
+void expect_no_gap(const Session& session) {
+    const IndexedFaceSet set = parse_obj(format_obj(session.mesh()), "saved.obj");
+    ASSERT_LE(test::open_sides(set), test::open_edges(session.mesh()));
+    ASSERT_EQ(session.mesh().validate(), std::vector<std::string>{});
+}
+
+void drag_at_random(const IndexedFaceSet& shared, int drags, Random& random, Total& total) {
+    IndexedFaceSet facets = shared;
+    test::unshare_vertices(facets, random);
+    const ScratchFile file;
+    write_file_atomically(file.path(), format_obj(build_mesh(facets).mesh));
+    Session session;
+    ASSERT_FALSE(session.execute(command::Open{.path = file.path()}).has_value());
+    const std::string opened = format_obj(session.mesh());
+    ASSERT_EQ(session.input_report().boundary_edges, build_mesh(shared).report.boundary_edges);
+    const double size = session.mesh().bounding_box().diagonal();
+    ASSERT_FALSE(session.execute(command::Adapt{.theta_max = Setting::of(random.scale(8.0, 30.0)),
+                                                .floor = Setting::of(0.002 * size),
+                                                .budget = 200'000}));
+    for (int i = 0; i < drags; ++i) {
+        SCOPED_TRACE("drag " + std::to_string(i));
+        ASSERT_FALSE(session.execute(command::Brush{.radius = size * random.scale(0.03, 0.3)}));
+        if (session.execute(random_drag(session.mesh(), size, random))) continue;
+        ++total.drags;
+        expect_no_gap(session);
+        if (testing::Test::HasFailure()) return;
+        if (random.chance(0.1)) {
+            ASSERT_FALSE(session.execute(command::Undo{}));
+        }
+    }
+    total.inserted += session.mesh().vertex_count() - session.mesh().base_vertex_count();
+    while (!session.execute(command::Undo{})) {
+    }
+    ASSERT_EQ(format_obj(session.mesh()), opened);
+}
+
+TEST(Seams, OfGeneratedFacetsNeverOpen) {
+    Total total;
+    const int cases = test::case_count(12);
+    for (int i = 0; i < cases; ++i) {
+        const auto seed = 70'000 + static_cast<std::uint64_t>(i);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const ShapeKind kinds[] = {ShapeKind::sphere, ShapeKind::cube, ShapeKind::torus,
+                                   ShapeKind::cylinder, ShapeKind::plane};
+        const ShapeKind kind = kinds[i % 5];
+        drag_at_random(make_shape(kind, kind == ShapeKind::sphere ? 3 : random.integer(3, 8)), 10,
+                       random, total);
+        if (HasFailure()) return;
+    }
+    std::printf("seeds 70000 to %d: %d drags, %llu vertices inserted at the ends\n",
+                70'000 + cases - 1, total.drags, static_cast<unsigned long long>(total.inserted));
+    EXPECT_GT(total.inserted, 0u);
+}
+
+TEST(Seams, OfTheFacetsOfRealModelsNeverOpen) {
+    const auto models = test::real_models();
+    if (models.empty()) GTEST_SKIP() << "no models in " << PECTIN_MODELS;
+    Total total;
+    // 500 drags in a long run.
+    const int wanted = std::getenv("PECTIN_TEST_LONG") ? 500 : 12;
+    const auto count = static_cast<int>(models.size());
+    const int each = (wanted + count - 1) / count;
+    for (int i = 0; i < count; ++i) {
+        const auto& path = models[static_cast<std::size_t>(i)];
+        const auto seed = 71'000 + static_cast<std::uint64_t>(i);
+        SCOPED_TRACE(path + ", seed " + std::to_string(seed));
+        Random random(seed);
+        for (int done = 0; done < each; done += 10) {
+            drag_at_random(read_obj(path), std::min(10, each - done), random, total);
+            if (HasFailure()) return;
+        }
+    }
+    std::printf("%d drags on %d models, %llu vertices inserted at the ends\n", total.drags, count,
+                static_cast<unsigned long long>(total.inserted));
+}
+
+}  // namespace
+}  // namespace pectin
