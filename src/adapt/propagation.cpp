@@ -18,10 +18,17 @@ bool Propagation::extend(std::vector<EdgeId>& chain) {
     while (true) {
         ++steps_;
         const EdgeId e = chain.back();
+        if (dead_ends_.contains(e)) break;
         const Next next = first_neighbour(e);
-        if (next.edge == e) return next.any_blocked && is_too_thin_beside_blocked(e);
-        chain.push_back(next.edge);
+        if (next.edge != e) {
+            chain.push_back(next.edge);
+            continue;
+        }
+        if (!next.any_blocked || !is_too_thin_beside_blocked(e)) return false;
+        break;
     }
+    dead_ends_.insert(chain.begin(), chain.end());
+    return true;
 }
 
 // Of the other edges of e's faces that may be split and go before e, the one that goes first; e

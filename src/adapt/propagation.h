@@ -4,6 +4,7 @@
 
 #include <cstdint>
 #include <functional>
+#include <unordered_set>
 #include <utility>
 #include <vector>
 
@@ -27,7 +28,11 @@ class Propagation {
     // From the last edge of the chain to the neighbour that precedes it, and on from there, until
     // nothing precedes the last edge. Whether splitting that one leaves too thin a face, beside an
     // edge that is not waited for. Precondition: the chain is not empty. Cost: O(edges added).
+    // Where it does, all edges of the chain are remembered to lead there, until mesh_has_changed().
     bool extend(std::vector<EdgeId>& chain);
+    void mesh_has_changed() {
+        if (!dead_ends_.empty()) dead_ends_ = {};
+    }
     // How many edges have been compared with their neighbours.
     std::uint64_t steps() const { return steps_; }
 
@@ -58,6 +63,7 @@ class Propagation {
     bool may_pass_longer_;  // with symmetry on, by edges between mirrored ends
     MaySplit may_split_;
     std::uint64_t steps_ = 0;
+    std::unordered_set<EdgeId> dead_ends_;  // edges whose chains end where nothing may be split
 };
 
 }  // namespace pectin

@@ -212,6 +212,7 @@ class Refiner {
         }
         if (has_unplaced_end(e)) place_inserted();  // the midpoint inherits the mark of its ends
         active_.split(e, inserted_);
+        propagation_.mesh_has_changed();
         const std::size_t entry = inserted_.back().vertex_entry;
         if (entry >= unplaced_.size()) unplaced_.resize(2 * (entry + 1));
         unplaced_[entry] = 1;

@@ -70,18 +70,45 @@ std::string reason(std::string text) {
     return text;
 }
 
-json parse_strictly(std::string_view text) {
-    std::vector<std::set<std::string>> keys;  // of the objects that are open
-    const auto refuse_repeated_keys = [&keys](int, json::parse_event_t event, json& parsed) {
-        if (event == json::parse_event_t::object_start) keys.emplace_back();
-        if (event == json::parse_event_t::object_end) keys.pop_back();
-        if (event == json::parse_event_t::key && !keys.back().insert(parsed).second)
-            throw Problem("the field " + in_quotes(parsed.get_ref<const std::string&>()) +
-                          " is given twice; give it once");
+// Refuses objects with a field twice and passes over all else. A callback of json::parse could do
+// so, too, but then each end of an object costs a pass over the array that it is in.
+class RepeatedFields : public nlohmann::json_sax<json> {
+  public:
+    bool start_object(std::size_t) override {
+        fields_.emplace_back();
         return true;
-    };
+    }
+    bool end_object() override {
+        fields_.pop_back();
+        return true;
+    }
+    bool key(string_t& name) override {
+        if (fields_.back().insert(name).second) return true;
+        throw Problem("the field " + in_quotes(name) + " is given twice; give it once");
+    }
+    bool start_array(std::size_t) override { return true; }
+    bool end_array() override { return true; }
+    bool null() override { return true; }
+    bool boolean(bool) override { return true; }
+    bool number_integer(number_integer_t) override { return true; }
+    bool number_unsigned(number_unsigned_t) override { return true; }
+    bool number_float(number_float_t, const string_t&) override { return true; }
+    bool string(string_t&) override { return true; }
+    bool binary(binary_t&) override { return true; }
+    // What is wrong is said by json::parse.
+    bool parse_error(std::size_t, const std::string&, const nlohmann::json::exception&) override {
+        return false;
+    }
+
+  private:
+    std::vector<std::set<std::string>> fields_;  // of the objects that are open
+};
+
+json parse_strictly(std::string_view text) {
+    RepeatedFields repeated;
+    json::sax_parse(text.begin(), text.end(), &repeated);
     try {
-        return json::parse(text.begin(), text.end(), refuse_repeated_keys);
+        return json::parse(text.begin(), text.end());
     } catch (const json::parse_error& error) {
         throw Problem("not valid JSON at column " + std::to_string(error.byte) + ": " +
                       reason(error.what()));

@@ -9,7 +9,8 @@ namespace pectin {
 namespace {
 
 // How many moves are summed at a time, on the stack. Each move's sum is the same whatever it is.
-constexpr std::size_t kMovesAtATime = 8;
+// Every batch evaluates all constraints once.
+constexpr std::size_t kFewMoves = 8, kMovesAtATime = 256;
 
 // The four pieces of β in powers of t in [0, 1): what control point i gives in cell i − 2 + piece.
 constexpr std::array<std::array<double, 4>, 4> kBasisPieces{{{0.0, 0.0, 0.0, 1.0 / 6.0},
@@ -124,12 +125,14 @@ DragWeight DragField::rounded(const Value& sum) const {
     return {.w = static_cast<float>(sum.value), .gradient = Vec3f{sum.derivative * inverse_cell_}};
 }
 
-void DragField::weights_inside(const Location& at, std::span<DragWeight> out) const {
-    for (std::size_t first = 0; first < move_count_; first += kMovesAtATime) {
-        const std::size_t count = std::min(kMovesAtATime, move_count_ - first);
-        std::array<Value, kMovesAtATime> sums{};
+template <std::size_t batch>
+void DragField::weights_in_batches(const Location& at, std::span<DragWeight> out) const {
+    for (std::size_t first = 0; first < move_count_; first += batch) {
+        const std::size_t count = std::min(batch, move_count_ - first);
+        std::array<Value, batch> sums{};
         for (std::size_t a = 0; a < products_.size(); ++a) {
             const Value term = evaluate(products_[a], at);
+            if (term.value == 0.0 && term.derivative == Vec3{0.0}) continue;  // does not reach x
             for (std::size_t m = 0; m < count; ++m) {
                 const double factor = inverse_[(first + m) * products_.size() + a];
                 sums[m].value += factor * term.value;
@@ -137,6 +140,14 @@ void DragField::weights_inside(const Location& at, std::span<DragWeight> out) co
             }
         }
         for (std::size_t m = 0; m < count; ++m) out[first + m] = rounded(sums[m]);
+    }
+}
+
+void DragField::weights_inside(const Location& at, std::span<DragWeight> out) const {
+    if (move_count_ <= kFewMoves) {
+        weights_in_batches<kFewMoves>(at, out);
+    } else {
+        weights_in_batches<kMovesAtATime>(at, out);
     }
 }
 
@@ -166,6 +177,7 @@ void DragField::exact_weights(const Vec3& x, std::size_t first, std::span<ExactW
     const Location at = locate(x);
     for (std::size_t a = 0; a < products_.size(); ++a) {
         const Value term = evaluate(products_[a], at);
+        if (term.value == 0.0 && term.derivative == Vec3{0.0}) continue;
         for (std::size_t m = 0; m < out.size(); ++m) {
             const double factor = inverse_[(first + m) * products_.size() + a];
             out[m].w += factor * term.value;

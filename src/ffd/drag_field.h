@@ -38,7 +38,8 @@ class DragField {
     std::size_t move_count() const { return move_count_; }
 
     // out: move_count. Exactly zero on the border of the influenced zone and outside. Evaluated in
-    // double, rounded once. About 40 multiplications a constraint near x, plus the product.
+    // double, rounded once. About 40 multiplications a constraint near x, and four for each of
+    // these and each move.
     void weights(const Vec3& x, std::span<DragWeight> out) const;
 
     // out: n_points × move_count, point-major; each point as by the function above, to the bit.
@@ -56,6 +57,8 @@ class DragField {
     // displacements: move_count. Cost: O(moves).
     double reach_bound(std::span<const Vec3> displacements) const;
     double stretch_bound(std::span<const Vec3> displacements) const;
+    // The same of one move: |∇w| is nowhere greater. O(1).
+    double gradient_bound(std::size_t move) const { return bounds_[move].gradient; }
 
     // ΔP = Bᵀ(BBᵀ)⁻¹ d, in the order of Lattice::control_index. displacements: move_count.
     std::vector<Vec3> control_displacements(std::span<const Vec3> displacements) const;
@@ -90,6 +93,8 @@ class DragField {
     Location locate(const Vec3& x) const;
     DragWeight rounded(const Value& sum) const;
     void weights_inside(const Location& at, std::span<DragWeight> out) const;
+    template <std::size_t batch>
+    void weights_in_batches(const Location& at, std::span<DragWeight> out) const;
 
     Lattice lattice_;
     Box zone_;

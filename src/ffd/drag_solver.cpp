@@ -5,6 +5,8 @@
 #include <array>
 #include <cassert>
 #include <cmath>
+#include <functional>
+#include <unordered_map>
 #include <utility>
 
 #include "geometry/decimal.h"
@@ -35,10 +37,12 @@ DragRefusal refuse_border(const Vec3& point, const Box& zone, double max_gain) {
 
 DragRefusal refuse_dependent(const Vec3& a, const Vec3& b, std::size_t constraints,
                              std::size_t controls) {
-    const std::string points = decimal(a) + " and " + decimal(b);
+    const std::string points = a == b ? decimal(a) : decimal(a) + " and " + decimal(b);
     if (constraints > controls) {
-        return {std::to_string(constraints) + " moves and pins are more than the " +
-                std::to_string(controls) + " control points of the lattice can meet, " + points +
+        return {"the moves and pins set " + std::to_string(constraints) +
+                " conditions, more than the " + std::to_string(controls) +
+                (controls == 1 ? " control point" : " control points") +
+                " of the lattice can meet, " + points +
                 " above all; take fewer of them or a finer lattice"};
     }
     return {"the lattice cannot tell the moves and pins at " + points +
@@ -195,10 +199,20 @@ class DragSolver::Builder {
         static constexpr std::array<double, 2> kBoth{1.0, -1.0};
         return std::span(kBoth).first(plane_ ? 2 : 1);
     }
-    std::size_t find(const ConstraintKey& key) const {
-        const auto found = std::find_if(constraints_.begin(), constraints_.end(),
-                                        [&](const Constraint& c) { return c.key == key; });
-        return static_cast<std::size_t>(found - constraints_.begin());
+    struct Hash {
+        std::size_t operator()(const ConstraintKey& key) const {
+            std::size_t hash = std::hash<int>()(key.along);
+            for (const double x : {key.point.x, key.point.y, key.point.z, key.parity}) {
+                hash = hash * 0x9e3779b97f4a7c15u + std::hash<double>()(x);
+            }
+            return hash;
+        }
+    };
+    using Indices = std::unordered_map<ConstraintKey, std::size_t, Hash>;
+    std::size_t add_constraint(const Constraint& constraint) {
+        rows_.emplace(constraint.key, constraints_.size());
+        constraints_.push_back(constraint);
+        return constraints_.size() - 1;
     }
 
     std::optional<DragRefusal> add_grip(const Grip& grip) {
@@ -207,10 +221,7 @@ class DragSolver::Builder {
         Move move{.asked = grip.point, .point = canonical(grip.point), .turns = grip.turns};
         move.is_on_plane = is_on_plane(grip.point);
         move.is_flipped = plane_ && !move.is_on_plane && plane_->offset(grip.point) < 0.0;
-        const auto there = std::find_if(moves_.begin(), moves_.end(), [&](const Move& other) {
-            return other.point == move.point;
-        });
-        move.same_place = static_cast<std::size_t>(there - moves_.begin());
+        move.same_place = places_.emplace(ConstraintKey{move.point}, moves_.size()).first->second;
         for (const double parity : parities()) {
             const double gain = add_column({move.point, -1, parity});
             if (parity < 0.0) {
@@ -233,35 +244,34 @@ class DragSolver::Builder {
         return std::nullopt;
     }
 
-    // A driven row, and its gain: not a number where the lattice cannot bring it about.
+    // A driven row, unless an earlier move drives it, and its gain: not a number where the lattice
+    // cannot bring it about.
     double add_column(const ConstraintKey& key) {
-        const std::size_t at = find(key);
-        if (at < constraints_.size()) {
-            repeats_.push_back(true);
-        } else {
-            const Constraint constraint = make_constraint(lattice_, plane_, key);
-            if (!(constraint.length > 0.0)) return std::nan("");
-            constraints_.push_back(constraint);
-            repeats_.push_back(false);
-        }
+        if (const auto found = rows_.find(key); found != rows_.end()) return gains_[found->second];
+        const Constraint constraint = make_constraint(lattice_, plane_, key);
+        if (!(constraint.length > 0.0)) return std::nan("");
+        add_constraint(constraint);
+        gains_.push_back(constraint.control_gain());
         columns_.push_back({moves_.size(), key});
-        return constraints_[at].control_gain();
+        return gains_.back();
     }
 
     std::optional<DragRefusal> add_pin(const Vec3& pin) {
-        for (Move& move : moves_) move.is_pinned = move.is_pinned || move.point == pin;
+        if (const auto there = places_.find(ConstraintKey{pin}); there != places_.end()) {
+            moves_[there->second].is_pinned = true;
+        }
         if (!is_reached(pin)) return std::nullopt;
         for (const double parity : parities()) {
             const ConstraintKey key{pin, -1, parity};
-            if (find(key) < constraints_.size()) continue;
+            if (rows_.contains(key)) continue;
             const Constraint constraint = make_constraint(lattice_, plane_, key);
-            if (constraint.length > 0.0) constraints_.push_back(constraint);
+            if (constraint.length > 0.0) add_constraint(constraint);
         }
         if (constraints_.size() > kMaxConstraints) return refuse_many();
         return std::nullopt;
     }
 
-    // One row of the inverse for every column; zeros for those that repeat another.
+    // One row of the inverse for every column.
     DragField make_field(const Eigen::MatrixXd& solved) const {
         std::vector<BasisRow> rows;
         for (const Constraint& constraint : constraints_) {
@@ -270,15 +280,14 @@ class DragSolver::Builder {
             }
         }
         std::vector<double> inverse;
-        Eigen::Index driven = 0;
-        for (const bool repeats : repeats_) {
+        inverse.reserve(rows.size() * static_cast<std::size_t>(solved.cols()));
+        for (Eigen::Index driven = 0; driven < solved.cols(); ++driven) {
             for (std::size_t a = 0; a < constraints_.size(); ++a) {
-                const double entry = repeats ? 0.0 : solved(static_cast<Eigen::Index>(a), driven);
+                const double entry = solved(static_cast<Eigen::Index>(a), driven);
                 for (std::size_t t = 0; t < constraints_[a].term_count; ++t) {
                     inverse.push_back(entry * constraints_[a].terms[t].factor);
                 }
             }
-            if (!repeats) ++driven;
         }
         return {lattice_, std::move(rows), std::move(inverse)};
     }
@@ -296,10 +305,12 @@ class DragSolver::Builder {
     const Lattice& lattice_;
     const std::optional<MirrorPlane>& plane_;
     double max_gain_;
-    std::vector<Constraint> constraints_;  // the driven ones first
+    std::vector<Constraint> constraints_;  // the driven ones first, one a column
+    std::vector<double> gains_;            // of the driven ones
+    Indices rows_;                         // of the constraints
     std::vector<Column> columns_;
-    std::vector<bool> repeats_;  // of the columns
     std::vector<Move> moves_;
+    Indices places_;  // of points, the first move there
 };
 
 DragSolver::DragSolver(DragField field, std::optional<Symmetry> symmetry, std::vector<Move> moves,
@@ -367,7 +378,7 @@ std::optional<DragRefusal> DragSolver::check(std::span<const GripMotion> motions
         if (move.turns && first.turns && here.jacobian != there.jacobian) {
             return refuse_jacobian(move.asked);
         }
-        if (move.is_pinned && d != Vec3{0.0}) return refuse_pinned(move.asked, d);
+        if (first.is_pinned && d != Vec3{0.0}) return refuse_pinned(move.asked, d);
         if (!symmetry_) continue;
         if (const auto refusal = check_symmetry(move, motions[m])) return refusal;
     }

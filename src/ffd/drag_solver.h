@@ -56,7 +56,7 @@ class DragSolver {
     // with a plane, inside its image). pins: points to hold; pins outside are held anyway. Points
     // at the same place count once. Everything in world space, at rest. With a plane all of it is
     // met on both sides. max_gain: how far a control point may be thrown for a grip, in times its
-    // move. O(n³) in the distinct rows.
+    // move. O(n³) in the distinct rows, O(n) in grips and pins that repeat others.
     static std::variant<DragSolver, DragRefusal> create(
         const Lattice& lattice, std::span<const Grip> grips, std::span<const Vec3> pins,
         const std::optional<MirrorPlane>& plane = std::nullopt, double max_gain = kMaxControlGain);
@@ -67,7 +67,7 @@ class DragSolver {
 
     // The rows that are driven, as the moves of a field: of every grip its displacement, where it
     // turns then ∂D/∂x, ∂D/∂y, ∂D/∂z; with a plane each as its parts within and across the plane.
-    // Of several that ask for the same the first has the weight, the others zero.
+    // Several that ask for the same at one point are one move of the field.
     const DragField& field() const { return field_; }
     const std::optional<Symmetry>& symmetry() const { return symmetry_; }
 
@@ -92,7 +92,7 @@ class DragSolver {
         Vec3 asked;  // the point as given
         Vec3 point;  // the same, or its image on the plane's positive side
         bool turns = false, is_flipped = false;
-        bool is_pinned = false;
+        bool is_pinned = false;  // of the first move there
         bool is_on_plane = false, is_near_plane = false;
         std::size_t same_place = 0;  // the first move there, often itself
     };

@@ -87,6 +87,8 @@ std::optional<DragRefusal> check_target(const DragPlan& plan, const Vec3& from, 
 constexpr double kLookAhead = 1.5;
 // Proofs that a guard keeps: a hand that wavers comes back to directions it had some frames ago.
 constexpr std::size_t kProofsKept = 8;
+// Moves for which a guard finds tight bounds. Each takes a pass over the whole lattice.
+constexpr std::size_t kMostTightBounds = 32;
 // What a bound may be off by, so that it never grants what the proof itself would not.
 constexpr double kRounding = 1e-9;
 // Of a turn, in a step.
@@ -139,7 +141,7 @@ class Planner {
                 pieces = *enough;
             }
             points_.push_back(grips_.front().point);
-            warp_.steps.emplace_back(solver_->step(motions(pieces)));
+            warp_.steps.push_back(compact(solver_->step(motions(pieces))));
             if (pieces == 1) return std::nullopt;
             done += (1.0 - done) / static_cast<double>(pieces);
             --pieces;
@@ -272,19 +274,27 @@ std::variant<PlannedDrag, DragRefusal> plan_drag(const DragPlan& plan) {
 }
 
 FoldGuard::FoldGuard(const DragSolver& solver) {
-    DragStep step{solver.field(), std::vector<Vec3>(solver.field().move_count()),
-                  solver.symmetry()};
-    for (std::size_t m = 0; m < step.displacements.size(); ++m) {
-        // Any unit vector that the move's parity has a place for.
+    proofs_.push_back({std::vector<Vec3>(solver.field().move_count(), Vec3{0.0})});
+}
+
+void FoldGuard::bound_moves(const DragStep& of_solver) {
+    DragStep step = of_solver;
+    bounds_.assign(step.displacements.size(), 0.0);
+    const bool is_tight = bounds_.size() <= kMostTightBounds;
+    for (std::size_t m = 0; m < bounds_.size(); ++m) {
+        if (!is_tight) {  // both sides add up
+            bounds_[m] = (step.symmetry ? 2.0 : 1.0) * step.field.gradient_bound(m);
+            continue;
+        }
+        // Any unit vector that the move's parity allows.
         Vec3 unit{0.0};
         const int across = step.symmetry ? step.symmetry->plane.axis : 0;
         const bool is_odd = step.symmetry && step.symmetry->parity[m] < 0.0;
         unit[is_odd || !step.symmetry ? across : (across + 1) % 3] = 1.0;
         std::fill(step.displacements.begin(), step.displacements.end(), Vec3{0.0});
         step.displacements[m] = unit;
-        bounds_.push_back(gradient_bound(step.lattice_fields()));
+        bounds_[m] = pectin::gradient_bound(step.lattice_fields());
     }
-    proofs_.push_back({std::vector<Vec3>(bounds_.size(), Vec3{0.0})});
 }
 
 double FoldGuard::steepness_by(const Proof& proof, std::span<const Vec3> displacements) const {
@@ -302,6 +312,7 @@ double FoldGuard::steepness_by(const Proof& proof, std::span<const Vec3> displac
 }
 
 double FoldGuard::limit(const DragStep& step) {
+    if (bounds_.empty()) bound_moves(step);
     assert(bounds_.size() == step.displacements.size());
     for (const Proof& proof : proofs_) {
         const double steepness = steepness_by(proof, step.displacements);

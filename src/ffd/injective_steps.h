@@ -83,7 +83,9 @@ class FoldGuard {
   public:
     explicit FoldGuard(const DragSolver& solver);
 
-    // The largest t in (0, 1] as injective_limit() finds it, or 0.
+    // The largest t in (0, 1] as injective_limit() finds it, or 0. Precondition: a step of the
+    // solver. Cost: that of the proof where it is not spared. The first time also one bound for
+    // each move, over all control points; with many moves only O(moves), by looser bounds.
     double limit(const DragStep& step);
 
   private:
@@ -93,8 +95,9 @@ class FoldGuard {
     };
     // The bound of h(d) by one proof.
     double steepness_by(const Proof& proof, std::span<const Vec3> displacements) const;
+    void bound_moves(const DragStep& step);
 
-    std::vector<double> bounds_;  // G_c, of every move of the field
+    std::vector<double> bounds_;  // G_c, of every move of the field; found when first needed
     std::vector<Proof> proofs_;   // the first is d₀ = 0, the others the last few
     std::size_t next_ = 1;        // the oldest of these
 };

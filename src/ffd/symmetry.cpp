@@ -9,7 +9,25 @@ namespace pectin {
 namespace {
 
 // How many moves are evaluated at a time, on the stack.
-constexpr std::size_t kMovesAtATime = 8;
+constexpr std::size_t kFewMoves = 8, kMovesAtATime = 512;
+
+template <std::size_t batch>
+void weights_in_batches(const DragField& field, const Symmetry& symmetry, const Vec3& x,
+                        std::span<DragWeight> out) {
+    const Vec3 mirrored = symmetry.plane.image(x);
+    std::array<DragField::ExactWeight, batch> here, there;
+    for (std::size_t first = 0; first < out.size(); first += batch) {
+        const std::size_t count = std::min(batch, out.size() - first);
+        field.exact_weights(x, first, std::span(here).first(count));
+        field.exact_weights(mirrored, first, std::span(there).first(count));
+        for (std::size_t m = 0; m < count; ++m) {
+            const double parity = symmetry.parity[first + m];
+            const Vec3 reflected = symmetry.plane.image_of_vector(there[m].gradient);
+            out[first + m] = {.w = static_cast<float>(here[m].w + parity * there[m].w),
+                              .gradient = Vec3f{here[m].gradient + parity * reflected}};
+        }
+    }
+}
 
 }  // namespace
 
@@ -28,17 +46,10 @@ void symmetric_weights(const DragField& field, const Symmetry& symmetry, const V
     std::fill(out.begin(), out.end(), DragWeight{});
     const Vec3 mirrored = symmetry.plane.image(x);
     if (!field.lattice().influences(x) && !field.lattice().influences(mirrored)) return;
-    std::array<DragField::ExactWeight, kMovesAtATime> here, there;
-    for (std::size_t first = 0; first < out.size(); first += kMovesAtATime) {
-        const std::size_t count = std::min(kMovesAtATime, out.size() - first);
-        field.exact_weights(x, first, std::span(here).first(count));
-        field.exact_weights(mirrored, first, std::span(there).first(count));
-        for (std::size_t m = 0; m < count; ++m) {
-            const double parity = symmetry.parity[first + m];
-            const Vec3 reflected = symmetry.plane.image_of_vector(there[m].gradient);
-            out[first + m] = {.w = static_cast<float>(here[m].w + parity * there[m].w),
-                              .gradient = Vec3f{here[m].gradient + parity * reflected}};
-        }
+    if (out.size() <= kFewMoves) {
+        weights_in_batches<kFewMoves>(field, symmetry, x, out);
+    } else {
+        weights_in_batches<kMovesAtATime>(field, symmetry, x, out);
     }
 }
 

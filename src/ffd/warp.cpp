@@ -1,5 +1,7 @@
 #include "ffd/warp.h"
 
+#include <utility>
+
 namespace pectin {
 namespace {
 
@@ -28,6 +30,15 @@ std::vector<LatticeField> lattice_fields(const Warp::Step& step) {
     for (std::size_t i = 0; i < sum.size(); ++i) sum[i] += fields[1].displacements()[i];
     fields.pop_back();
     return fields;
+}
+
+Warp::Step compact(DragStep step) {
+    const bool has_many_moves = step.displacements.size() > kMostWeights;
+    Warp::Step drag{std::move(step)};
+    if (!has_many_moves) return drag;
+    std::vector<LatticeField> fields = lattice_fields(drag);
+    if (fields.size() > 1) return drag;
+    return std::move(fields.front());
 }
 
 std::vector<Box> zones_of(const Warp::Step& step) {

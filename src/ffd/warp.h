@@ -56,6 +56,17 @@ inline const Lattice& lattice_of(const Warp::Step& step) {
     const auto* drag = std::get_if<DragStep>(&step);
     return drag ? drag->field.lattice() : std::get<LatticeField>(step).lattice();
 }
+// The displacements of a step: of the moves of a drag, or of all control points of a lattice.
+inline std::span<const Vec3> displacements_of(const Warp::Step& step) {
+    const auto* drag = std::get_if<DragStep>(&step);
+    return drag ? std::span<const Vec3>(drag->displacements)
+                : std::get<LatticeField>(step).displacements();
+}
+// A drag of more moves than kMostWeights as its displaced lattice: 64 terms for each point in place
+// of one weight for each point and move. It stays a drag where its field is the sum of two lattices
+// that differ. Cost: O(constraints · moves + control points).
+inline constexpr std::size_t kMostWeights = 32;
+Warp::Step compact(DragStep step);
 // The displaced lattices of one step, whose fields add up: one, or two of a symmetric drag. Where
 // these are the same, as of a cage about the plane, one with the displacements of both.
 std::vector<LatticeField> lattice_fields(const Warp::Step& step);

@@ -47,12 +47,27 @@ std::vector<GripMotion> last_motions(const command::Drag& drag) {
     return motions;
 }
 
-std::string remark_on_cuts(std::uint64_t cuts) {
-    if (cuts == 0) return {};
-    return "triangles still cut through each other in " + std::to_string(cuts) +
-           (cuts == 1 ? " place" : " places") +
-           ", where the jelly is pressed thinner than floor and budget let them follow; lower the "
-           "floor, raise the budget, or undo and drag less far";
+// Why intersections are left, and what helps.
+std::string reason_of(CutLimit limit) {
+    switch (limit) {
+        case CutLimit::floor:
+            return "since the floor keeps the edges there from being split; lower the floor";
+        case CutLimit::budget:
+            return "since the triangle budget is used up; raise the budget";
+        case CutLimit::thinning:
+            return "since without a flatness limit vertices there were removed; set flatness";
+        case CutLimit::search:
+        case CutLimit::none:
+            break;
+    }
+    return "since there are too many to find them all; take a larger radius";
+}
+
+std::string remark_on_cuts(const Frame& frame) {
+    if (frame.cuts == 0) return {};
+    return "triangles still intersect each other in " + std::to_string(frame.cuts) +
+           (frame.cuts == 1 ? " place, " : " places, ") + reason_of(frame.cut_limit) +
+           ", or undo and drag less far";
 }
 
 }  // namespace
@@ -225,14 +240,25 @@ Refusal Session::State::drag_to(const command::Drag& asked) {
     }
     if (refusal) return refusal;
     in_hand->drag.moves = asked.moves;
-    if (in_hand->is_one_step_left) {
-        show_frame(in_hand->solver->field_displacements(last_motions(in_hand->drag)));
-    } else {
-        const Warp& warp = in_hand->gesture->warp();
-        const std::vector<Vec3> planned = std::get<DragStep>(warp.steps.back()).displacements;
-        show_frame(planned);
-    }
+    show_frame(last_displacements());
     return std::nullopt;
+}
+
+// What the last step of the warp is displaced by: where it is all of the last segment, by what the
+// drag asks for now, else by what was planned.
+std::vector<Vec3> Session::State::last_displacements() const {
+    const Warp::Step& last_step = in_hand->gesture->warp().steps.back();
+    if (!in_hand->is_one_step_left) {
+        const std::span<const Vec3> planned = displacements_of(last_step);
+        return {planned.begin(), planned.end()};
+    }
+    const auto motions = last_motions(in_hand->drag);
+    if (std::holds_alternative<DragStep>(last_step)) {
+        return in_hand->solver->field_displacements(motions);
+    }
+    const Warp::Step step = compact(in_hand->solver->step(motions));
+    const std::span<const Vec3> asked = displacements_of(step);
+    return {asked.begin(), asked.end()};
 }
 
 void Session::State::show_frame(std::span<const Vec3> displacements) {
@@ -261,7 +287,7 @@ void Session::State::commit(std::span<const Vec3> displacements, bool is_nothing
     // Other parts reach into the zones, too, but were not refined there.
     if (in_hand->drag.connected) zones_in_use.clear();
     note(in_hand->gesture->last_frame());
-    remark = remark_on_cuts(in_hand->gesture->last_frame().cuts);
+    remark = remark_on_cuts(in_hand->gesture->last_frame());
     folded = in_hand->gesture->folded_vertices();
     Command command = in_hand->is_control() ? Command{in_hand->control} : Command{in_hand->drag};
     in_hand.reset();
@@ -274,13 +300,7 @@ std::optional<command::Drag> Session::State::end_drag() {
     assert(in_hand && in_hand->gesture && !in_hand->is_control());
     const command::Drag drag = in_hand->drag;
     const bool is_nothing = moves_nothing(drag);
-    if (in_hand->is_one_step_left) {
-        commit(in_hand->solver->field_displacements(last_motions(drag)), is_nothing);
-    } else {
-        const Warp& warp = in_hand->gesture->warp();
-        const std::vector<Vec3> planned = std::get<DragStep>(warp.steps.back()).displacements;
-        commit(planned, is_nothing);
-    }
+    commit(last_displacements(), is_nothing);
     return is_nothing ? std::nullopt : std::optional(drag);
 }
 

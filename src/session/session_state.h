@@ -130,6 +130,7 @@ struct Session::State {
                                                             std::span<const Box> zones);
     bool is_single_step(const command::Drag& drag, Refusal& refusal) const;
     bool is_past_half_way() const;
+    std::vector<Vec3> last_displacements() const;
 
     // --- Control points (control.cpp).
     Refusal begin_control(std::span<const IVec3> indices);

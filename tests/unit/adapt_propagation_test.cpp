@@ -92,5 +92,22 @@ TEST(Propagation, ComparesEachEdgeOfALongChainAFewTimesOnly) {
     EXPECT_GT(longest, 10'000u);
 }
 
+// Levels have an end, too: beyond it nothing in the fan may be split any more.
+TEST(Propagation, ComparesEachEdgeOfAChainThatMayNotBeSplitAFewTimesOnly) {
+    constexpr std::uint32_t kSpokes = 80'000;
+    TriMesh mesh = build_mesh(fan(kSpokes)).mesh;
+    ActiveSet active(mesh);
+    const Box zone = mesh.bounding_box();
+    active.begin(FaceTree(mesh).faces_meeting(zone, mesh), zone);
+    const Warp warp;
+    Embedding embedding(active, warp);
+    embedding.embed();
+    const Refinement result =
+        refine(active, embedding, Criteria({.l_max = 0.9, .floor = 1e-9}, zone, zone));
+    EXPECT_TRUE(result.floor_hit);
+    EXPECT_LE(result.chain_steps, 10 * (result.splits + kSpokes));
+    active.finish();
+}
+
 }  // namespace
 }  // namespace pectin

@@ -246,7 +246,8 @@ TEST(FoldFreeSession, RefusesTheBorderOfACageBeforeRefinementHasNoEnd) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         test::Random random(seed);
         Session session = sphere(3, 0.4);
-        expect_done(session, command::Cage{command::Cage::Fit{{4, 4, 4}}});
+        const command::Cage::Grid cage{Vec3{-1.0}, Vec3{2.0 / 3.0}, IVec3{4}};
+        expect_done(session, command::Cage{cage});
         ASSERT_FALSE(session.begin_drag(std::vector{kFront}, {}, {.fold_free = true}));
         Vec3 at = kFront, velocity = 0.06 * random.direction();
         std::string refused;

@@ -264,7 +264,7 @@ TEST(HistoryMemory, MayExceedTheLimitWhileEverythingIsUndone) {
     ASSERT_EQ(history.undo_count(), 3u);
     EXPECT_EQ(history.take_dropped_count(), 1u);
     EXPECT_EQ(history.take_dropped_count(), 0u);
-    history.undo(3, [](History::Step& step) { step.change.faces.resize(1500); });
+    history.undo(3, [](History::Step& step) { step.change.faces = std::vector<FaceId>(1500); });
     EXPECT_EQ(history.redo_count(), 3u);
     history.redo(2, [](History::Step&) {});
     EXPECT_EQ(history.redo_count(), 1u) << "the newest step is not dropped";

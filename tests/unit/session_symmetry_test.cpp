@@ -62,7 +62,7 @@ std::vector<Vec3> positions(const TriMesh& mesh) {
 
 TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverAHundredDrags) {
     for (const bool adapts : {false, true}) {
-        test::Random random(101);
+        test::Random random(104);
         Session session = session_with(Shape::Kind::sphere, 3, 0.5);
         expect_done(session, Adapt{.enabled = adapts});
         expect_done(session, command::Symmetry{.plane = Plane::x});

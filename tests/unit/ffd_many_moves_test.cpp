@@ -1,0 +1,141 @@
+// Drags of many moves: moves and pins that repeat others cost nothing, and many different ones move
+// the object by their displaced lattice.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cmath>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "ffd/drag_solver.h"
+#include "ffd/injective_steps.h"
+#include "session/session.h"
+#include "unit/ffd_random.h"
+
+namespace pectin {
+namespace {
+
+const Lattice kLattice{.origin = Vec3{-1.0}, .cell = Vec3{0.4}, .deformable = {6, 6, 6}};
+
+DragSolver solver_of(std::span<const Grip> grips, std::span<const Vec3> pins,
+                     const std::optional<MirrorPlane>& plane = std::nullopt) {
+    auto solved = DragSolver::create(kLattice, grips, pins, plane);
+    if (const auto* refusal = std::get_if<DragRefusal>(&solved)) ADD_FAILURE() << refusal->what;
+    return std::get<DragSolver>(std::move(solved));
+}
+
+TEST(RepeatedMoves, AreOneMoveOfTheField) {
+    const Grip grip{{0.1, 0.2, 0.3}, true}, other{{-0.5, 0.2, 0.3}};
+    const std::vector<Vec3> pins(5000, Vec3{0.4, -0.4, 0.0});
+    for (const auto& plane : {std::optional<MirrorPlane>{}, std::optional(MirrorPlane{0, 0.0})}) {
+        const DragSolver once = solver_of(std::array{grip, other}, std::span(pins).first(1), plane);
+        std::vector<Grip> grips{grip, other};
+        std::vector<GripMotion> motions{{{0.1, 0, 0}, Mat3{1.1}}, {{0, 0.1, 0}}};
+        const std::vector<Vec3> expected = once.field_displacements(motions);
+        for (int i = 0; i < 5000; ++i) {
+            grips.push_back(i % 2 == 0 ? grip : other);
+            motions.push_back(motions[static_cast<std::size_t>(i % 2)]);
+        }
+        const DragSolver many = solver_of(grips, pins, plane);
+        EXPECT_EQ(many.field().move_count(), once.field().move_count());
+        EXPECT_FALSE(many.check(motions));
+        EXPECT_EQ(many.field_displacements(motions), expected);
+    }
+}
+
+TEST(RepeatedMoves, MustAgreeAndArePinnedTogether) {
+    const std::vector<Grip> grips(3, Grip{{0.1, 0.2, 0.3}});
+    std::vector<GripMotion> motions(3, GripMotion{{0.1, 0, 0}});
+    EXPECT_FALSE(solver_of(grips, {}).check(motions));
+    motions[2].displacement.y = 0.1;
+    EXPECT_TRUE(solver_of(grips, {}).check(motions));
+    motions[2].displacement.y = 0.0;
+    const auto refusal = solver_of(grips, std::array{Vec3{0.1, 0.2, 0.3}}).check(motions);
+    ASSERT_TRUE(refusal);
+    EXPECT_NE(refusal->what.find("is pinned"), std::string::npos);
+}
+
+TEST(DependentMoves, NameAPointThatIsGivenTwiceOnce) {
+    // One control point cannot be moved and sheared at will.
+    const Lattice small{.origin = Vec3{0.0}, .cell = Vec3{1.0}, .deformable = {1, 1, 1}};
+    const auto solved =
+        DragSolver::create(small, std::array{Grip{{0.5, 0.5, 0.5}, true}}, {}, std::nullopt);
+    const auto* refusal = std::get_if<DragRefusal>(&solved);
+    ASSERT_TRUE(refusal);
+    const std::size_t first = refusal->what.find("(0.5, 0.5, 0.5)");
+    ASSERT_NE(first, std::string::npos) << refusal->what;
+    EXPECT_EQ(refusal->what.find("(0.5, 0.5, 0.5)", first + 1), std::string::npos) << refusal->what;
+}
+
+std::vector<Vec3> grid_of_points(int per_axis) {
+    std::vector<Vec3> points;
+    for (int i = 0; i < per_axis * per_axis * per_axis; ++i) {
+        const Vec3 at(i % per_axis, i / per_axis % per_axis, i / (per_axis * per_axis));
+        points.push_back(Vec3{-0.8} + 1.6 / (per_axis - 1) * at);
+    }
+    return points;
+}
+
+TEST(ManyMoves, BecomeTheirDisplacedLatticeWhichMovesSpaceAlike) {
+    constexpr unsigned kSeed = 81;
+    SCOPED_TRACE("seed " + std::to_string(kSeed));
+    LatticeRandom random{kSeed};
+    std::vector<Grip> grips;
+    std::vector<GripMotion> motions;
+    for (const Vec3& point : grid_of_points(4)) {
+        grips.push_back({point});
+        motions.push_back({random.vector(-0.05, 0.05)});
+    }
+    // A cage about the plane has itself as image.
+    for (const auto& plane : {std::optional<MirrorPlane>{}, std::optional(MirrorPlane{0, 0.0})}) {
+        const std::size_t count = plane ? 2 : 64;
+        const auto few = std::span(grips).first(count);
+        const DragSolver solver = solver_of(few, {}, plane);
+        const DragStep step = solver.step(std::span(motions).first(count));
+        const Warp::Step same = compact(step);
+        EXPECT_EQ(std::holds_alternative<LatticeField>(same), !plane) << "few moves stay a drag";
+        for (int i = 0; i < 200; ++i) {
+            const Vec3 x = random.point_in(kLattice, 0.0);
+            std::vector<DragWeight> weights(step.displacements.size());
+            step.weights(x, weights);
+            Vec3 sum{0.0};
+            for (const LatticeField& field : lattice_fields(same)) sum += field.displacement(x);
+            EXPECT_LT(glm::distance(x + sum, displaced(x, weights, step.displacements)), 1e-6);
+        }
+    }
+}
+
+// Also frame by frame, without folds, and undone.
+TEST(ManyMoves, ReachTheirTargetsHoweverTheyAreDragged) {
+    for (const bool fold_free : {false, true}) {
+        Session session;
+        ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::cube, 3}));
+        ASSERT_FALSE(session.execute(command::Adapt{.enabled = false}));
+        ASSERT_FALSE(session.execute(command::Cage{command::Cage::Fit{{6, 6, 6}}}));
+        const TriMesh before = session.mesh();
+        std::vector<Vec3> points, targets;
+        for (std::uint32_t v = 0; v < before.vertex_slots(); ++v) {
+            const Vec3 at = before.position(VertexId{v});
+            points.push_back(at);
+            targets.push_back(at + Vec3{0.1 * at.y, 0.05, 0.1 * at.x * at.z});
+        }
+        ASSERT_GT(points.size(), kMostWeights);
+        ASSERT_FALSE(session.begin_drag(points, {}, {.fold_free = fold_free}));
+        ASSERT_FALSE(session.drag_to(points));
+        ASSERT_FALSE(session.drag_to(targets));
+        const auto done = session.end_drag();
+        ASSERT_TRUE(done);
+        for (std::uint32_t v = 0; v < before.vertex_slots(); ++v) {
+            EXPECT_LT(glm::distance(session.mesh().position(VertexId{v}), targets[v]), 1e-9);
+        }
+        const TriMesh after = session.mesh();
+        ASSERT_FALSE(session.execute(command::Undo{}));
+        EXPECT_TRUE(session.mesh() == before);
+        ASSERT_FALSE(session.execute(*done));
+        EXPECT_TRUE(session.mesh() == after);
+    }
+}
+
+}  // namespace
+}  // namespace pectin
