@@ -31,12 +31,25 @@ std::size_t threads_to_be_had() {
     return threads.size();
 }
 
+// Has TBB start its threads now: later there may be no memory for their stacks.
+void start_threads(std::size_t threads) {
+    tbb::parallel_for(
+        tbb::blocked_range<std::size_t>(0, threads, 1),
+        [](const tbb::blocked_range<std::size_t>&) {}, tbb::simple_partitioner());
+}
+
 // Keeps TBB to the threads there are; nothing where the system sets no limit below the machine's.
 const tbb::global_control* limit_threads() {
     const std::size_t threads = 1 + threads_to_be_had();
-    if (threads >= std::thread::hardware_concurrency()) return nullptr;
-    static const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-    return &limit;
+    if (threads >= std::thread::hardware_concurrency()) {
+        start_threads(threads);
+        return nullptr;
+    }
+    // Never destroyed: TBB would start the threads at the program's end.
+    const auto* const limit =
+        new tbb::global_control(tbb::global_control::max_allowed_parallelism, threads);
+    if (threads > 1) start_threads(threads);
+    return limit;
 }
 
 }  // namespace

@@ -223,7 +223,10 @@ void TriMesh::make_room(EdgeId e) {
     std::size_t sides = 0;
     for_each_side(e, [&](HalfEdgeId) { ++sides; });
     if (along_cut) sheets_.reserve(sides);
-    if (has_slots_for_split(e)) return;
+    if (has_slots_for_split(e)) {
+        room_.splits = 0;  // this split takes some of it
+        return;
+    }
     reserve_for(std::max<std::size_t>(sides, 2));
     room_.splits = along_cut ? 0 : room_.splits - 1;
 }
