@@ -60,14 +60,14 @@ std::vector<Vec3> positions(const TriMesh& mesh) {
 
 // --- Symmetry
 
-TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverAHundredDrags) {
+TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverFortyDrags) {
     for (const bool adapts : {false, true}) {
         test::Random random(104);
         Session session = session_with(Shape::Kind::sphere, 3, 0.5);
         expect_done(session, Adapt{.enabled = adapts});
         expect_done(session, command::Symmetry{.plane = Plane::x});
         int done = 0;
-        for (int i = 0; i < 100; ++i) {
+        for (int i = 0; i < 40; ++i) {
             const std::vector<Vec3> all = positions(session.mesh());
             const Vec3 from =
                 all[static_cast<std::size_t>(random.integer(0, static_cast<int>(all.size()) - 1))];
@@ -77,9 +77,9 @@ TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverAHundredDrags) {
             const Drag drag{.moves = {{from, to}}, .fold_free = i % 2 == 0};
             if (!session.execute(drag)) ++done;
         }
-        EXPECT_GT(done, 80);
+        EXPECT_GT(done, 30);
         if (adapts) {
-            EXPECT_GT(session.mesh().face_count(), 2000u);
+            EXPECT_GT(session.mesh().face_count(), 1300u);
         }
         EXPECT_FALSE(session.statistics().budget_hit);
         EXPECT_LT(test::asymmetry(session.mesh()), 1e-6 * session.mesh().bounding_box().diagonal());
