@@ -71,7 +71,8 @@ TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverFortyDrags) {
             const std::vector<Vec3> all = positions(session.mesh());
             const Vec3 from =
                 all[static_cast<std::size_t>(random.integer(0, static_cast<int>(all.size()) - 1))];
-            Vec3 to = from + random.uniform(0.02, 0.15) * random.direction();
+            const Vec3 direction = random.direction();  // compilers differ in what comes first
+            Vec3 to = from + random.uniform(0.02, 0.15) * direction;
             if (std::abs(from.x) < 1e-6) to.x = from.x;
             if (to.x * from.x < 0.0) to.x = from.x;
             const Drag drag{.moves = {{from, to}}, .fold_free = i % 2 == 0};
