@@ -184,7 +184,20 @@ HalfEdgeId Criteria::edge_to_split(const ActiveSet& active, HalfEdgeId h) const 
 bool Criteria::may_unsplit(const ActiveSet& active, const Star& star) const {
     return edges_pass(active, star) && is_flat(active.mesh(), star) &&
            merged_edge_is_fine(active, star) && star_meets_scope(active, star) &&
-           restored_faces_fit(active, star);
+           restored_faces_fit(active, star) && !is_kept(active, star);
+}
+
+void Criteria::keep(std::vector<VertexId> vertices) {
+    std::ranges::sort(vertices);
+    kept_ = std::move(vertices);
+}
+
+// Whether any sheet's vertex there is: all sheets are restored together.
+bool Criteria::is_kept(const ActiveSet& active, const Star& star) const {
+    if (kept_.empty()) return false;
+    return !in_all_sheets(active, star, [&](const Star& sheet) {
+        return !std::ranges::binary_search(kept_, sheet.m);
+    });
 }
 
 // Whether all sheets at star.m are as `holds` says of one.

@@ -91,6 +91,8 @@ class Criteria {
 
     // --- Decimation
     bool may_unsplit(const ActiveSet& active, const Star& star) const;
+    // Decimation removes none of these: a vertex that is dragged arrives where it is dragged to.
+    void keep(std::vector<VertexId> vertices);
 
     // The greatest same-side divergence of the end normals, as 1 - cos; sides with an undefined
     // normal do not count, nor do those whose normals oppose each other (by more than 120 degrees)
@@ -104,6 +106,7 @@ class Criteria {
     bool diverges(const TriMesh& mesh, EdgeId e) const;
 
   private:
+    bool is_kept(const ActiveSet& active, const Star& star) const;
     template <typename Holds>
     static bool in_all_sheets(const ActiveSet& active, const Star& star, Holds holds);
     bool star_meets_scope(const ActiveSet& active, const Star& star) const;
@@ -119,6 +122,7 @@ class Criteria {
     std::vector<Box> zones_;
     std::optional<std::vector<Box>> scope_;
     const Embedding* between_ = nullptr;
+    std::vector<VertexId> kept_;  // sorted
     double least_square_ = 0.0;  // of the length of an edge that may be split
     double refine_divergence_ = kOff, thin_divergence_ = kOff;
     float fine_difference_ = std::numeric_limits<float>::infinity();  // |n1 - n2|^2, rounded down

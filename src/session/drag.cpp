@@ -16,6 +16,14 @@ namespace {
 // squares of lengths would lose all digits of what stays.
 constexpr double kLargestDrag = 1e6;
 
+// A vertex this near to a dragged point, in its largest coordinate, is that point. Mirror images
+// differ by rounding, some units in the last place a drag.
+constexpr double kSamePoint = 0x1p-40;
+
+double largest_component(const Vec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
 Turn turn_of(const command::Drag::Move& move) {
     Turn turn{.scale = move.scale};
     if (move.twist) {
@@ -130,6 +138,27 @@ std::variant<std::vector<FaceId>, std::string> Session::State::faces_of(
     return part;
 }
 
+// The vertices that are dragged or pinned, on both sides of the plane with symmetry; points between
+// vertices have none.
+std::vector<VertexId> Session::State::vertices_at_handles(const command::Drag& drag) {
+    std::vector<Vec3> points = drag.pins;
+    for (const auto& move : drag.moves) points.push_back(move.from);
+    if (symmetry) {
+        const std::size_t count = points.size();
+        for (std::size_t i = 0; i < count; ++i) points.push_back(symmetry->image(points[i]));
+    }
+    std::vector<VertexId> vertices;
+    for (const Vec3& point : points) {
+        const auto face = face_tree().nearest(point, *mesh);
+        for (int corner = 0; face && corner < 3; ++corner) {
+            const VertexId v = mesh->origin(TriMesh::half_edge(*face, corner));
+            const double most = kSamePoint * largest_component(point);
+            if (glm::distance(mesh->position(v), point) <= most) vertices.push_back(v);
+        }
+    }
+    return vertices;
+}
+
 void Session::State::start_gesture(InHand& begun, std::span<const FaceId> faces, Warp warp) {
     std::optional<AdaptLimits> adapt_limits;
     begun.lattice = lattice_of(warp.steps.back());
@@ -138,7 +167,8 @@ void Session::State::start_gesture(InHand& begun, std::span<const FaceId> faces,
         adapt_limits->without_cuts = begun.drag.fold_free;
     }
     begun.measured.steps = warp.steps.size();
-    begun.gesture = std::make_unique<Gesture>(*active, faces, std::move(warp), adapt_limits);
+    begun.gesture = std::make_unique<Gesture>(*active, faces, std::move(warp), adapt_limits,
+                                              vertices_at_handles(begun.drag));
     begun.measured.influenced_vertices = begun.gesture->influenced_vertices();
 }
 

@@ -16,13 +16,14 @@ constexpr std::uint64_t kMostEdits = 4;
 }  // namespace
 
 Gesture::Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
-                 const std::optional<AdaptLimits>& limits)
+                 const std::optional<AdaptLimits>& limits, std::vector<VertexId> kept)
     : active_(active), warp_(std::move(warp)), embedding_(active_, warp_) {
     assert(!warp_.steps.empty());
     const Box zone = warp_.zone();
     if (limits) {
         criteria_.emplace(*limits, warp_.zones(), std::optional(warp_.zones()),
                           warp_.steps.size() > 1 ? &embedding_ : nullptr);
+        criteria_->keep(std::move(kept));
     }
     try {
         active_.begin(faces, zone);

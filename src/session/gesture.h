@@ -29,10 +29,10 @@ struct Frame {
 // frames before it are rolled back first.
 class Gesture {
   public:
-    // faces: those that meet the warp's zone, sorted. limits: none to deform only. Cost: weights of
-    // the active set.
+    // faces: those that meet the warp's zone, sorted. limits: none to deform only. kept: vertices
+    // that decimation does not remove. Cost: weights of the active set.
     Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
-            const std::optional<AdaptLimits>& limits);
+            const std::optional<AdaptLimits>& limits, std::vector<VertexId> kept = {});
     ~Gesture();
     Gesture(const Gesture&) = delete;
     Gesture& operator=(const Gesture&) = delete;

@@ -149,6 +149,7 @@ struct Session::State {
         const command::Control& control) const;
 
     // --- Both.
+    std::vector<VertexId> vertices_at_handles(const command::Drag& drag);
     void start_gesture(InHand& begun, std::span<const FaceId> faces, Warp warp);
     void show_frame(std::span<const Vec3> displacements);
     // Ends the gesture with these displacements of the last step; a step of the history.

@@ -1,0 +1,251 @@
+// One long session over many objects: whatever is asked of it, in whatever order, it stays valid,
+// refuses what cannot be done and gives back every step, to the byte.
+#include <gtest/gtest.h>
+
+#include <unistd.h>
+
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <filesystem>
+#include <functional>
+#include <limits>
+#include <map>
+#include <numbers>
+
+#include "io/atomic_file.h"
+#include "io/file_error.h"
+#include "io/obj_reader.h"
+#include "io/obj_writer.h"
+#include "mesh/build_mesh.h"
+#include "mesh/shapes.h"
+#include "session/session.h"
+#include "support/mesh_figures.h"
+#include "support/random_commands.h"
+#include "support/random_mesh.h"
+
+namespace pectin {
+namespace {
+
+using test::Random;
+
+struct Input {
+    IndexedFaceSet set;
+    std::string description;
+};
+
+// The side walls are quads, the two ends are one polygon each: concave, and often spiky.
+Input star_prism(Random& random) {
+    IndexedFaceSet set;
+    const auto corners = static_cast<std::uint32_t>(random.integer(3, 40));
+    for (int end = 0; end < 2; ++end) {
+        Random radii(corners);
+        for (std::uint32_t i = 0; i < corners; ++i) {
+            const double angle = 2.0 * std::numbers::pi * i / corners;
+            const double radius = radii.uniform(0.3, 1.0);
+            set.positions.emplace_back(radius * std::cos(angle), radius * std::sin(angle),
+                                       end - 0.5);
+        }
+    }
+    set.parts.emplace_back();
+    const auto add = [&](const std::vector<std::uint32_t>& polygon) {
+        for (std::uint32_t v : polygon) set.corners.push_back({.position = v});
+        set.polygon_end.push_back(static_cast<std::uint32_t>(set.corners.size()));
+        set.polygon_part.push_back(0);
+    };
+    std::vector<std::uint32_t> bottom, top;
+    for (std::uint32_t i = 0; i < corners; ++i) {
+        const std::uint32_t next = (i + 1) % corners;
+        add({i, next, corners + next, corners + i});
+        bottom.push_back(corners - 1 - i);
+        top.push_back(corners + i);
+    }
+    add(bottom);
+    add(top);
+    return {std::move(set), "prism of a star with " + std::to_string(corners) + " corners"};
+}
+
+// Surfaces that are generated, damaged, cut or made of separate facets, prisms with large polygons,
+// and real models where there are any, whole or with seams.
+std::string random_object(Random& random, std::string& description) {
+    if (random.chance(0.25)) {
+        const Input prism = star_prism(random);
+        description = prism.description;
+        return format_obj(build_mesh(prism.set).mesh);
+    }
+    const auto models = test::real_models();
+    if (!models.empty() && random.chance(0.1)) {
+        const auto& path = models[static_cast<std::size_t>(
+            random.integer(0, static_cast<int>(models.size()) - 1))];
+        IndexedFaceSet set = read_obj(path);
+        description = path;
+        if (set.polygon_count() < 6'000 && random.chance(0.5)) {
+            test::unshare_vertices(set, random, random.uniform(0.1, 1.0));
+            description += ", vertices not shared";
+        }
+        if (set.polygon_count() < 6'000) return format_obj(build_mesh(set).mesh);
+    }
+    const test::RandomMesh generated = test::random_mesh(random);
+    description = generated.description;
+    return format_obj(generated.mesh);
+}
+
+// What no person means: it has to be refused, or to do no harm.
+Command hostile_command(const TriMesh& mesh, Random& random) {
+    constexpr double kValues[] = {0.0,
+                                  -1.0,
+                                  1e-300,
+                                  1e300,
+                                  -1e300,
+                                  1e-9,
+                                  1e9,
+                                  1e154,
+                                  1e-40,
+                                  std::numeric_limits<double>::infinity(),
+                                  std::numeric_limits<double>::quiet_NaN()};
+    const auto value = [&] { return kValues[random.integer(0, 10)]; };
+    const auto point = [&] {
+        const double x = value(), y = value(), z = value();
+        return Vec3{x, y, z};
+    };
+    const Vec3 centre = mesh.bounding_box().centre();
+    switch (random.integer(0, 7)) {
+        case 0:
+            return command::Drag{.moves = {{centre, point()}}};
+        case 1: {
+            const Vec3 from = point();
+            return command::Drag{.moves = {{from, point()}}, .pins = {centre}};
+        }
+        case 2:
+            return command::Undo{.count = random.integer(-3, 3)};
+        case 3: {
+            const IVec3 index{random.integer(-300, 300), random.integer(-2, 2), 0};
+            return command::Control{.points = {{index, point()}}};
+        }
+        case 4:
+            return command::Brush{.radius = value(), .span = random.integer(-1, 20)};
+        case 5: {
+            const Vec3 origin = point(), cell = point();
+            const int count = random.integer(-1, 4);
+            return command::Cage{
+                command::Cage::Grid{.origin = origin, .cell = cell, .deformable = IVec3{count}}};
+        }
+        case 6:
+            return command::Open{.path = "/nowhere/at all.obj"};
+        default:
+            return command::Symmetry{.plane = command::Symmetry::Plane::y, .through = point()};
+    }
+}
+
+std::size_t digest(const TriMesh& mesh) { return std::hash<std::string>{}(format_obj(mesh)); }
+
+struct Totals {
+    int commands = 0, done = 0, objects = 0;
+    std::size_t steps_undone = 0;
+};
+
+class Soak : public testing::Test {
+  protected:
+    Soak()
+        : path_(std::filesystem::temp_directory_path() /
+                ("pectin-soak-" + std::to_string(::getpid()) + ".obj")) {}
+    ~Soak() override { std::filesystem::remove(path_); }
+
+    void open(const std::string& obj) {
+        write_file_atomically(path_.string(), obj);
+        const auto refusal = session_.execute(command::Open{.path = path_.string()});
+        ASSERT_FALSE(refusal.has_value()) << *refusal;
+        const double size = 0.3 * session_.mesh().bounding_box().diagonal();
+        size_ = size > 0.0 ? size : 1.0;
+        // The larger objects need more; a runaway session still ends.
+        budget_ = std::max<std::uint64_t>(5'000, 2 * session_.mesh().face_count());
+        ASSERT_FALSE(session_.execute(command::Adapt{.theta_max = Setting::of(20.0),
+                                                     .floor = Setting::of(0.05 * size_),
+                                                     .budget = budget_}));
+        ASSERT_FALSE(session_.execute(command::Symmetry{}));
+        ASSERT_FALSE(session_.execute(command::Brush{.radius = 0.5 * size_, .span = 1}));
+    }
+
+    Command next_command(Random& random) {
+        if (random.chance(0.03)) return hostile_command(session_.mesh(), random);
+        return test::random_command(session_.mesh(), random, size_, budget_);
+    }
+
+    bool execute(const Command& command, Random& random) {
+        try {
+            return test::execute(session_, command, random);
+        } catch (const FileError&) {
+            return false;
+        }
+    }
+
+    // Executes commands on the object that was opened, then goes back and forth through all steps.
+    void sculpt(int commands, Random& random) {
+        std::map<std::size_t, std::size_t> seen{{0, digest(session_.mesh())}};
+        for (int i = 0; i < commands; ++i) {
+            const Command command = next_command(random);
+            SCOPED_TRACE("command " + std::to_string(i) + ": " + name(command));
+            const std::size_t step = session_.history().step_number();
+            const bool done = execute(command, random);
+            ++totals_.commands;
+            totals_.done += done ? 1 : 0;
+            const std::size_t now = session_.history().step_number();
+            const bool moves_along_steps = std::holds_alternative<command::Undo>(command) ||
+                                           std::holds_alternative<command::Redo>(command);
+            if (now > step && !moves_along_steps) {
+                seen[now] = digest(session_.mesh());
+            } else {
+                ASSERT_EQ(digest(session_.mesh()), seen.at(now));
+            }
+            ASSERT_EQ(session_.mesh().validate(), std::vector<std::string>{});
+            if (HasFailure()) return;
+        }
+        expect_every_step(seen);
+    }
+
+    void expect_every_step(const std::map<std::size_t, std::size_t>& seen) {
+        const History& history = session_.history();
+        while (!session_.execute(command::Undo{})) {
+            ASSERT_EQ(digest(session_.mesh()), seen.at(history.step_number())) << "undone";
+            ++totals_.steps_undone;
+        }
+        ASSERT_EQ(history.step_number(), history.lost_undo_count());
+        while (!session_.execute(command::Redo{})) {
+            ASSERT_EQ(digest(session_.mesh()), seen.at(history.step_number())) << "redone";
+        }
+        ASSERT_EQ(session_.mesh().validate(), std::vector<std::string>{});
+    }
+
+    Session session_;
+    Totals totals_;
+    double size_ = 1.0;
+    std::uint64_t budget_ = 5'000;
+
+  private:
+    std::filesystem::path path_;
+};
+
+TEST_F(Soak, OfRandomCommandsKeepsEveryStep) {
+    const int wanted = std::getenv("PECTIN_TEST_LONG") ? 100'000 : 1'000;
+    std::uint64_t seed = 90'000;
+    for (; totals_.commands < wanted; ++seed) {
+        Random random(seed);
+        std::string description;
+        const std::string obj = random_object(random, description);
+        SCOPED_TRACE("seed " + std::to_string(seed) + ": " + description);
+        open(obj);
+        if (HasFailure()) return;
+        ++totals_.objects;
+        sculpt(std::min(100, wanted - totals_.commands), random);
+        if (HasFailure()) return;
+    }
+    std::printf(
+        "seeds 90000 to %d: %d commands, %d of them done, on %d objects, %zu steps undone\n",
+        static_cast<int>(seed) - 1, totals_.commands, totals_.done, totals_.objects,
+        totals_.steps_undone);
+    EXPECT_GT(totals_.done, wanted / 3);
+    EXPECT_GT(totals_.steps_undone, static_cast<std::size_t>(wanted / 50));
+}
+
+}  // namespace
+}  // namespace pectin
