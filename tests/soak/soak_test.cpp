@@ -159,9 +159,15 @@ class Soak : public testing::Test {
         size_ = size > 0.0 ? size : 1.0;
         // The larger objects need more; a runaway session still ends.
         budget_ = std::max<std::uint64_t>(5'000, 2 * session_.mesh().face_count());
-        ASSERT_FALSE(session_.execute(command::Adapt{.theta_max = Setting::of(20.0),
+        // All of them: the object before has left its own.
+        ASSERT_FALSE(session_.execute(command::Adapt{.enabled = true,
+                                                     .theta_max = Setting::of(20.0),
+                                                     .theta_min = Setting::automatic(),
+                                                     .l_max = Setting::automatic(),
+                                                     .flatness = Setting::automatic(),
                                                      .floor = Setting::of(0.05 * size_),
-                                                     .budget = budget_}));
+                                                     .budget = budget_,
+                                                     .propagation = 1.0}));
         ASSERT_FALSE(session_.execute(command::Symmetry{}));
         ASSERT_FALSE(session_.execute(command::Brush{.radius = 0.5 * size_, .span = 1}));
     }
