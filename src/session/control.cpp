@@ -69,6 +69,7 @@ std::variant<std::vector<Vec3>, std::string> Session::State::control_displacemen
         return "only a cage has control points to move; use the cage command first";
     }
     const Lattice& cage = *lattice_settings.cage;
+    if (Refusal refusal = check_lattice(cage)) return *refusal;
     if (symmetry && !is_symmetric(cage, *symmetry)) {
         return "the cage is not its own mirror image about the symmetry plane; move it so that the "
                "plane goes through its middle, or switch symmetry off";

@@ -16,6 +16,10 @@ namespace {
 // squares of lengths would lose all digits of what stays.
 constexpr double kLargestDrag = 1e6;
 
+// A lattice larger than this many times the object and its distance from the origin moves nothing
+// that a hand could mean, and too few digits are left of the differences between its points.
+constexpr double kLargestLattice = 1e6;
+
 // A vertex this near to a dragged point, in its largest coordinate, is that point. Mirror images
 // differ by rounding, some units in the last place a drag.
 constexpr double kSamePoint = 0x1p-40;
@@ -90,6 +94,18 @@ DragPlan Session::State::plan_of(const command::Drag& drag) const {
                   .follows_point = !lattice_settings.cage.has_value()};
     for (const auto& move : drag.moves) plan.moves.push_back({move.from, move.to, turn_of(move)});
     return plan;
+}
+
+Refusal Session::State::check_lattice(const Lattice& lattice) const {
+    const Vec3 extent = lattice.influenced_zone().extent();
+    if (!lattice.is_valid() || !is_finite(extent)) {
+        return "the lattice has no usable size (radius or cells of 0, or beyond numbers); set the "
+               "brush radius or the cage to about the size of what is to move";
+    }
+    const double most = kLargestLattice * (diagonal + largest_coordinate);
+    if (most == 0.0 || glm::length(extent) <= most) return std::nullopt;
+    return "the lattice is more than a million times as large as the object; set the brush radius "
+           "or the cage to about the size of what is to move";
 }
 
 Refusal Session::State::check_targets(const command::Drag& drag, double reach) const {
@@ -214,10 +230,7 @@ Refusal Session::State::begin_drag(const command::Drag& drag) {
     if (!has_object()) return kNoObject;
     if (drag.moves.empty()) return "a drag needs at least one move, from a point to another";
     const Lattice lattice = lattice_settings.lattice(drag.moves.front().from, diagonal);
-    if (!lattice.is_valid() || !is_finite(lattice.influenced_zone().extent())) {
-        return "the lattice has no usable size (radius or cells of 0, or beyond numbers); set the "
-               "brush radius or the cage to about the size of what is to move";
-    }
+    if (Refusal refusal = check_lattice(lattice)) return refusal;
     auto begun = std::make_unique<InHand>();
     begun->drag = drag;
     begun->reach = lattice.influenced_zone().diagonal();

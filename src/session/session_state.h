@@ -132,6 +132,7 @@ struct Session::State {
     Refusal begin_drag(const command::Drag& drag);
     Refusal drag_to(const command::Drag& drag);
     std::optional<command::Drag> end_drag();
+    Refusal check_lattice(const Lattice& lattice) const;
     Refusal check_targets(const command::Drag& drag, double reach) const;
     DragPlan plan_of(const command::Drag& drag) const;
     Refusal embed(InHand& begun);

@@ -357,6 +357,28 @@ TEST(Session, BringsDraggedPointsToTheirTargetsAndHoldsPins) {
     EXPECT_LT(glm::distance(mesh.position(x), Vec3(1, 0, 0)), 1e-6);
 }
 
+// With such a lattice a twist gave positions that are no numbers.
+TEST(Session, RefusesALatticeAMillionTimesTheSizeOfTheObject) {
+    const Drag twist{
+        .moves = {{.from = kTop, .to = kTop, .twist = Drag::Twist{{0.0, 0.0, 1.0}, 20.0}}}};
+    for (const double size : {1e8, 1e154, 1e300}) {
+        SCOPED_TRACE(size);
+        Session session = sphere();
+        expect_done(session, Brush{.radius = size});
+        const auto refusal = session.execute(twist);
+        ASSERT_TRUE(refusal.has_value());
+        EXPECT_TRUE(contains(*refusal, "million times as large as the object")) << *refusal;
+        const auto begun =
+            session.execute(Cage{Cage::Grid{.cell = Vec3{size}, .deformable = IVec3{2}}});
+        const auto control =
+            session.execute(command::Control{.points = {{IVec3{0}, Vec3{0.1 * size}}}});
+        EXPECT_TRUE(begun.has_value() || control.has_value());
+        EXPECT_TRUE(session.mesh() == sphere().mesh());
+        expect_done(session, Brush{.radius = 1.0});
+        expect_done(session, twist);
+    }
+}
+
 // --- Drags frame by frame
 
 TEST(Session, EndsADragOfFramesWithTheBytesOfOneCommand) {
