@@ -166,9 +166,15 @@ std::optional<command::Control> CagePoints::release(Session& session, const View
         held_.reset();
         return std::nullopt;
     }
-    auto done = session.end_control();  // where it throws, the drag is still to be cancelled
-    held_.reset();
-    return done;
+    try {
+        auto done = session.end_control();
+        held_.reset();
+        return done;
+    } catch (...) {
+        // A drag that goes on is still to be cancelled.
+        if (!session.is_dragging()) held_.reset();
+        throw;
+    }
 }
 
 void CagePoints::cancel(Session& session) {

@@ -93,9 +93,15 @@ double Sculptor::scale() const { return target(grabbed_->done).scale; }
 
 std::optional<command::Drag> Sculptor::release(Session& session) {
     assert(is_dragging());
-    auto done = session.end_drag();  // where it throws, the drag is still to be cancelled
-    grabbed_.reset();
-    return done;
+    try {
+        auto done = session.end_drag();
+        grabbed_.reset();
+        return done;
+    } catch (...) {
+        // A drag that goes on is still to be cancelled.
+        if (!session.is_dragging()) grabbed_.reset();
+        throw;
+    }
 }
 
 void Sculptor::cancel(Session& session) {

@@ -140,12 +140,13 @@ Refusal Session::State::control_to(std::span<const Vec3> targets) {
 
 std::optional<command::Control> Session::State::end_control() {
     assert(in_hand && in_hand->is_control());
-    const command::Control control = in_hand->control;
-    const std::vector<Vec3> displacements = std::get<0>(control_displacements(control));
+    std::optional<command::Control> control = in_hand->control;  // as in end_drag
+    const std::vector<Vec3> displacements = std::get<0>(control_displacements(*control));
     const bool is_nothing = std::all_of(displacements.begin(), displacements.end(),
                                         [](const Vec3& d) { return d == Vec3{0.0}; });
     commit(displacements, is_nothing);
-    return is_nothing ? std::nullopt : std::optional(control);
+    if (is_nothing) control.reset();
+    return control;
 }
 
 Refusal Session::State::run(const command::Control& control) {

@@ -96,6 +96,7 @@ struct Session::State {
     void follow(std::span<const FaceId> faces) noexcept;
     // The same for all faces. Allocates nothing.
     void follow_everything() noexcept;
+    struct OutcomeOfReachedStep;
     // Of the step that led to the mesh as it is.
     void take_outcome() noexcept;
 
@@ -124,7 +125,7 @@ struct Session::State {
     // Refines and decimates the whole object once.
     Frame adapt_everything();
     // Adds to the remark how many steps the limit of the history has dropped, if any.
-    void report_dropped_steps();
+    void report_dropped_steps() noexcept;
     // Of a bake's step: the mesh on its one side for that on its other.
     void exchange(TriMesh& other);
 
