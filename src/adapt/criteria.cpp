@@ -165,10 +165,13 @@ HalfEdgeId Criteria::edge_to_split(const ActiveSet& active, HalfEdgeId h) const 
         const EdgeId e = mesh.edge(side);
         return order.at_rest(active, e, static_cast<double>(active.rest_length_unremembered(e)));
     };
-    HalfEdgeId first = h;
-    RestEdge longest = at_rest(h);
-    bool is_below = is_below_floor(mesh, mesh.edge(h));
-    for (const HalfEdgeId side : {TriMesh::next(h), TriMesh::prev(h)}) {
+    // From the same corner, whichever half-edge is asked about: of equally long edges without
+    // symmetry the first one counts.
+    HalfEdgeId first = TriMesh::half_edge(TriMesh::face(h), 0);
+    RestEdge longest = at_rest(first);
+    bool is_below = is_below_floor(mesh, mesh.edge(first));
+    for (int corner = 1; corner < 3; ++corner) {
+        const HalfEdgeId side = TriMesh::half_edge(TriMesh::face(h), corner);
         const bool is_side_below = is_below_floor(mesh, mesh.edge(side));
         const RestEdge candidate = at_rest(side);
         const bool precedes =

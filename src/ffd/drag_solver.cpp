@@ -222,6 +222,9 @@ class DragSolver::Builder {
         move.is_on_plane = is_on_plane(grip.point);
         move.is_flipped = plane_ && !move.is_on_plane && plane_->offset(grip.point) < 0.0;
         move.same_place = places_.emplace(ConstraintKey{move.point}, moves_.size()).first->second;
+        if (move.turns) {
+            move.same_turn = turns_.emplace(ConstraintKey{move.point}, moves_.size()).first->second;
+        }
         for (const double parity : parities()) {
             const double gain = add_column({move.point, -1, parity});
             if (parity < 0.0) {
@@ -311,6 +314,7 @@ class DragSolver::Builder {
     std::vector<Column> columns_;
     std::vector<Move> moves_;
     Indices places_;  // of points, the first move there
+    Indices turns_;   // of points, the first move there that turns
 };
 
 DragSolver::DragSolver(DragField field, std::optional<Symmetry> symmetry, std::vector<Move> moves,
@@ -375,8 +379,11 @@ std::optional<DragRefusal> DragSolver::check(std::span<const GripMotion> motions
         if (here.displacement != there.displacement) {
             return refuse_difference(move.asked, motions[move.same_place].displacement, d);
         }
-        if (move.turns && first.turns && here.jacobian != there.jacobian) {
-            return refuse_jacobian(move.asked);
+        if (move.turns) {
+            const Move& turn = moves_[move.same_turn];
+            if (here.jacobian != on_positive_side(turn, motions[move.same_turn]).jacobian) {
+                return refuse_jacobian(move.asked);
+            }
         }
         if (first.is_pinned && d != Vec3{0.0}) return refuse_pinned(move.asked, d);
         if (!symmetry_) continue;

@@ -95,6 +95,7 @@ class DragSolver {
         bool is_pinned = false;  // of the first move there
         bool is_on_plane = false, is_near_plane = false;
         std::size_t same_place = 0;  // the first move there, often itself
+        std::size_t same_turn = 0;   // the first move there that turns, where this one does
     };
     struct Column {
         std::size_t move;

@@ -59,6 +59,18 @@ std::vector<GripMotion> last_motions(const command::Drag& drag) {
     return motions;
 }
 
+// The zones and their mirror images with symmetry, which may differ by rounding: a face that only
+// just meets a zone has its mirror image among the faces that follow, too.
+std::vector<Box> both_sides(std::vector<Box> zones, const std::optional<MirrorPlane>& symmetry) {
+    if (!symmetry) return zones;
+    const std::size_t count = zones.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Box image = symmetry->image(zones[i]);
+        if (std::ranges::find(zones, image) == zones.end()) zones.push_back(image);
+    }
+    return zones;
+}
+
 // Why intersections are left, and what helps.
 std::string reason_of(CutLimit limit) {
     switch (limit) {
@@ -217,7 +229,7 @@ Refusal Session::State::embed(InHand& begun) {
         }
         begun.gesture.reset();
     }
-    auto faces = faces_of(begun.drag, planned.warp.zones());
+    auto faces = faces_of(begun.drag, both_sides(planned.warp.zones(), symmetry));
     if (auto* refusal = std::get_if<std::string>(&faces)) return std::move(*refusal);
     // What throws from here on (memory) leaves no gesture, and the object at rest.
     start_gesture(begun, std::get<0>(faces), std::move(planned.warp));
@@ -362,16 +374,20 @@ void Session::State::finish_commit(MeshChange& change) {
 
 std::optional<command::Drag> Session::State::end_drag() {
     assert(in_hand && in_hand->gesture && !in_hand->is_control());
-    const command::Drag drag = in_hand->drag;
-    const bool is_nothing = moves_nothing(drag);
+    std::optional<command::Drag> drag = in_hand->drag;  // a copy later could fail after the step
+    const bool is_nothing = moves_nothing(*drag);
     commit(last_displacements(), is_nothing);
-    return is_nothing ? std::nullopt : std::optional(drag);
+    if (is_nothing) drag.reset();
+    return drag;
 }
 
 void Session::State::cancel_drag() noexcept {
     assert(in_hand);
     const std::unique_ptr<InHand> cancelled = std::move(in_hand);
-    if (!cancelled->gesture) return;
+    if (!cancelled->gesture) {  // rolled back where memory gave out, and nobody was told
+        follow_everything();
+        return;
+    }
     if (const auto changed = cancelled->gesture->cancel()) {
         follow(*changed);
     } else {

@@ -144,6 +144,17 @@ TEST(NeedsRefinement, AsksACoarseFaceToBeSplitAtItsLongestEdgeAtRestAlone) {
     two.active.finish();
 }
 
+TEST(NeedsRefinement, AsksForOneOfEquallyLongEdgesWithoutSymmetry) {
+    // Edges 0-1 and 0-2 are equally long and the longest of the only face.
+    TriMesh mesh = mesh_of("v 0 2 0\nv -0.5 0 0\nv 0.5 0 0\nf 1 2 3\n");
+    ActiveSet active(mesh);
+    const Criteria criteria({.l_max = 0.4, .floor = 0.01}, kEverywhere, std::nullopt);
+    int needed = 0;
+    for (const EdgeId e : test::live_edges(mesh))
+        needed += criteria.needs_refinement(active, e) ? 1 : 0;
+    EXPECT_EQ(needed, 1);
+}
+
 TEST(Floor, ForbidsHalvesThatAreShorter) {
     TwoTriangles two(kSmooth);
     const double half = 0.5 * std::sqrt(2.0);

@@ -56,6 +56,17 @@ TEST(RepeatedMoves, MustAgreeAndArePinnedTogether) {
     EXPECT_NE(refusal->what.find("is pinned"), std::string::npos);
 }
 
+TEST(RepeatedMoves, MustTurnAlikeAlsoWhereTheFirstDoesNotTurn) {
+    const Vec3 point{0.1, 0.2, 0.3};
+    const DragSolver solver =
+        solver_of(std::array{Grip{point}, Grip{point, true}, Grip{point, true}}, {});
+    std::array<GripMotion, 3> motions;
+    motions[1].jacobian = motions[2].jacobian = Mat3{1.1};
+    EXPECT_FALSE(solver.check(motions));
+    motions[2].jacobian = Mat3{0.9};
+    EXPECT_TRUE(solver.check(motions));
+}
+
 TEST(DependentMoves, NameAPointThatIsGivenTwiceOnce) {
     // One control point cannot be moved and sheared at will.
     const Lattice small{.origin = Vec3{0.0}, .cell = Vec3{1.0}, .deformable = {1, 1, 1}};
