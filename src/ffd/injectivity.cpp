@@ -96,9 +96,10 @@ std::vector<Interval> intervals(std::span<const LatticeField> sum, int axis, int
             const double middle = 0.5 * (ends[i] + ends[i + 1]);
             const double cell = std::floor((middle - lattice.origin[axis]) / lattice.cell[axis]);
             const double knot = lattice.origin[axis] + cell * lattice.cell[axis];
+            const bool is_inside = cell >= -2.0 && cell <= lattice.deformable[axis];
             interval.shares.push_back(
-                {.is_inside = cell >= -2.0 && cell <= lattice.deformable[axis],
-                 .first = static_cast<int>(cell) - 1,
+                {.is_inside = is_inside,
+                 .first = is_inside ? static_cast<int>(cell) - 1 : 0,  // else beyond any int
                  .conversion = conversion((ends[i] - knot) / lattice.cell[axis],
                                           (ends[i + 1] - knot) / lattice.cell[axis])});
         }
