@@ -20,7 +20,7 @@ namespace {
 
 // How many more threads the system lets this process have now, up to those of the machine. TBB ends
 // the program where it cannot start a thread that it counts on, so it is asked before, once.
-std::size_t threads_to_be_had() {
+std::size_t available_threads() {
     const std::size_t wanted = std::max(1u, std::thread::hardware_concurrency()) - 1;
     std::mutex starting;
     std::vector<std::jthread> threads;
@@ -57,7 +57,7 @@ void start_threads(std::size_t threads) {
 
 // Keeps TBB to the threads there are; nothing where the system sets no limit below the machine's.
 const tbb::global_control* limit_threads() {
-    const std::size_t threads = 1 + threads_to_be_had();
+    const std::size_t threads = 1 + available_threads();
     if (threads >= std::thread::hardware_concurrency()) {
         start_threads(threads);
         return nullptr;

@@ -89,7 +89,7 @@ void CagePoints::move_to(const Vec2& at) {
     if (box_) box_->to = at;
 }
 
-std::optional<std::string> CagePoints::follow(Session& session, const View& view) {
+std::optional<std::string> CagePoints::update_drag(Session& session, const View& view) {
     if (!held_) return std::nullopt;
     if (!held_->has_begun) {
         if (glm::distance(held_->at, held_->pressed_at) < kTremble) return std::nullopt;

@@ -41,7 +41,7 @@ bool Editor::conclude(const Command& command, Workspace::Outcome outcome) {
         // Whatever is told of the model stays to be read.
         const std::string message = workspace_.message();
         execute(kFirstObject);
-        workspace_.tell(message);
+        workspace_.set_message(message);
     }
     return is_done;
 }
@@ -51,10 +51,10 @@ void Editor::begin_object() {
     figures_ = {};
     pins_.clear();
     frame_all(kFitDirection);
-    if (!session().symmetry() || !mirror_.through_middle) return;
+    if (!session().symmetry() || !mirror_.through_centre) return;
     const std::string message = workspace_.message();
     set_symmetry(true);
-    workspace_.tell(message);
+    workspace_.set_message(message);
 }
 
 void Editor::begin(const std::string& model) {
@@ -211,15 +211,15 @@ void Editor::restore(const LostSession& session) {
     const std::string why = workspace_.message();
     if (done == session.commands.size()) {
         remove_lost_session(session);
-        workspace_.tell("Restored. Save the object to keep it.");
+        workspace_.set_message("Restored. Save the object to keep it.");
         return;
     }
     std::error_code ignored;
     const std::string kept = session.path + ".incomplete";
     std::filesystem::rename(session.path, kept, ignored);
-    workspace_.tell("Restored up to command " + std::to_string(done) + " of " +
-                    std::to_string(session.commands.size()) + ": " + why +
-                    ". The whole script is in " + kept + ".");
+    workspace_.set_message("Restored up to command " + std::to_string(done) + " of " +
+                           std::to_string(session.commands.size()) + ": " + why +
+                           ". The whole script is in " + kept + ".");
 }
 
 }  // namespace pectin

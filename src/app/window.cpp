@@ -68,7 +68,7 @@ class Window {
             --frames_to_draw_;
             attempt([this] { editor_.advance(); });
             lay_out_panels();
-            attempt([this] { follow_object(); });
+            attempt([this] { update_object(); });
             draw();
             host_.show();
         }
@@ -108,7 +108,7 @@ class Window {
         if (path == wanted) return;
         const std::string message =
             wanted + " holds an earlier record, which stays; this one is in " + path;
-        editor_.workspace().tell(message);
+        editor_.workspace().set_message(message);
         std::cerr << "pectin: " << message << '\n';
     }
 
@@ -135,8 +135,8 @@ class Window {
                         " — pectin");
     }
 
-    void follow_object() {
-        const GpuMesh::Upload upload = object_.follow(editor_.workspace().session());
+    void update_object() {
+        const GpuMesh::Upload upload = object_.update(editor_.workspace().session());
         if (upload.bytes == 0) return;
         figures_.uploaded_bytes = upload.bytes;
         figures_.uploaded_ranges = upload.ranges;

@@ -52,7 +52,7 @@ FileWork file_work(const Command& command, const Session& session) {
 
 Workspace::Outcome Workspace::execute(const Command& command) {
     if (file_task_) {
-        tell("a file is under way; wait until it is done, or cancel it");
+        set_message("a file is under way; wait until it is done, or cancel it");
         return Outcome::failed;
     }
     const std::size_t step_number = session_.history().step_number();
@@ -63,13 +63,13 @@ Workspace::Outcome Workspace::execute(const Command& command) {
         return std::nullopt;
     });
     if (complaint) {
-        tell(*complaint);
+        set_message(*complaint);
         return Outcome::failed;
     }
     if (file_task_) return patience_.count() > 0 ? poll(patience_) : Outcome::under_way;
     if (session_.history().step_number() != step_number) is_modified_ = true;
     finish(command);
-    if (!session_.remark().empty()) tell(sentence(session_.remark()));
+    if (!session_.remark().empty()) set_message(sentence(session_.remark()));
     return Outcome::done;
 }
 
@@ -84,39 +84,40 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     const std::unique_ptr<FileTask> task = std::move(file_task_);
     const bool is_cancelled = task->work.is_cancelled();
     std::string written;
-    const auto complaint = complaint_about(task->command, session_, [&]() -> std::optional<std::string> {
-        FileTask::Result result = task->work.take();
-        auto* const model = std::get_if<LoadedModel>(&result);
-        if (model && is_cancelled) throw Cancelled();
-        if (model) {
-            session_.adopt(std::move(*model));
-        } else {
-            written = std::move(std::get<std::string>(result));
-        }
-        return std::nullopt;
-    });
+    const auto complaint =
+        complaint_about(task->command, session_, [&]() -> std::optional<std::string> {
+            FileTask::Result result = task->work.take();
+            auto* const model = std::get_if<LoadedModel>(&result);
+            if (model && is_cancelled) throw Cancelled();
+            if (model) {
+                session_.adopt(std::move(*model));
+            } else {
+                written = std::move(std::get<std::string>(result));
+            }
+            return std::nullopt;
+        });
     if (complaint) {
-        if (!is_cancelled) tell(*complaint);
+        if (!is_cancelled) set_message(*complaint);
         return Outcome::failed;
     }
     finish(task->command);
-    if (!written.empty()) tell(written);
+    if (!written.empty()) set_message(written);
     return Outcome::done;
 }
 
-void Workspace::tell(const std::string& message) { message_ = printable(message); }
+void Workspace::set_message(const std::string& message) { message_ = printable(message); }
 
 // The command is done.
 void Workspace::finish(const Command& command) {
     dismiss();
-    note(command);
+    update_file_state(command);
     if (const auto* open = std::get_if<command::Open>(&command)) {
-        tell(input_summary(open->path, session_.input_report(), session_.read_report()));
+        set_message(input_summary(open->path, session_.input_report(), session_.read_report()));
     }
     record(command);
 }
 
-void Workspace::note_drag(const Command& drag, bool has_changed) {
+void Workspace::record_drag(const Command& drag, bool has_changed) {
     is_modified_ |= has_changed;
     record(drag);
 }
@@ -125,13 +126,13 @@ void Workspace::record(const Command& command) {
     try {
         if (recorder_) recorder_->record(command);
     } catch (const std::exception& error) {
-        tell(error.what());
+        set_message(error.what());
     }
     try {
         if (recovery_) recovery_->record(command);
     } catch (const std::exception& error) {
         recovery_.reset();
-        tell(std::string("This session is no longer kept for recovery: ") + error.what());
+        set_message(std::string("This session is no longer kept for recovery: ") + error.what());
     }
 }
 
@@ -139,7 +140,7 @@ void Workspace::begin_recovery(const std::string& folder) {
     try {
         recovery_.emplace(folder);
     } catch (const std::exception& error) {
-        tell(error.what());
+        set_message(error.what());
     }
 }
 
@@ -148,7 +149,7 @@ void Workspace::end_recovery() {
     recovery_.reset();
 }
 
-void Workspace::note(const Command& command) {
+void Workspace::update_file_state(const Command& command) {
     const auto begin = [this](std::string path) {
         path_ = std::move(path);
         box_ = session_.mesh().bounding_box();
@@ -161,7 +162,7 @@ void Workspace::note(const Command& command) {
         begin({});
         shape_name_ = shape_name(shape->kind);
     } else if (const auto* save = std::get_if<command::Save>(&command)) {
-        session_.note_saved(save->path);
+        session_.record_saved(save->path);
         path_ = save->path;
         is_modified_ = false;
     }

@@ -45,7 +45,7 @@ class Workspace {
     // The same, waiting until a file is read or written, however long that takes.
     Outcome execute_to_the_end(const Command& command);
     // The same for a drag, of points or of control points, that the session has done already.
-    void note_drag(const Command& drag, bool has_changed);
+    void record_drag(const Command& drag, bool has_changed);
 
     // --- A file that is under way.
     struct FileTask {
@@ -68,7 +68,7 @@ class Workspace {
     const Session& session() const { return session_; }
 
     // Shown until dismissed or until the next command is done; as printable() text.
-    void tell(const std::string& message);
+    void set_message(const std::string& message);
     void dismiss() { message_.clear(); }
     const std::string& message() const { return message_; }
 
@@ -85,7 +85,7 @@ class Workspace {
 
   private:
     void finish(const Command& command);
-    void note(const Command& command);
+    void update_file_state(const Command& command);
     void record(const Command& command);
 
     Session session_;

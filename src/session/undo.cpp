@@ -32,7 +32,7 @@ std::string remark_on_dropped_steps(std::size_t count, std::size_t limit) {
 
 void Session::State::exchange(TriMesh& other) {
     std::swap(*mesh, other);
-    follow_everything();
+    update_everything();
 }
 
 void Session::State::take_outcome() noexcept {
@@ -51,7 +51,7 @@ struct Session::State::OutcomeOfReachedStep {
 };
 
 void Session::State::add_step(Command command, MeshChange& change) {
-    follow(change.faces);
+    update_faces(change.faces);
     if (change.is_empty()) return;
     AdaptOutcome reached = outcome;
     History::Step step{std::move(command), std::move(change), std::move(reached)};
@@ -91,7 +91,7 @@ Refusal Session::State::run(const command::Undo& undo_command) {
             exchange(*step.exchanged);
         } else {
             undo(step.change, *mesh);
-            follow(step.change.faces);
+            update_faces(step.change.faces);
         }
     });
     return std::nullopt;
@@ -108,7 +108,7 @@ Refusal Session::State::run(const command::Redo& redo_command) {
             exchange(*step.exchanged);
         } else {
             redo(step.change, *mesh);
-            follow(step.change.faces);
+            update_faces(step.change.faces);
         }
     });
     return std::nullopt;
