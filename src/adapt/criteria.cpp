@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "adapt/embedding.h"
 #include "adapt/split_order.h"
+#include "embedding/embedding.h"
 
 namespace pectin {
 namespace {

@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "adapt/partitions.h"
+#include "adapt/concurrent/partitions.h"
 #include "ffd/symmetry.h"
 #include "geometry/box.h"
 #include "mesh/active_set.h"

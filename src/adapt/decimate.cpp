@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "adapt/concurrent_unsplits.h"
+#include "adapt/concurrent/unsplits.h"
 #include "adapt/self_intersections.h"
 
 namespace pectin {

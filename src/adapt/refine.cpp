@@ -2,11 +2,11 @@
 
 #include <cstring>
 
-#include "adapt/concurrent_splits.h"
+#include "adapt/concurrent/splits.h"
 #include "adapt/edge_classifier.h"
-#include "adapt/parallel.h"
 #include "adapt/propagation.h"
 #include "adapt/refinement_queue.h"
+#include "geometry/parallel.h"
 #include "mesh/first_of_siblings.h"
 
 namespace pectin {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "adapt/criteria.h"
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "mesh/active_set.h"
 
 namespace pectin {

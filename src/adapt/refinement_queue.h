@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "adapt/partitions.h"
+#include "adapt/concurrent/partitions.h"
 #include "mesh/ids.h"
 
 namespace pectin {

@@ -18,7 +18,7 @@
 #include <vector>
 
 #include "adapt/criteria.h"
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "mesh/active_set.h"
 #include "mesh/face_tree.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adapt/adapt.h"
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "ffd/warp.h"
 #include "mesh/active_set.h"
 #include "mesh/mesh_change.h"

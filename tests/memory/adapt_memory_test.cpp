@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "adapt/adapt.h"
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "ffd/drag_solver.h"
 #include "memory/failing_new.h"
 #include "mesh/build_mesh.h"

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "adapt/adapt.h"
-#include "adapt/concurrent_splits.h"
-#include "adapt/corner_claims.h"
+#include "adapt/concurrent/corner_claims.h"
+#include "adapt/concurrent/splits.h"
 #include "ffd/drag_solver.h"
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"

@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
-#include "adapt/parallel.h"
 #include "ffd/drag_solver.h"
+#include "geometry/parallel.h"
 #include "session/session.h"
 
 namespace pectin {

@@ -24,13 +24,13 @@ const std::map<std::string, Modules>& modules_known_to() {
         {"mesh", {"geometry"}},
         {"ffd", {"geometry"}},
         {"command", {"geometry"}},
-        {"adapt", {"geometry", "mesh", "ffd"}},
+        {"embedding", {"geometry", "mesh", "ffd"}},
+        {"adapt", {"geometry", "mesh", "ffd", "embedding"}},
         {"io", {"geometry", "mesh"}},
-        {"document", {"geometry", "mesh", "command", "io"}},
-        {"session", {"geometry", "mesh", "ffd", "command", "adapt", "io", "document"}},
+        {"session", {"geometry", "mesh", "ffd", "command", "embedding", "adapt", "io"}},
         {"render", {"geometry", "mesh", "ffd"}},
         {"app",
-         {"geometry", "mesh", "ffd", "command", "adapt", "io", "document", "session", "render"}}};
+         {"geometry", "mesh", "ffd", "command", "embedding", "adapt", "io", "session", "render"}}};
     return kTable;
 }
 
@@ -47,7 +47,6 @@ const std::vector<Restricted>& restricted_headers() {
         {"CLI/", {"app/"}},
         {"Eigen/", {"ffd/"}},
         {"eigen3/", {"ffd/"}},
-        {"sqlite3", {"document/"}},
         {"GLFW/", {"app/"}},
         {"GL/", {"render/", "app/"}},
         {"EGL/", {"render/", "app/"}},
@@ -55,8 +54,8 @@ const std::vector<Restricted>& restricted_headers() {
         {"glad/", {"render/", "app/"}},
         {"KHR/", {"render/", "app/"}},
         {"imgui", {"render/", "app/"}},
-        {"thread", {"app/", "adapt/parallel.cpp", "io/open_file.cpp"}},
-        {"tbb/", {"adapt/parallel.cpp"}},
+        {"thread", {"app/", "geometry/parallel.cpp", "io/open_file.cpp"}},
+        {"tbb/", {"geometry/parallel.cpp"}},
         {"future", {"app/", "io/open_file.cpp"}}};
     return kTable;
 }

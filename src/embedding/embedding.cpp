@@ -1,11 +1,11 @@
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "adapt/deform_pass.h"
-#include "adapt/lattice_pass.h"
-#include "adapt/parallel.h"
+#include "embedding/deform_pass.h"
+#include "embedding/lattice_pass.h"
+#include "geometry/parallel.h"
 
 namespace pectin {
 namespace {

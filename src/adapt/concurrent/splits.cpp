@@ -1,8 +1,8 @@
-#include "adapt/concurrent_splits.h"
+#include "adapt/concurrent/splits.h"
 
 #include <type_traits>
 
-#include "adapt/parallel.h"
+#include "geometry/parallel.h"
 
 namespace pectin {
 

@@ -1,9 +1,9 @@
-#include "adapt/lattice_pass.h"
+#include "embedding/lattice_pass.h"
 
 #include <algorithm>
 #include <array>
 
-#include "adapt/parallel.h"
+#include "geometry/parallel.h"
 
 namespace pectin {
 namespace {

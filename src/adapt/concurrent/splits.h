@@ -8,11 +8,11 @@
 #include <utility>
 #include <vector>
 
-#include "adapt/corner_claims.h"
+#include "adapt/concurrent/corner_claims.h"
 #include "adapt/edge_classifier.h"
-#include "adapt/embedding.h"
 #include "adapt/refinement_queue.h"
 #include "adapt/split_order.h"
+#include "embedding/embedding.h"
 #include "mesh/active_set.h"
 
 namespace pectin {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "adapt/corner_claims.h"
+#include "adapt/concurrent/corner_claims.h"
+#include "adapt/concurrent/partitions.h"
 #include "adapt/criteria.h"
-#include "adapt/partitions.h"
 #include "mesh/active_set.h"
 
 namespace pectin {

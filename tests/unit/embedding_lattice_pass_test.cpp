@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "mesh/build_mesh.h"
 #include "mesh/shapes.h"
 

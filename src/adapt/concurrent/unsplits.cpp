@@ -1,9 +1,9 @@
-#include "adapt/concurrent_unsplits.h"
+#include "adapt/concurrent/unsplits.h"
 
 #include <algorithm>
 #include <utility>
 
-#include "adapt/parallel.h"
+#include "geometry/parallel.h"
 
 namespace pectin {
 namespace {

@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "ffd/drag_solver.h"
 #include "mesh/build_mesh.h"
 #include "mesh/shapes.h"

@@ -1,10 +1,10 @@
-#include "adapt/deform_pass.h"
+#include "embedding/deform_pass.h"
 
 #include <algorithm>
 #include <array>
 
-#include "adapt/parallel.h"
 #include "ffd/drag_stream.h"
+#include "geometry/parallel.h"
 
 namespace pectin {
 namespace {

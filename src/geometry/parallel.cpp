@@ -1,4 +1,4 @@
-#include "adapt/parallel.h"
+#include "geometry/parallel.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
