@@ -4,6 +4,7 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <set>
@@ -23,6 +24,7 @@ std::string lower_case(std::string_view text) {
 
 bool names_texture(std::string_view keyword) {
     const std::string word = lower_case(keyword);
+    if (word == "map_aat") return false;  // whether textures are antialiased: on or off
     return word.starts_with("map_") || word == "bump" || word == "disp" || word == "decal" ||
            word == "refl" || word == "norm";
 }

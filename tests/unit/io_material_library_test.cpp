@@ -50,6 +50,10 @@ TEST(MaterialLibrary, NamesAllTexturesOfOneKeyword) {
                      "8.png", "9.png"}));
 }
 
+TEST(MaterialLibrary, DoesNotTakeTheSwitchOfAntialiasingForATexture) {
+    EXPECT_EQ(textures("newmtl m\nmap_aat on\nMAP_AAT off\nmap_Kd a.png\n"), Names{"a.png"});
+}
+
 TEST(MaterialLibrary, KeepsWhatStandsBeforeTheFirstMaterial) {
     EXPECT_EQ(textures("map_Kd a.png\nnewmtl m\nmap_Kd b.png\n"), (Names{"a.png", "b.png"}));
 }
