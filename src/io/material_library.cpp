@@ -161,11 +161,7 @@ void MaterialReader::parse_piece() {
     std::vector<tinyobj::material_t> parsed;
     std::string warning, error;
     tinyobj::LoadMtl(&names, &parsed, &stream, &warning, &error);
-    for (const tinyobj::material_t& one : parsed) {
-        take_textures(one, material_);
-        const bool has_color = one.diffuse[0] != 0 || one.diffuse[1] != 0 || one.diffuse[2] != 0;
-        if (has_color) material_.diffuse = {one.diffuse[0], one.diffuse[1], one.diffuse[2]};
-    }
+    for (const tinyobj::material_t& one : parsed) take_textures(one, material_);
 }
 
 void MaterialReader::end_material() {

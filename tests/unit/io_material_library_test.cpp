@@ -22,14 +22,14 @@ Names textures(const std::string& text) {
     return names;
 }
 
-TEST(MaterialLibrary, HasNamesColoursAndTexturesOfItsMaterials) {
+TEST(MaterialLibrary, HasNamesAndTexturesOfItsMaterials) {
     const std::vector<Material> materials = parse_materials(
         "# c\nnewmtl red metal\nKd 1 0.5 0.25\nmap_Kd red.png\n\nnewmtl plain\n"
         "newmtl white\r\n\tKd 1 1 1\r\n\tmap_Ks shine.png\r\n");
     ASSERT_EQ(materials.size(), 3u);
-    EXPECT_EQ(materials[0], (Material{"red metal", {1.0f, 0.5f, 0.25f}, {"red.png"}}));
-    EXPECT_EQ(materials[1], (Material{"plain", {0.0f, 0.0f, 0.0f}, {}}));
-    EXPECT_EQ(materials[2], (Material{"white", {1.0f, 1.0f, 1.0f}, {"shine.png"}}));
+    EXPECT_EQ(materials[0], (Material{"red metal", {"red.png"}}));
+    EXPECT_EQ(materials[1], (Material{"plain", {}}));
+    EXPECT_EQ(materials[2], (Material{"white", {"shine.png"}}));
 }
 
 TEST(MaterialLibrary, NamesEveryTextureOfAMaterial) {
