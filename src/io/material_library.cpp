@@ -185,18 +185,22 @@ std::vector<Material> parse_materials(std::string_view text, const Progress& pro
 
 bool may_be_material_library(std::string_view text) {
     static constexpr auto kKeywords = std::to_array<std::string_view>(
-        {"ka",        "kd", "ks", "ke", "kt", "tf",  "tr",    "d",      "ns",  "ni",      "illum",
-         "sharpness", "pr", "pm", "ps", "pc", "pcr", "aniso", "anisor", "xyz", "spectral"});
-    bool all_known = true;
+        {"newmtl", "ka",  "kd",    "ks",     "ke",        "kt",  "tf",      "tr",
+         "d",      "ns",  "ni",    "illum",  "sharpness", "pr",  "pm",      "ps",
+         "pc",     "pcr", "aniso", "anisor", "map_aat",   "xyz", "spectral"});
+    if (text.starts_with("#!")) return false;
+    std::size_t known = 0, unknown = 0;
+    bool has_begun = false;
     ObjStatements statements(text);
     while (statements.next()) {
-        if (statements.keyword() == "newmtl") return true;
         const std::string word = lower_case(statements.keyword());
-        all_known =
-            all_known && (names_texture(word) ||
-                          std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end());
+        const bool is_known = names_texture(word) || std::find(kKeywords.begin(), kKeywords.end(),
+                                                               word) != kKeywords.end();
+        has_begun = has_begun || word == "newmtl";
+        if (!is_known && !has_begun) return false;
+        ++(is_known ? known : unknown);
     }
-    return all_known;
+    return known >= unknown;
 }
 
 }  // namespace pectin

@@ -24,8 +24,9 @@ struct Material {
 // Cost: O(n), some microseconds for each texture.
 std::vector<Material> parse_materials(std::string_view text, const Progress& progress = {});
 
-// Whether a text may be a material library: it begins a material, or has none but statements that
-// material libraries have. An empty text may be one, too.
+// Whether a text may be a material library: it has none but statements that material libraries have
+// before its first material, and no more others than such behind that, as extensions of exporters
+// are. A script that names its interpreter (#!) is none. An empty text may be one.
 bool may_be_material_library(std::string_view text);
 
 }  // namespace pectin

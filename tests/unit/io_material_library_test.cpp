@@ -88,13 +88,16 @@ TEST(MaterialLibrary, TakesLittleMemoryForManyMaterials) {
 }
 
 TEST(MaterialLibrary, IsDistinguishedFromOtherText) {
-    for (const std::string& text : {""s, "# nothing yet\n"s, "newmtl a\nanything goes\n"s,
-                                    "map_Kd a.png\nKd 1 1 1\nillum 2\n"s}) {
+    for (const std::string& text : {""s, "# nothing yet\n"s, "newmtl a\nKd 1 1 1\nan extension\n"s,
+                                    "map_Kd a.png\nKd 1 1 1\nillum 2\nmap_aat on\n"s,
+                                    "\xEF\xBB\xBFNewmtl a\r\nillum 2\r\n"s}) {
         EXPECT_TRUE(may_be_material_library(text)) << text;
     }
     for (const std::string& text :
          {"alias ls='ls -l'\n"s, "-----BEGIN OPENSSH PRIVATE KEY-----\n"s,
-          "machine example.org login me password secret\n"s, "v 0 0 0\n"s}) {
+          "machine example.org login me password secret\n"s, "v 0 0 0\n"s,
+          "[Desktop Entry]\nExec=evil\nnewmtl a\n"s, "#!/bin/sh\nnewmtl a\n"s,
+          "newmtl a\nexport TOKEN=secret\nexport OTHER=secret\n"s}) {
         EXPECT_FALSE(may_be_material_library(text)) << text;
     }
 }
