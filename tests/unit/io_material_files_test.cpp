@@ -264,7 +264,7 @@ TEST_F(MaterialFilesTest, LooksUpALimitedNumberOfNamesAndSaysSo) {
     EXPECT_EQ(result.refused, Reasons{}) << "a name counts once";
 }
 
-// Each name used to take two or four threads of its own: a minute for these.
+// Each name used to take two or four threads of its own: minutes for these.
 TEST_F(MaterialFilesTest, TakesLittleTimeForManyNames) {
     std::string library = "newmtl a\n";
     for (int i = 0; i < 100'000; ++i) library += "map_Kd " + std::to_string(i) + "\\t.png\n";
@@ -277,7 +277,7 @@ TEST_F(MaterialFilesTest, TakesLittleTimeForManyNames) {
     for (std::string& name : statements) name = std::to_string(&name - statements.data()) + ".mtl";
     result = copy(statements);
     EXPECT_EQ(result.missing.size(), MaterialLimits{}.names);
-    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(20));
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(40));
 }
 
 TEST_F(MaterialFilesTest, CanBeCancelledWhileItLooksUpNames) {
