@@ -12,7 +12,8 @@
 
 int main(int argc, char** argv) {
     if (argc != 10) {
-        std::cerr << "usage: drag INPUT.obj OUTPUT.obj RADIUS FROM_X FROM_Y FROM_Z TO_X TO_Y TO_Z\n";
+        std::cerr
+            << "usage: drag INPUT.obj OUTPUT.obj RADIUS FROM_X FROM_Y FROM_Z TO_X TO_Y TO_Z\n";
         return 2;
     }
     double numbers[7];

@@ -84,17 +84,18 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     const std::unique_ptr<FileTask> task = std::move(file_task_);
     const bool is_cancelled = task->work.is_cancelled();
     std::string written;
-    const auto complaint = complaint_about(task->command, session_, [&]() -> std::optional<std::string> {
-        FileTask::Result result = task->work.take();
-        auto* const model = std::get_if<LoadedModel>(&result);
-        if (model && is_cancelled) throw Cancelled();
-        if (model) {
-            session_.adopt(std::move(*model));
-        } else {
-            written = std::move(std::get<std::string>(result));
-        }
-        return std::nullopt;
-    });
+    const auto complaint =
+        complaint_about(task->command, session_, [&]() -> std::optional<std::string> {
+            FileTask::Result result = task->work.take();
+            auto* const model = std::get_if<LoadedModel>(&result);
+            if (model && is_cancelled) throw Cancelled();
+            if (model) {
+                session_.adopt(std::move(*model));
+            } else {
+                written = std::move(std::get<std::string>(result));
+            }
+            return std::nullopt;
+        });
     if (complaint) {
         if (!is_cancelled) tell(*complaint);
         return Outcome::failed;

@@ -5,9 +5,9 @@
 
 namespace pectin::test {
 
-// While one lives, so many allocations are served and then one fails, or all from there on: operator
-// new throws std::bad_alloc, and large arrays get nothing from the system. On any thread; one at a
-// time.
+// While one lives, so many allocations are served and then one fails, or all from there on:
+// operator new throws std::bad_alloc, and large arrays get nothing from the system. On any thread;
+// one at a time.
 class FailingNew {
   public:
     enum class How { once, from_there_on };
