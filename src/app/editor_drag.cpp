@@ -73,7 +73,7 @@ void Editor::grab(const Pick& pick, const Ray& ray) {
             sculptor_.grab(workspace_.session(), pick, ray, pins_.points(), drag_options)) {
         return workspace_.tell(rounded_numbers(*refusal));
     }
-    workspace_.dismiss();
+    workspace_.withdraw();
     shows_hint_ = false;
     hover_.reset();
     moved_ = false;
@@ -106,7 +106,7 @@ void Editor::follow_with_point() {
         refusal = sculptor_.drag(workspace_.session(), camera(), view().ray_through(place), path);
     }
     if (refusal) return workspace_.tell(rounded_numbers(*refusal));
-    workspace_.dismiss();
+    workspace_.withdraw();
     if (session().drag_in_hand() == before) return;
     note_frame(std::chrono::steady_clock::now() - start);
     figures_.steps = session().drag_in_hand().via.size() + 1;
@@ -122,7 +122,7 @@ void Editor::follow_with_control_points() {
     }
     if (!cage_points_.is_dragging()) return;
     if (!had_begun) begin_figures();
-    workspace_.dismiss();
+    workspace_.withdraw();
     shows_hint_ = false;
     note_frame(std::chrono::steady_clock::now() - start);
 }
@@ -205,7 +205,7 @@ void Editor::toggle_pin() {
     if (!cursor_is_ours_) return;
     std::optional<Pick> pick = workspace_.session().pick(view().ray_through(cursor_));
     if (pick) pick = onto_plane(*pick);
-    if (pins_.toggle(view(), cursor_, pick, session().symmetry())) workspace_.dismiss();
+    if (pins_.toggle(view(), cursor_, pick, session().symmetry())) workspace_.withdraw();
 }
 
 }  // namespace pectin
