@@ -170,5 +170,24 @@ TEST_F(RecoveryTest, ASessionIsOfferedByOneWindowAtATime) {
     EXPECT_EQ(lost().size(), 1u);
 }
 
+// What a window tells at its start is not lost by the commands that it begins with, nor by what is
+// wrong with the model, and what is wrong with the model not by that.
+TEST_F(RecoveryTest, WhatIsToldAtTheStartStaysUntilItIsDismissed) {
+    write("state", "a file in place of the folder");
+    write("letter.obj", "Dear sphere\n");
+    for (const std::string& model : {std::string(), path("letter.obj")}) {
+        Editor editor({}, std::chrono::hours(1));
+        editor.workspace().begin_recovery(folder());
+        editor.workspace().tell_lastingly("this record is in record-2.jsonl");
+        editor.begin(model);
+        const std::string message = editor.workspace().message();
+        EXPECT_NE(message.find("recovery"), std::string::npos) << message;
+        EXPECT_NE(message.find("record-2.jsonl"), std::string::npos) << message;
+        EXPECT_EQ(message.find("letter.obj") != std::string::npos, !model.empty()) << message;
+        key(editor, Key::escape);
+        EXPECT_EQ(editor.workspace().message(), "");
+    }
+}
+
 }  // namespace
 }  // namespace pectin
