@@ -5,15 +5,15 @@
 #include <cmath>
 #include <numbers>
 
-#include "adapt/cuts.h"
+#include "adapt/self_intersections.h"
 #include "mesh/first_of_siblings.h"
 
 namespace pectin {
 
 namespace {
 
-template <typename Refine, typename Thin>
-Adaptation timed(Refine refine, Thin thin) {
+template <typename Refine, typename Decimate>
+Adaptation timed(Refine refine, Decimate decimate) {
     using Clock = std::chrono::steady_clock;
     const auto seconds = [](Clock::time_point from, Clock::time_point to) {
         return std::chrono::duration<double>(to - from).count();
@@ -22,7 +22,7 @@ Adaptation timed(Refine refine, Thin thin) {
     const auto begin = Clock::now();
     result.refinement = refine();
     const auto refined = Clock::now();
-    result.decimation = thin();
+    result.decimation = decimate();
     result.refine_seconds = seconds(begin, refined);
     result.decimate_seconds = seconds(refined, Clock::now());
     return result;
@@ -33,7 +33,7 @@ constexpr int kMostRounds = 64;
 
 void add(Refinement& result, const Refinement& more) {
     result.splits += more.splits;
-    result.splits_in_lanes += more.splits_in_lanes;
+    result.concurrent_splits += more.concurrent_splits;
     result.chain_steps += more.chain_steps;
     result.floor_hit |= more.floor_hit;
     result.budget_hit |= more.budget_hit;
@@ -41,27 +41,30 @@ void add(Refinement& result, const Refinement& more) {
 }
 
 // What ends the search after a round, with these cuts left.
-CutLimit limit_after(const Cuts& cuts, const std::vector<Cut>& found, const Refinement& refinement,
-                     int round) {
-    if (found.empty()) return CutLimit::none;
-    if (cuts.is_exhausted() || round == kMostRounds) return CutLimit::search;
-    return refinement.budget_hit ? CutLimit::budget : CutLimit::none;
+IntersectionLimit limit_after(const SelfIntersections& self_intersections,
+                              const std::vector<SelfIntersection>& found,
+                              const Refinement& refinement, int round) {
+    if (found.empty()) return IntersectionLimit::none;
+    if (self_intersections.is_exhausted() || round == kMostRounds) return IntersectionLimit::search;
+    return refinement.budget_hit ? IntersectionLimit::budget : IntersectionLimit::none;
 }
 
-Refinement refine_without_cuts(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+Refinement refine_without_self_intersections(ActiveSet& active, Embedding& embedding,
+                                             const Criteria& criteria) {
     Refinement result = refine(active, embedding, criteria);
-    if (embedding.is_at_rest()) return result;
-    Cuts cuts(active);
+    if (embedding.is_identity()) return result;
+    SelfIntersections self_intersections(active);
     for (int round = 0;; ++round) {
-        const std::vector<Cut>& found = cuts.find();
-        result.cuts = found.size();
-        result.cut_limit = limit_after(cuts, found, result, round);
-        if (result.cut_limit != CutLimit::none || found.empty()) break;
+        const std::vector<SelfIntersection>& found = self_intersections.find();
+        result.self_intersections = found.size();
+        result.intersection_limit = limit_after(self_intersections, found, result, round);
+        if (result.intersection_limit != IntersectionLimit::none || found.empty()) break;
         const Refinement more = refine_at(active, embedding, criteria,
-                                          edges_to_mend(active, embedding, criteria, found));
+                                          edges_to_resolve(active, embedding, criteria, found));
         add(result, more);
         if (more.splits > 0) continue;
-        result.cut_limit = result.budget_hit ? CutLimit::budget : CutLimit::floor;
+        result.intersection_limit =
+            result.budget_hit ? IntersectionLimit::budget : IntersectionLimit::floor;
         break;
     }
     return result;
@@ -74,19 +77,23 @@ Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criter
                  [&] { return decimate(active, criteria); });
 }
 
-Adaptation adapt_without_cuts(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedding,
+                                            const Criteria& criteria) {
     const bool is_guarded = criteria.limits().flatness != kOff;
-    Adaptation result = timed([&] { return refine_without_cuts(active, embedding, criteria); },
-                              [&] {
-                                  Cuts cuts(active);
-                                  return decimate(active, criteria, is_guarded ? &cuts : nullptr);
-                              });
-    if (!is_guarded && !embedding.is_at_rest()) {
+    Adaptation result =
+        timed([&] { return refine_without_self_intersections(active, embedding, criteria); },
+              [&] {
+                  SelfIntersections self_intersections(active);
+                  return decimate(active, criteria, is_guarded ? &self_intersections : nullptr);
+              });
+    if (!is_guarded && !embedding.is_identity()) {
         Refinement& refinement = result.refinement;
-        refinement.cuts = Cuts(active).find().size();
-        if (refinement.cuts == 0) refinement.cut_limit = CutLimit::none;
-        if (refinement.cuts > 0 && refinement.cut_limit == CutLimit::none) {
-            refinement.cut_limit = CutLimit::thinning;
+        refinement.self_intersections = SelfIntersections(active).find().size();
+        if (refinement.self_intersections == 0)
+            refinement.intersection_limit = IntersectionLimit::none;
+        if (refinement.self_intersections > 0 &&
+            refinement.intersection_limit == IntersectionLimit::none) {
+            refinement.intersection_limit = IntersectionLimit::decimation;
         }
     }
     return result;

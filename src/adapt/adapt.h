@@ -20,12 +20,13 @@ struct Adaptation {
 
 Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria);
 
-// The same for a warp that folds nothing, until no active face cuts another (see Cuts) but where
-// floor, budget or the end of the search forbid (Refinement::cuts); then thins as far as that stays
-// so. Without steps nothing can have come to cut, and only the thinning takes care. Without a
-// flatness limit, which says that places matter, it thins as adapt() does.
+// The same for a warp that folds nothing, until no active face cuts another (see SelfIntersections)
+// but where floor, budget or the end of the search forbid (Refinement::self_intersections); then
+// thins as far as that stays so. Without steps nothing can have come to cut, and only the thinning
+// takes care. Without a flatness limit, which says that places matter, it thins as adapt() does.
 // Cost: in addition O(n log n) in the active faces, then O(cuts * steps) for each of some rounds.
-Adaptation adapt_without_cuts(ActiveSet& active, Embedding& embedding, const Criteria& criteria);
+Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedding,
+                                            const Criteria& criteria);
 
 // An edge scan without edits: what the whole mesh looks like to the criteria. Edges along a cut
 // count as one.

@@ -5,8 +5,8 @@
 #include <numbers>
 #include <utility>
 
-#include "adapt/embedding.h"
 #include "adapt/split_order.h"
+#include "embedding/embedding.h"
 
 namespace pectin {
 namespace {
@@ -83,16 +83,16 @@ Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
       zones_(std::move(zones)),
       scope_(std::move(scope)),
       between_(between),
-      least_square_(square(2.0 * limits.floor)),
+      min_squared_length_(square(2.0 * limits.floor)),
       refine_divergence_(one_minus_cosine(limits.theta_max)),
-      thin_divergence_(one_minus_cosine(limits.theta_min)),
-      fine_difference_(static_cast<float>(2.0 * kRoundedDown * refine_divergence_)) {
+      decimate_divergence_(one_minus_cosine(limits.theta_min)),
+      fast_squared_difference_(static_cast<float>(2.0 * kRoundedDown * refine_divergence_)) {
     if (limits_.symmetry) {
         add_images(zones_, *limits_.symmetry);
         if (scope_) add_images(*scope_, *limits_.symmetry);
     }
     if (!limits_length()) return;
-    fine_length_ = between_ ? -1.0 : kRoundedDown * square(limits_.l_max);
+    fast_squared_length_ = between_ ? -1.0 : kRoundedDown * square(limits_.l_max);
 }
 
 double Criteria::divergence(const ActiveSet& active, EdgeId e, double enough) {
@@ -161,18 +161,21 @@ bool Criteria::has_long_edge(const TriMesh& mesh, HalfEdgeId h) const {
 HalfEdgeId Criteria::edge_to_split(const ActiveSet& active, HalfEdgeId h) const {
     const TriMesh& mesh = active.mesh();
     const SplitOrder order(limits_);
-    const auto at_rest = [&](HalfEdgeId side) {
+    const auto rest_edge = [&](HalfEdgeId side) {
         const EdgeId e = mesh.edge(side);
-        return order.at_rest(active, e, static_cast<double>(active.rest_length_unremembered(e)));
+        return order.rest_edge(active, e, static_cast<double>(active.uncached_rest_length(e)));
     };
-    HalfEdgeId first = h;
-    RestEdge longest = at_rest(h);
-    bool is_below = is_below_floor(mesh, mesh.edge(h));
-    for (const HalfEdgeId side : {TriMesh::next(h), TriMesh::prev(h)}) {
+    // From the same corner, whichever half-edge is asked about: of equally long edges without
+    // symmetry the first one counts.
+    HalfEdgeId first = TriMesh::half_edge(TriMesh::face(h), 0);
+    RestEdge longest = rest_edge(first);
+    bool is_below = is_below_floor(mesh, mesh.edge(first));
+    for (int corner = 1; corner < 3; ++corner) {
+        const HalfEdgeId side = TriMesh::half_edge(TriMesh::face(h), corner);
         const bool is_side_below = is_below_floor(mesh, mesh.edge(side));
-        const RestEdge candidate = at_rest(side);
+        const RestEdge candidate = rest_edge(side);
         const bool precedes =
-            is_below == is_side_below ? order.goes_before(candidate, longest) : is_below;
+            is_below == is_side_below ? order.precedes(candidate, longest) : is_below;
         if (!precedes) continue;
         first = side;
         longest = candidate;
@@ -183,7 +186,7 @@ HalfEdgeId Criteria::edge_to_split(const ActiveSet& active, HalfEdgeId h) const 
 
 bool Criteria::may_unsplit(const ActiveSet& active, const Star& star) const {
     return edges_pass(active, star) && is_flat(active.mesh(), star) &&
-           merged_edge_is_fine(active, star) && star_meets_scope(active, star) &&
+           merged_edge_satisfies_criteria(active, star) && star_meets_scope(active, star) &&
            restored_faces_fit(active, star) && !is_kept(active, star);
 }
 
@@ -221,23 +224,24 @@ bool Criteria::edges_pass(const ActiveSet& active, const Star& star) const {
 }
 
 bool Criteria::passes_decimation(const ActiveSet& active, EdgeId e) const {
-    if (thin_divergence_ < kOff && !(divergence(active, e, thin_divergence_) < thin_divergence_))
+    if (decimate_divergence_ < kOff &&
+        !(divergence(active, e, decimate_divergence_) < decimate_divergence_))
         return false;
     return limits_.l_max == kOff || active.mesh().squared_length(e) < square(limits_.l_max);
 }
 
 // Merged-edge guard: bc would not itself need refinement.
-bool Criteria::merged_edge_is_fine(const ActiveSet& active, const Star& star) const {
+bool Criteria::merged_edge_satisfies_criteria(const ActiveSet& active, const Star& star) const {
     const TriMesh& mesh = active.mesh();
     if (refine_divergence_ == kOff) return true;
     if (!mesh.is_deformed(star.b) && !mesh.is_deformed(star.c)) return true;
-    const auto is_fine = [&](const SideEnds& side) {
+    const auto satisfies_criteria = [&](const SideEnds& side) {
         return !(side_divergence(active, side, refine_divergence_) > refine_divergence_);
     };
     return in_all_sheets(active, star, [&](const Star& sheet) {
-        return is_fine({mesh.wedge(sheet.bm), mesh.wedge(TriMesh::next(sheet.mc))}) &&
+        return satisfies_criteria({mesh.wedge(sheet.bm), mesh.wedge(TriMesh::next(sheet.mc))}) &&
                (sheet.on_boundary() ||
-                is_fine({mesh.wedge(sheet.cm), mesh.wedge(TriMesh::next(sheet.mb))}));
+                satisfies_criteria({mesh.wedge(sheet.cm), mesh.wedge(TriMesh::next(sheet.mb))}));
     });
 }
 

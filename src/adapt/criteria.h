@@ -9,7 +9,7 @@
 #include <optional>
 #include <vector>
 
-#include "adapt/lanes.h"
+#include "adapt/concurrent/partitions.h"
 #include "ffd/symmetry.h"
 #include "geometry/box.h"
 #include "mesh/active_set.h"
@@ -32,11 +32,12 @@ struct AdaptLimits {
     // Ties are broken alike on both sides of it, so that a symmetric mesh stays so (with a
     // propagation of 1; beyond, what is split first depends on the order of splits).
     std::optional<MirrorPlane> symmetry{};
-    // The warp folds nothing: a commit leaves no faces that cut each other (adapt_without_cuts).
-    bool without_cuts = false;
-    // Of splits and removals that go on several threads (LaneSplits, LaneUnsplits). In which order
-    // they go depends on it; how many threads there are does not matter.
-    std::size_t lane_length = kLaneLength;
+    // The warp folds nothing: a commit leaves no faces that cut each other
+    // (adapt_without_self_intersections).
+    bool without_self_intersections = false;
+    // Of splits and removals that go on several threads (ConcurrentSplits, ConcurrentUnsplits). In
+    // which order they go depends on it; how many threads there are does not matter.
+    std::size_t partition_batch = kPartitionBatch;
 };
 
 // The tests of one pass. Edges along a cut (siblings) are one edge to all of them, with as many
@@ -77,9 +78,9 @@ class Criteria {
     // of that face. An edge below the floor counts only where all three are.
     HalfEdgeId edge_to_split(const ActiveSet& active, HalfEdgeId h) const;
     // Whether one look tells that e does not, as it does of most. may_be_long: false if no edge is
-    // longer than l_max. Precondition: one look is enough (ActiveSet::one_look_edges). Cost: O(1),
+    // longer than l_max. Precondition: one look is enough (ActiveSet::smooth_edges). Cost: O(1),
     // in one face.
-    bool looks_fine(const TriMesh& mesh, EdgeId e, bool may_be_long) const;
+    bool satisfies_criteria_fast(const TriMesh& mesh, EdgeId e, bool may_be_long) const;
     bool is_long(const TriMesh& mesh, EdgeId e) const {
         return mesh.squared_length(e) > limits_.l_max * limits_.l_max;
     }
@@ -87,7 +88,9 @@ class Criteria {
     bool is_below_floor(const TriMesh& mesh, EdgeId e) const {
         return is_below_floor(mesh.squared_length(e));
     }
-    bool is_below_floor(double squared_length) const { return squared_length < least_square_; }
+    bool is_below_floor(double squared_length) const {
+        return squared_length < min_squared_length_;
+    }
 
     // --- Decimation
     bool may_unsplit(const ActiveSet& active, const Star& star) const;
@@ -112,7 +115,7 @@ class Criteria {
     bool star_meets_scope(const ActiveSet& active, const Star& star) const;
     bool edges_pass(const ActiveSet& active, const Star& star) const;
     bool passes_decimation(const ActiveSet& active, EdgeId e) const;
-    bool merged_edge_is_fine(const ActiveSet& active, const Star& star) const;
+    bool merged_edge_satisfies_criteria(const ActiveSet& active, const Star& star) const;
     bool restored_faces_fit(const ActiveSet& active, const Star& star) const;
     bool is_flat(const TriMesh& mesh, const Star& star) const;
     bool has_long_edge(const TriMesh& mesh, HalfEdgeId h) const;
@@ -122,24 +125,26 @@ class Criteria {
     std::vector<Box> zones_;
     std::optional<std::vector<Box>> scope_;
     const Embedding* between_ = nullptr;
-    std::vector<VertexId> kept_;  // sorted
-    double least_square_ = 0.0;  // of the length of an edge that may be split
-    double refine_divergence_ = kOff, thin_divergence_ = kOff;
-    float fine_difference_ = std::numeric_limits<float>::infinity();  // |n1 - n2|^2, rounded down
-    double fine_length_ = kOff;  // squared; below 0 if the steps of a warp have to be asked
+    std::vector<VertexId> kept_;       // sorted
+    double min_squared_length_ = 0.0;  // of the length of an edge that may be split
+    double refine_divergence_ = kOff, decimate_divergence_ = kOff;
+    float fast_squared_difference_ =
+        std::numeric_limits<float>::infinity();  // |n1 - n2|^2, rounded down
+    double fast_squared_length_ = kOff;  // squared; below 0 if the steps of a warp have to be asked
 };
 
-inline bool Criteria::looks_fine(const TriMesh& mesh, EdgeId e, bool may_be_long) const {
+inline bool Criteria::satisfies_criteria_fast(const TriMesh& mesh, EdgeId e,
+                                              bool may_be_long) const {
     const HalfEdgeId h = mesh.half_edge(e);
     const HalfEdge& b = mesh.half_edge(h);
     const HalfEdge& c = mesh.half_edge(TriMesh::next(h));
     const Vec3f &m = mesh.normal(b.wedge), &n = mesh.normal(c.wedge);
     const float x = m.x - n.x, y = m.y - n.y, z = m.z - n.z;
-    if (!(x * x + y * y + z * z < fine_difference_)) return false;
+    if (!(x * x + y * y + z * z < fast_squared_difference_)) return false;
     if (!may_be_long) return true;
     const Vec3 &p = mesh.position(b.origin), &q = mesh.position(c.origin);
     const double u = p.x - q.x, v = p.y - q.y, w = p.z - q.z;
-    return u * u + v * v + w * w <= fine_length_;
+    return u * u + v * v + w * w <= fast_squared_length_;
 }
 
 }  // namespace pectin

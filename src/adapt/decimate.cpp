@@ -4,8 +4,8 @@
 #include <span>
 #include <vector>
 
-#include "adapt/cuts.h"
-#include "adapt/lane_unsplits.h"
+#include "adapt/concurrent/unsplits.h"
+#include "adapt/self_intersections.h"
 
 namespace pectin {
 namespace {
@@ -43,21 +43,23 @@ Levels candidates_by_level(const ActiveSet& active) {
 }
 
 // Whether any was kept for the cuts alone.
-bool thin(ActiveSet& active, const Criteria& criteria, Cuts* cuts, Decimation& result) {
+bool decimate_once(ActiveSet& active, const Criteria& criteria,
+                   SelfIntersections* self_intersections, Decimation& result) {
     bool any_kept = false;
     const auto levels = candidates_by_level(active);
-    LaneUnsplits lanes(active, criteria);
+    ConcurrentUnsplits concurrent_unsplits(active, criteria);
     for (std::size_t level = levels.size(); level-- > 1;) {
-        if (!cuts && are_worth_lanes(levels[level].size(), criteria.limits().lane_length)) {
-            const std::uint64_t removed = lanes.unsplit(levels[level]);
+        if (!self_intersections &&
+            are_worth_partitioning(levels[level].size(), criteria.limits().partition_batch)) {
+            const std::uint64_t removed = concurrent_unsplits.unsplit(levels[level]);
             result.unsplits += removed;
-            result.unsplits_in_lanes += removed;
+            result.concurrent_unsplits += removed;
             continue;
         }
         for (VertexId m : levels[level]) {
             const auto star = active.mesh().removable(m);
             if (!star || !criteria.may_unsplit(active, *star)) continue;
-            if (cuts && cuts->would_cut(*star)) {
+            if (self_intersections && self_intersections->would_intersect(*star)) {
                 any_kept = true;
                 continue;
             }
@@ -70,12 +72,14 @@ bool thin(ActiveSet& active, const Criteria& criteria, Cuts* cuts, Decimation& r
 
 }  // namespace
 
-Decimation decimate(ActiveSet& active, const Criteria& criteria, Cuts* cuts) {
+Decimation decimate(ActiveSet& active, const Criteria& criteria,
+                    SelfIntersections* self_intersections) {
     Decimation result;
     std::uint64_t before = 0;
     do {
         before = result.unsplits;
-    } while (thin(active, criteria, cuts, result) && result.unsplits > before);
+    } while (decimate_once(active, criteria, self_intersections, result) &&
+             result.unsplits > before);
     return result;
 }
 

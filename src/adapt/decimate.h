@@ -8,11 +8,11 @@
 
 namespace pectin {
 
-class Cuts;
+class SelfIntersections;
 
 struct Decimation {
     std::uint64_t unsplits = 0;
-    std::uint64_t unsplits_in_lanes = 0;  // of these, together with others of their level
+    std::uint64_t concurrent_unsplits = 0;  // of these, together with others of their level
 };
 
 // The active vertices by level, highest first, so that later refinements go before earlier ones
@@ -23,11 +23,12 @@ struct Decimation {
 // Two inserted vertices of one level are never neighbours (a midpoint's level is above those of
 // all its neighbours), so neither the order within a level matters nor can removing one change
 // what another of its level or above sees: one pass is enough, and where a level has thousands it
-// goes on up to four threads (LaneUnsplits).
+// goes on up to four threads (ConcurrentUnsplits).
 //
-// cuts: none goes whose restored faces would cut. That does depend on the order; where removing
-// others may have made room, it is tried again.
-// Cost: O(active vertices), with cuts times O(log n) for those that could go.
-Decimation decimate(ActiveSet& active, const Criteria& criteria, Cuts* cuts = nullptr);
+// self_intersections: none goes whose restored faces would intersect. That does depend on the
+// order; where removing others may have made room, it is tried again. Cost: O(active vertices),
+// with cuts times O(log n) for those that could go.
+Decimation decimate(ActiveSet& active, const Criteria& criteria,
+                    SelfIntersections* self_intersections = nullptr);
 
 }  // namespace pectin

@@ -34,14 +34,14 @@ bool Propagation::extend(std::vector<EdgeId>& chain) {
 // Of the other edges of e's faces that may be split and go before e, the one that goes first; e
 // itself if there is none.
 Propagation::Next Propagation::first_neighbour(EdgeId e) {
-    const RestEdge own = at_rest(e);
+    const RestEdge own = rest_edge(e);
     RestEdge first = own;
     Next next{e, may_pass_longer_};
     for_each_neighbour(e, [&](EdgeId id) {
-        const RestEdge candidate = at_rest(id);
-        const bool goes = next.edge == e ? order_.propagates(candidate, own)
-                                         : order_.goes_before(candidate, first);
-        if (!goes) return;
+        const RestEdge candidate = rest_edge(id);
+        const bool precedes =
+            next.edge == e ? order_.propagates(candidate, own) : order_.precedes(candidate, first);
+        if (!precedes) return;
         if (may_split_(id)) {
             first = candidate;
             next.edge = id;
@@ -55,12 +55,12 @@ Propagation::Next Propagation::first_neighbour(EdgeId e) {
 // Precondition: nothing goes before e, so no edge more than rho times as long is waited for.
 bool Propagation::is_too_thin_beside_blocked(EdgeId e) {
     bool any = false;
-    active_.mesh().for_each_side(e, [&](HalfEdgeId h) { any = any || thins_too_far(h); });
+    active_.mesh().for_each_side(e, [&](HalfEdgeId h) { any = any || halves_are_too_thin(h); });
     return any;
 }
 
 // Whether halving h's face across h leaves it too thin, beside an edge that is longer.
-bool Propagation::thins_too_far(HalfEdgeId h) {
+bool Propagation::halves_are_too_thin(HalfEdgeId h) {
     const TriMesh& mesh = active_.mesh();
     const double longest = std::max(rest_length(mesh.edge(TriMesh::next(h))),
                                     rest_length(mesh.edge(TriMesh::prev(h))));

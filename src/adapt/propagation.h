@@ -45,7 +45,7 @@ class Propagation {
     };
     Next first_neighbour(EdgeId e);
     bool is_too_thin_beside_blocked(EdgeId e);
-    bool thins_too_far(HalfEdgeId h);
+    bool halves_are_too_thin(HalfEdgeId h);
 
     template <typename Visit>
     void for_each_neighbour(EdgeId e, Visit visit) const {
@@ -56,7 +56,7 @@ class Propagation {
         });
     }
     double rest_length(EdgeId e) { return static_cast<double>(active_.rest_length(e)); }
-    RestEdge at_rest(EdgeId e) { return order_.at_rest(active_, e, rest_length(e)); }
+    RestEdge rest_edge(EdgeId e) { return order_.rest_edge(active_, e, rest_length(e)); }
 
     ActiveSet& active_;
     SplitOrder order_;

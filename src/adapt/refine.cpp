@@ -2,11 +2,11 @@
 
 #include <cstring>
 
-#include "adapt/edge_looks.h"
-#include "adapt/lane_splits.h"
-#include "adapt/parallel.h"
+#include "adapt/concurrent/splits.h"
+#include "adapt/edge_classifier.h"
 #include "adapt/propagation.h"
 #include "adapt/refinement_queue.h"
+#include "geometry/parallel.h"
 #include "mesh/first_of_siblings.h"
 
 namespace pectin {
@@ -18,10 +18,10 @@ class Refiner {
         : active_(active),
           embedding_(embedding),
           criteria_(criteria),
-          looks_(active, criteria),
+          classifier_(active, criteria),
           propagation_(active, criteria.limits(), [this](EdgeId e) { return may_split(e); }),
-          lanes_(active, embedding, looks_, criteria.limits()),
-          queue_(criteria.limits().lane_length) {}
+          concurrent_splits_(active, embedding, classifier_, criteria.limits()),
+          queue_(criteria.limits().partition_batch) {}
 
     Refinement run() {
         push_all_needed();
@@ -44,10 +44,10 @@ class Refiner {
 
   private:
     // An edge to be split, where it ended when that was found, and the lane of what it makes.
-    struct Waiting {
+    struct PendingSplit {
         EdgeId edge;
         VertexId end;
-        std::size_t lane = 0;
+        std::size_t partition = 0;
     };
 
     // Edges that are split before those round the new vertices are looked at have their
@@ -55,52 +55,54 @@ class Refiner {
     void split_queued() {
         while (!result_.budget_hit && !queue_.is_empty()) {
             const RefinementQueue::Entries next = queue_.take();
-            if (next.is_one_lane) {
-                wait_in_order(next);
+            if (next.is_one_partition) {
+                append_to_batch(next);
             } else {
-                split_lanes(next);
+                split_concurrently(next);
             }
             split_batch();
         }
     }
 
-    void wait_in_order(const RefinementQueue::Entries& next) {
-        for (std::size_t lane = 0; lane < next.lanes.size(); ++lane) {
-            for (EdgeId e : next.lanes[lane]) {
-                if (looks_.still_needs_split(e, next.octave))
-                    batch_.push_back({e, end_of(e), lane});
+    void append_to_batch(const RefinementQueue::Entries& next) {
+        for (std::size_t partition = 0; partition < next.partitions.size(); ++partition) {
+            for (EdgeId e : next.partitions[partition]) {
+                if (classifier_.still_needs_split(e, next.octave))
+                    batch_.push_back({e, end_of(e), partition});
             }
         }
     }
 
     // Takes what the lanes have split. What they have left over waits for its turn again, behind
     // those that it may have to wait for, as long as that is little; else it is split one by one.
-    void split_lanes(const RefinementQueue::Entries& next) {
-        lanes_.split(next);
-        result_.splits += lanes_.split_count();
-        result_.splits_in_lanes += lanes_.split_count();
-        lanes_.for_each_new(
-            [this](std::size_t lane, EdgeId e, std::uint16_t octave) { push(e, octave, lane); });
-        const bool again = lanes_.most_went();
-        lanes_.for_each_left([&](std::size_t lane, EdgeId e, VertexId end) {
+    void split_concurrently(const RefinementQueue::Entries& next) {
+        concurrent_splits_.split(next);
+        result_.splits += concurrent_splits_.split_count();
+        result_.concurrent_splits += concurrent_splits_.split_count();
+        concurrent_splits_.for_each_new(
+            [this](std::size_t partition, EdgeId e, std::uint16_t octave) {
+                push(e, octave, partition);
+            });
+        const bool again = concurrent_splits_.accepted_most();
+        concurrent_splits_.for_each_deferred([&](std::size_t partition, EdgeId e, VertexId end) {
             if (again) {
-                queue_.push(e, next.octave, lane);
+                queue_.push(e, next.octave, partition);
             } else {
-                batch_.push_back({e, end, lane});
+                batch_.push_back({e, end, partition});
             }
         });
     }
 
     void split_batch() {
-        for (const Waiting& next : batch_) {
+        for (const PendingSplit& next : batch_) {
             if (result_.budget_hit) break;
             if (end_of(next.edge) != next.end) continue;  // its half now: that has been looked at
-            if (next.lane != lane_) place_inserted();
-            lane_ = next.lane;
+            if (next.partition != partition_) embed_inserted();
+            partition_ = next.partition;
             split_with_propagation(next.edge);
         }
         batch_.clear();
-        place_inserted();
+        embed_inserted();
     }
 
     VertexId end_of(EdgeId e) const { return active_.mesh().target(active_.mesh().half_edge(e)); }
@@ -110,37 +112,38 @@ class Refiner {
     void push_all_needed() {
         const TriMesh& mesh = active_.mesh();
         const std::span<const EdgeId> edges = active_.edges();
-        const std::span<const std::uint8_t> one_look = active_.one_look_edges();
+        const std::span<const std::uint8_t> smooth = active_.smooth_edges();
         const auto count = static_cast<std::uint32_t>(edges.size());
         const auto is_along_cut = [&](EdgeId e) { return mesh.sibling(e) != e; };
         const bool may_be_long = !(embedding_.longest_edge_bound() <= criteria_.limits().l_max);
         const auto need = [&](std::uint32_t i) {
             const EdgeId e = edges[i];
-            if (!mesh.is_live(e)) return EdgeLooks::kNone;
-            if (one_look[i] != 0 && criteria_.looks_fine(mesh, e, may_be_long)) {
-                return EdgeLooks::kNone;
+            if (!mesh.is_live(e)) return EdgeClassifier::kNone;
+            if (smooth[i] != 0 && criteria_.satisfies_criteria_fast(mesh, e, may_be_long)) {
+                return EdgeClassifier::kNone;
             }
-            return is_along_cut(e) ? EdgeLooks::kItself : looks_.need_of(e);
+            return is_along_cut(e) ? EdgeClassifier::kItself : classifier_.classify(e);
         };
         const std::span<std::uint8_t> needs = active_.scratch_of_edges();
         for_pieces(0, count, [&](std::uint32_t first, std::uint32_t end) {
             for (std::uint32_t i = first; i < end; ++i) needs[i] = need(i);
         });
         FirstOfSiblings is_first(mesh);
-        for_each_equal(needs, EdgeLooks::kItself, [&](std::size_t i) {
+        for_each_equal(needs, EdgeClassifier::kItself, [&](std::size_t i) {
             const EdgeId e = edges[i];
             if (!is_first(e)) return;
-            const EdgeLooks::Need found = is_along_cut(e) ? looks_.need_of(e) : EdgeLooks::kItself;
-            if (found == EdgeLooks::kItself) push(e, looks_.octave_of(e), 0);
-            if (found == EdgeLooks::kAnother) push_needed_beside(e);
+            const EdgeClassifier::Need found =
+                is_along_cut(e) ? classifier_.classify(e) : EdgeClassifier::kItself;
+            if (found == EdgeClassifier::kItself) push(e, classifier_.octave_of(e), 0);
+            if (found == EdgeClassifier::kAnother) push_needed_adjacent(e);
         });
         if (!may_be_long) return;
-        for_each_equal(needs, EdgeLooks::kAnother,
-                       [&](std::size_t i) { push_needed_beside(edges[i]); });
+        for_each_equal(needs, EdgeClassifier::kAnother,
+                       [&](std::size_t i) { push_needed_adjacent(edges[i]); });
     }
 
-    void push_needed_beside(EdgeId e) {
-        looks_.for_each_needed_beside(
+    void push_needed_adjacent(EdgeId e) {
+        classifier_.for_each_needed_adjacent(
             e, [this](EdgeId first, std::uint16_t octave) { push(first, octave, 0); });
     }
 
@@ -156,11 +159,11 @@ class Refiner {
         }
     }
 
-    void push(EdgeId e, std::uint16_t octave, std::size_t lane) {
-        if (octave == EdgeLooks::kBelowFloor) {
+    void push(EdgeId e, std::uint16_t octave, std::size_t partition) {
+        if (octave == EdgeClassifier::kBelowFloor) {
             result_.floor_hit = true;
         } else {
-            queue_.push(e, octave, lane);
+            queue_.push(e, octave, partition);
         }
     }
 
@@ -189,17 +192,18 @@ class Refiner {
 
     // Goes by where its ends are.
     bool may_split(EdgeId e) {
-        if (has_unplaced_end(e)) place_inserted();
+        if (has_end_not_embedded(e)) embed_inserted();
         return !criteria_.is_below_floor(active_.mesh(), e) && active_.mesh().may_split(e);
     }
 
-    bool has_unplaced_end(EdgeId e) const {
-        const auto is_unplaced = [this](VertexId v) {
+    bool has_end_not_embedded(EdgeId e) const {
+        const auto is_not_embedded = [this](VertexId v) {
             const auto entry = active_.entry_of(v);
-            return entry && *entry < unplaced_.size() && unplaced_[*entry] != 0;
+            return entry && *entry < not_embedded_.size() && not_embedded_[*entry] != 0;
         };
         const HalfEdgeId h = active_.mesh().half_edge(e);
-        return is_unplaced(active_.mesh().origin(h)) || is_unplaced(active_.mesh().target(h));
+        return is_not_embedded(active_.mesh().origin(h)) ||
+               is_not_embedded(active_.mesh().target(h));
     }
 
     bool split(EdgeId e) {
@@ -210,25 +214,26 @@ class Refiner {
             result_.budget_hit = true;
             return false;
         }
-        if (has_unplaced_end(e)) place_inserted();  // the midpoint inherits the mark of its ends
+        if (has_end_not_embedded(e))
+            embed_inserted();  // the midpoint inherits the mark of its ends
         active_.split(e, inserted_);
         propagation_.mesh_has_changed();
         const std::size_t entry = inserted_.back().vertex_entry;
-        if (entry >= unplaced_.size()) unplaced_.resize(2 * (entry + 1));
-        unplaced_[entry] = 1;
+        if (entry >= not_embedded_.size()) not_embedded_.resize(2 * (entry + 1));
+        not_embedded_[entry] = 1;
         ++result_.splits;
         return true;
     }
 
     // Where the warp takes what has been inserted, then which edges round it wait now.
-    void place_inserted() {
+    void embed_inserted() {
         if (inserted_.empty()) return;
         embedding_.fit_to_entries();
-        embedding_.place(inserted_);
+        embedding_.embed_inserted(inserted_);
         for (const ActiveSet::Inserted& made : inserted_) {
-            unplaced_[made.vertex_entry] = 0;
-            looks_.for_each_needed(
-                made, [this](EdgeId e, std::uint16_t octave) { push(e, octave, lane_); });
+            not_embedded_[made.vertex_entry] = 0;
+            classifier_.classify_one_ring(
+                made, [this](EdgeId e, std::uint16_t octave) { push(e, octave, partition_); });
         }
         inserted_.clear();
     }
@@ -236,15 +241,15 @@ class Refiner {
     ActiveSet& active_;
     Embedding& embedding_;
     const Criteria& criteria_;
-    EdgeLooks looks_;
+    EdgeClassifier classifier_;
     Propagation propagation_;
-    LaneSplits lanes_;
+    ConcurrentSplits concurrent_splits_;
     RefinementQueue queue_;
     std::vector<EdgeId> chain_;  // from an edge to what precedes it, and on
-    std::vector<Waiting> batch_;
-    std::size_t lane_ = 0;                       // of what is split now
-    std::vector<ActiveSet::Inserted> inserted_;  // since the last place_inserted
-    std::vector<std::uint8_t> unplaced_;         // vertex entries: whether they are among these
+    std::vector<PendingSplit> batch_;
+    std::size_t partition_ = 0;                  // of what is split now
+    std::vector<ActiveSet::Inserted> inserted_;  // since the last embed_inserted
+    std::vector<std::uint8_t> not_embedded_;     // vertex entries: whether they are among these
     Refinement result_;
 };
 

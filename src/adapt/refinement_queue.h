@@ -8,7 +8,7 @@
 #include <span>
 #include <vector>
 
-#include "adapt/lanes.h"
+#include "adapt/concurrent/partitions.h"
 #include "mesh/ids.h"
 
 namespace pectin {
@@ -21,19 +21,20 @@ namespace pectin {
 // length (tests/bench/queue_bench.cpp).
 class RefinementQueue {
   public:
-    static constexpr std::size_t kOctaves = 2048;    // the exponents of a double
-    static constexpr std::size_t kInOneLane = 1024;  // taken at a time, where one lane is served
+    static constexpr std::size_t kOctaves = 2048;      // the exponents of a double
+    static constexpr std::size_t kSerialBatch = 1024;  // taken at a time, where one lane is served
 
     struct Entries {
-        std::array<std::span<const EdgeId>, kLanes> lanes;
+        std::array<std::span<const EdgeId>, kPartitions> partitions;
         std::size_t octave = 0;
-        bool is_one_lane = false;
+        bool is_one_partition = false;
     };
 
-    // lane_length: taken from each lane at a time, where all are served.
-    explicit RefinementQueue(std::size_t lane_length = kLaneLength) : lane_length_(lane_length) {}
+    // partition_batch: taken from each lane at a time, where all are served.
+    explicit RefinementQueue(std::size_t partition_batch = kPartitionBatch)
+        : partition_batch_(partition_batch) {}
 
-    void push(EdgeId e, std::size_t octave, std::size_t lane = 0) {
+    void push(EdgeId e, std::size_t octave, std::size_t partition = 0) {
         if (buckets_.empty()) lowest_ = octave;
         if (octave < lowest_) {
             buckets_.insert(buckets_.begin(), lowest_ - octave, {});
@@ -42,7 +43,7 @@ class RefinementQueue {
         }
         const std::size_t bucket = octave - lowest_;
         if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
-        buckets_[bucket].push(e, lane);
+        buckets_[bucket].push(e, partition);
         longest_ = std::max(longest_, bucket);
     }
 
@@ -55,7 +56,7 @@ class RefinementQueue {
 
     // Some of the longest octave. Valid until the next push. Precondition: not is_empty().
     Entries take() {
-        Entries entries = buckets_[longest_].take(lane_length_);
+        Entries entries = buckets_[longest_].take(partition_batch_);
         entries.octave = lowest_ + longest_;
         return entries;
     }
@@ -65,7 +66,7 @@ class RefinementQueue {
     }
 
   private:
-    struct Lane {
+    struct Partition {
         std::vector<EdgeId> edges;
         std::size_t taken = 0;
 
@@ -82,7 +83,7 @@ class RefinementQueue {
             taken = std::min(edges.size(), first + most);
             return std::span(edges).subspan(first, taken - first);
         }
-        void give_half(Lane& empty) {
+        void give_half(Partition& empty) {
             const auto half = edges.end() - static_cast<std::ptrdiff_t>(waiting() / 2);
             empty.edges.assign(half, edges.end());
             empty.taken = 0;
@@ -93,36 +94,38 @@ class RefinementQueue {
     class Bucket {
       public:
         bool is_empty() const { return waiting_ == 0; }
-        void push(EdgeId e, std::size_t lane) {
-            lanes_[lane].push(e);
+        void push(EdgeId e, std::size_t partition) {
+            partitions_[partition].push(e);
             ++waiting_;
         }
-        Entries take(std::size_t lane_length) {
+        Entries take(std::size_t partition_batch) {
             Entries entries;
-            entries.is_one_lane = !are_worth_lanes(waiting_, lane_length);
-            if (!entries.is_one_lane) fill_empty_lanes(lane_length);
-            for (std::size_t i = 0; i < kLanes; ++i) {
-                if (lanes_[i].waiting() == 0) continue;
-                entries.lanes[i] = lanes_[i].take(entries.is_one_lane ? kInOneLane : lane_length);
-                waiting_ -= entries.lanes[i].size();
-                if (entries.is_one_lane) break;
+            entries.is_one_partition = !are_worth_partitioning(waiting_, partition_batch);
+            if (!entries.is_one_partition) fill_empty_partitions(partition_batch);
+            for (std::size_t i = 0; i < kPartitions; ++i) {
+                if (partitions_[i].waiting() == 0) continue;
+                entries.partitions[i] =
+                    partitions_[i].take(entries.is_one_partition ? kSerialBatch : partition_batch);
+                waiting_ -= entries.partitions[i].size();
+                if (entries.is_one_partition) break;
             }
             return entries;
         }
 
       private:
-        void fill_empty_lanes(std::size_t lane_length) {
-            for (Lane& lane : lanes_) {
-                if (lane.waiting() > 0) continue;
-                Lane& longest = *std::ranges::max_element(lanes_, {}, &Lane::waiting);
-                if (longest.waiting() > 2 * lane_length) longest.give_half(lane);
+        void fill_empty_partitions(std::size_t partition_batch) {
+            for (Partition& partition : partitions_) {
+                if (partition.waiting() > 0) continue;
+                Partition& longest =
+                    *std::ranges::max_element(partitions_, {}, &Partition::waiting);
+                if (longest.waiting() > 2 * partition_batch) longest.give_half(partition);
             }
         }
-        std::array<Lane, kLanes> lanes_;
+        std::array<Partition, kPartitions> partitions_;
         std::size_t waiting_ = 0;  // in all of them
     };
 
-    std::size_t lane_length_;
+    std::size_t partition_batch_;
     std::vector<Bucket> buckets_;  // of the octaves from lowest_ on
     std::size_t lowest_ = 0;
     std::size_t longest_ = 0;  // the last bucket that is not empty, or beyond

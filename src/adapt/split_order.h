@@ -26,11 +26,11 @@ class SplitOrder {
 
     // Whether `candidate` goes before e, which is to be split itself.
     bool propagates(const RestEdge& candidate, const RestEdge& e) const {
-        return goes_before(candidate, e, limits_.propagation);
+        return precedes(candidate, e, limits_.propagation);
     }
     // Of two that do, whether this one goes before that.
-    bool goes_before(const RestEdge& candidate, const RestEdge& other) const {
-        return goes_before(candidate, other, 1.0);
+    bool precedes(const RestEdge& candidate, const RestEdge& other) const {
+        return precedes(candidate, other, 1.0);
     }
     // Whether it is no more than rho times as long, so that the face may well be split at e. Edges
     // between mirrored ends do not wait for that.
@@ -43,7 +43,7 @@ class SplitOrder {
     }
 
     // length: at rest. Of an edge that is there.
-    RestEdge at_rest(const ActiveSet& active, EdgeId e, double length) const {
+    RestEdge rest_edge(const ActiveSet& active, EdgeId e, double length) const {
         if (!limits_.symmetry) return {length};
         const HalfEdgeId h = active.mesh().half_edge(e);
         return {length, active.rest_position(active.mesh().origin(h)),
@@ -58,7 +58,7 @@ class SplitOrder {
     static constexpr Vec3 kGenericDirection{0.7390851332151607, 0.4142135623730951,
                                             0.5671432904097838};
 
-    bool goes_before(const RestEdge& candidate, const RestEdge& e, double factor) const {
+    bool precedes(const RestEdge& candidate, const RestEdge& e, double factor) const {
         if (!limits_.symmetry) return candidate.length > factor * e.length;
         const bool spans = is_between_images(candidate);
         if (spans != is_between_images(e)) return spans;

@@ -67,19 +67,19 @@ void CagePanel::draw_cage(Editor& editor, const Lattice& cage, float scale) {
     Vec3 middle = box.centre(), size = box.extent();
     const double diagonal = editor.workspace().diagonal();
     bool is_held = false, is_set = false;
-    const auto note = [&] {
+    const auto record_edit = [&] {
         is_held |= ImGui::IsItemActive();
         is_set |= ImGui::IsItemDeactivatedAfterEdit();
     };
     row("Points", scale);
     ImGui::SliderInt3("##counts", &counts.x, 1, kMostCount, "%d", ImGuiSliderFlags_AlwaysClamp);
-    note();
+    record_edit();
     row("Middle", scale);
     numbers("##middle", middle, kSizePerPixel * diagonal);
-    note();
+    record_edit();
     row("Size", scale);
     numbers("##size", size, kSizePerPixel * diagonal);
-    note();
+    record_edit();
     size = glm::max(size, Vec3{kLeastSize * diagonal});
     const Box changed{.min = middle - 0.5 * size, .max = middle + 0.5 * size};
     if (is_set) editor.set_cage(changed, counts);

@@ -89,7 +89,7 @@ void CagePoints::move_to(const Vec2& at) {
     if (box_) box_->to = at;
 }
 
-std::optional<std::string> CagePoints::follow(Session& session, const View& view) {
+std::optional<std::string> CagePoints::update_drag(Session& session, const View& view) {
     if (!held_) return std::nullopt;
     if (!held_->has_begun) {
         if (glm::distance(held_->at, held_->pressed_at) < kTremble) return std::nullopt;
@@ -166,9 +166,15 @@ std::optional<command::Control> CagePoints::release(Session& session, const View
         held_.reset();
         return std::nullopt;
     }
-    auto done = session.end_control();  // where it throws, the drag is still to be cancelled
-    held_.reset();
-    return done;
+    try {
+        auto done = session.end_control();
+        held_.reset();
+        return done;
+    } catch (...) {
+        // A drag that goes on is still to be cancelled.
+        if (!session.is_dragging()) held_.reset();
+        throw;
+    }
 }
 
 void CagePoints::cancel(Session& session) {

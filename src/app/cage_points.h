@@ -21,7 +21,7 @@ class CagePoints {
     // The control point under the cursor that is drawn and that the surface does not hide.
     std::optional<IVec3> under(const Session& session, const View& view, const Vec2& at,
                                const std::optional<Pick>& surface) const;
-    void look(const std::optional<IVec3>& hovered) { hovered_ = hovered; }
+    void set_hovered(const std::optional<IVec3>& hovered) { hovered_ = hovered; }
     // Whether it has begun something. Precondition: there is a cage.
     bool press(const Session& session, const View& view, const Vec2& at, const Modifiers& modifiers,
                const std::optional<Pick>& surface);
@@ -32,7 +32,7 @@ class CagePoints {
     void move_to(const Vec2& at);
     // Takes the control points to the cursor, once it has gone a little. Whether the object changed
     // is in the session's dirty elements. A refusal leaves the frame before.
-    std::optional<std::string> follow(Session& session, const View& view);
+    std::optional<std::string> update_drag(Session& session, const View& view);
     // What it came to, if anything moved.
     std::optional<command::Control> release(Session& session, const View& view);
     void cancel(Session& session);

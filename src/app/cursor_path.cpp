@@ -9,35 +9,36 @@ namespace {
 double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
     const Vec2 along = b - a;
     const double square = glm::dot(along, along);
-    const double share = square > 0.0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
-    return glm::distance(p, a + share * along);
+    const double fraction =
+        square > 0.0 ? std::clamp(glm::dot(p - a, along) / square, 0.0, 1.0) : 0.0;
+    return glm::distance(p, a + fraction * along);
 }
 
 // Those between places[first] and places[last], both left out.
-void add_bends(const std::vector<Vec2>& places, std::size_t first, std::size_t last,
+void add_bends(const std::vector<Vec2>& positions, std::size_t first, std::size_t last,
                double tolerance, std::vector<Vec2>& kept) {
     std::size_t farthest = first;
     double distance = tolerance;
     for (std::size_t i = first + 1; i < last; ++i) {
-        const double here = distance_to_segment(places[i], places[first], places[last]);
+        const double here = distance_to_segment(positions[i], positions[first], positions[last]);
         if (here <= distance) continue;
         farthest = i;
         distance = here;
     }
     if (farthest == first) return;
-    add_bends(places, first, farthest, tolerance, kept);
-    kept.push_back(places[farthest]);
-    add_bends(places, farthest, last, tolerance, kept);
+    add_bends(positions, first, farthest, tolerance, kept);
+    kept.push_back(positions[farthest]);
+    add_bends(positions, farthest, last, tolerance, kept);
 }
 
 }  // namespace
 
 std::vector<Vec2> bends(const Vec2& start, const std::vector<Vec2>& path, double tolerance) {
     if (path.empty()) return {};
-    std::vector<Vec2> places{start};
-    places.insert(places.end(), path.begin(), path.end());
+    std::vector<Vec2> positions{start};
+    positions.insert(positions.end(), path.begin(), path.end());
     std::vector<Vec2> kept;
-    add_bends(places, 0, places.size() - 1, tolerance, kept);
+    add_bends(positions, 0, positions.size() - 1, tolerance, kept);
     kept.push_back(path.back());
     return kept;
 }

@@ -63,10 +63,10 @@ void Editor::on(const event::Press& press, bool is_claimed) {
     if (radius_drag_) return end_radius_drag(press.button == MouseButton::left);
     if (is_claimed || is_busy() || navigation_.is_active()) return;
     const std::optional<Pick> pick = workspace_.session().pick(view().ray_through(press.at));
-    const bool takes_control_points = press.button == MouseButton::left && cage_at_hand();
+    const bool takes_control_points = press.button == MouseButton::left && editable_cage();
     if (takes_control_points &&
         cage_points_.press(session(), view(), press.at, press.modifiers, pick)) {
-        workspace_.withdraw();
+        workspace_.clear_command_message();
     } else if (const auto mode = navigation_mode(press.button, press.modifiers, pick.has_value())) {
         navigation_.begin(*mode, press.button, press.at);
     } else {
@@ -97,7 +97,7 @@ void Editor::on(const event::Move& move, bool is_claimed) {
 }
 
 void Editor::on(const event::Scroll& scroll) {
-    if (sculptor_.is_dragging()) return turn_or_grow(scroll.amount);
+    if (sculptor_.is_dragging()) return rotate_or_scale(scroll.amount);
     if (!is_busy()) navigation_.scroll(scroll.amount, scroll.at, size_);
 }
 
@@ -177,20 +177,20 @@ void Editor::advance() {
         const Command command = task->command;
         conclude(command, workspace_.poll());
     }
-    look();
+    update_hover();
 }
 
-void Editor::look() {
+void Editor::update_hover() {
     // A circle that is being set stays where it was.
     if (sculptor_.is_dragging() || cage_points_.is_active() || radius_drag_) return;
     hover_.reset();
     std::optional<IVec3> control_point;
-    cage_points_.forget_others(cage_at_hand());
+    cage_points_.forget_others(editable_cage());
     if (cursor_is_ours_ && !navigation_.is_active() && !has_dialog()) {
         hover_ = workspace_.session().pick(view().ray_through(cursor_));
-        if (cage_at_hand()) control_point = cage_points_.under(session(), view(), cursor_, hover_);
+        if (editable_cage()) control_point = cage_points_.under(session(), view(), cursor_, hover_);
     }
-    cage_points_.look(control_point);
+    cage_points_.set_hovered(control_point);
     if (control_point) hover_.reset();
 }
 
@@ -220,7 +220,7 @@ void Editor::set_symmetry(bool is_on) {
     command::Symmetry symmetry;
     if (is_on) {
         symmetry.plane = mirror_.plane;
-        if (mirror_.through_middle) symmetry.through = workspace_.box().centre();
+        if (mirror_.through_centre) symmetry.through = workspace_.box().centre();
     }
     execute(symmetry);
 }
@@ -238,7 +238,7 @@ void Editor::set_cage(const Box& box, const IVec3& counts) {
                                               .margin = cage.margin}});
 }
 
-std::optional<Lattice> Editor::cage_at_hand() const {
+std::optional<Lattice> Editor::editable_cage() const {
     return display.lattice ? session().lattice_settings().cage : std::nullopt;
 }
 
@@ -251,7 +251,7 @@ void Editor::perform(Action action) {
             if (session().undo_count() > 0) {
                 execute(command::Undo{});
             } else if (session().history().lost_undo_count() > 0) {
-                workspace_.tell(
+                workspace_.set_message(
                     "Nothing is left to undo: older steps were dropped. Edit, Memory for undo sets "
                     "how much memory they may take.");
             }

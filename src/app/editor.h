@@ -31,7 +31,7 @@ struct Display {
 // The plane that symmetry gets when it is switched on.
 struct MirrorChoice {
     command::Symmetry::Plane plane = command::Symmetry::Plane::x;
-    bool through_middle = false;  // of the object as it was opened; else through the origin
+    bool through_centre = false;  // of the object as it was opened; else through the origin
 };
 
 // Of the last frame that changed the object by a drag.
@@ -92,7 +92,7 @@ class Editor {
     const Sculptor& sculptor() const { return sculptor_; }
     const CagePoints& cage_points() const { return cage_points_; }
     // The cage, while its control points can be taken hold of.
-    std::optional<Lattice> cage_at_hand() const;
+    std::optional<Lattice> editable_cage() const;
     const Pins& pins() const { return pins_; }
     const MirrorChoice& mirror_choice() const { return mirror_; }
     const std::optional<Pick>& hover() const { return hover_; }
@@ -156,21 +156,21 @@ class Editor {
     template <typename Part>
     bool attempt(Part part);
     void press_left(const Vec2& at, const Pick& pick);
-    Pick grip(Pick pick, const Vec2& at) const;
+    Pick handle_at(Pick pick, const Vec2& at) const;
     Pick onto_plane(Pick pick) const;
     void grab(const Pick& pick, const Ray& ray);
     void drag();
-    void follow_with_point();
-    void follow_with_control_points();
+    void update_point_drag();
+    void update_control_drag();
     void begin_figures();
-    void note_frame(std::chrono::duration<double> taken);
+    void record_frame(std::chrono::duration<double> taken);
     void release_drag();
     void end_drag(const Command& done, std::size_t steps_before);
     void cancel_drag();
-    void turn_or_grow(double notches);
+    void rotate_or_scale(double notches);
     void toggle_pin();
 
-    void look();
+    void update_hover();
     void begin_radius_drag();
     void end_radius_drag(bool keeps);
     void frame_all(const std::optional<Vec3>& direction = {});
@@ -208,7 +208,7 @@ class Editor {
     bool cursor_is_ours_ = false;  // over the window and not over its panels
     bool moved_ = false;           // the drag in hand has to follow
     std::vector<Vec2> path_;       // of the cursor, since it has followed last
-    Vec2 followed_{0.0};           // where the cursor was then
+    Vec2 last_cursor_{0.0};        // where the cursor was then
     std::optional<Pick> hover_;
     std::optional<RadiusDrag> radius_drag_;
     FrameFigures figures_;

@@ -34,7 +34,7 @@ bool Editor::attempt(Part part) {
         give_up_for_memory("drag");
     } catch (const std::exception& error) {
         if (session().is_dragging()) cancel_drag();
-        workspace_.tell(std::string("the drag was given up: ") + error.what());
+        workspace_.set_message(std::string("the drag was given up: ") + error.what());
     }
     return false;
 }
@@ -42,7 +42,7 @@ bool Editor::attempt(Part part) {
 void Editor::give_up_for_memory(const char* what) noexcept {
     if (session().is_dragging()) cancel_drag();
     try {
-        workspace_.tell(not_enough_memory(what, session().history()));
+        workspace_.set_message(not_enough_memory(what, session().history()));
     } catch (const std::bad_alloc&) {
         // Not even for the message.
     }
@@ -50,11 +50,11 @@ void Editor::give_up_for_memory(const char* what) noexcept {
 
 void Editor::press_left(const Vec2& at, const Pick& pick) {
     if (sets_pins) return toggle_pin();
-    attempt([&] { grab(grip(pick, at), view().ray_through(at)); });
+    attempt([&] { grab(handle_at(pick, at), view().ray_through(at)); });
 }
 
 // The point that a press takes hold of: the pin whose marker is there, or the surface.
-Pick Editor::grip(Pick pick, const Vec2& at) const {
+Pick Editor::handle_at(Pick pick, const Vec2& at) const {
     const auto marker = pins_.at(view(), at, pick, session().symmetry());
     if (!marker) return onto_plane(pick);
     pick.point = marker->position;
@@ -71,60 +71,61 @@ Pick Editor::onto_plane(Pick pick) const {
 void Editor::grab(const Pick& pick, const Ray& ray) {
     if (const auto refusal =
             sculptor_.grab(workspace_.session(), pick, ray, pins_.points(), drag_options)) {
-        return workspace_.tell(rounded_numbers(*refusal));
+        return workspace_.set_message(rounded_numbers(*refusal));
     }
-    workspace_.withdraw();
+    workspace_.clear_command_message();
     shows_hint_ = false;
     hover_.reset();
     moved_ = false;
     path_.clear();
-    followed_ = cursor_;
+    last_cursor_ = cursor_;
     begin_figures();
 }
 
 void Editor::drag() {
     attempt([&] {
         if (sculptor_.is_dragging()) {
-            follow_with_point();
+            update_point_drag();
         } else {
-            follow_with_control_points();
+            update_control_drag();
         }
     });
 }
 
 // A fold-free drag goes the way of the cursor, as its steps depend on it.
-void Editor::follow_with_point() {
+void Editor::update_point_drag() {
     const auto start = std::chrono::steady_clock::now();
     const DragPath path = modifiers_.alt ? DragPath::normal : DragPath::view_plane;
-    std::vector<Vec2> places{cursor_};
-    if (drag_options.fold_free && !path_.empty()) places = bends(followed_, path_, kBend);
+    std::vector<Vec2> positions{cursor_};
+    if (drag_options.fold_free && !path_.empty()) positions = bends(last_cursor_, path_, kBend);
     path_.clear();
-    followed_ = cursor_;
-    const command::Drag before = session().drag_in_hand();
+    last_cursor_ = cursor_;
+    const command::Drag before = session().active_drag();
     std::optional<std::string> refusal;
-    for (const Vec2& place : places) {
-        refusal = sculptor_.drag(workspace_.session(), camera(), view().ray_through(place), path);
+    for (const Vec2& position : positions) {
+        refusal =
+            sculptor_.drag(workspace_.session(), camera(), view().ray_through(position), path);
     }
-    if (refusal) return workspace_.tell(rounded_numbers(*refusal));
-    workspace_.withdraw();
-    if (session().drag_in_hand() == before) return;
-    note_frame(std::chrono::steady_clock::now() - start);
-    figures_.steps = session().drag_in_hand().via.size() + 1;
+    if (refusal) return workspace_.set_message(rounded_numbers(*refusal));
+    workspace_.clear_command_message();
+    if (session().active_drag() == before) return;
+    record_frame(std::chrono::steady_clock::now() - start);
+    figures_.steps = session().active_drag().via.size() + 1;
     figures_.degrees = sculptor_.degrees();
     figures_.scale = sculptor_.scale();
 }
 
-void Editor::follow_with_control_points() {
+void Editor::update_control_drag() {
     const auto start = std::chrono::steady_clock::now();
     const bool had_begun = cage_points_.is_dragging();
-    if (const auto refusal = cage_points_.follow(workspace_.session(), view())) {
-        return workspace_.tell(rounded_numbers(*refusal));
+    if (const auto refusal = cage_points_.update_drag(workspace_.session(), view())) {
+        return workspace_.set_message(rounded_numbers(*refusal));
     }
     if (!cage_points_.is_dragging()) return;
     if (!had_begun) begin_figures();
-    workspace_.withdraw();
+    workspace_.clear_command_message();
     shows_hint_ = false;
-    note_frame(std::chrono::steady_clock::now() - start);
+    record_frame(std::chrono::steady_clock::now() - start);
 }
 
 void Editor::begin_figures() {
@@ -134,7 +135,7 @@ void Editor::begin_figures() {
     figures_.folded = 0;
 }
 
-void Editor::note_frame(std::chrono::duration<double> taken) {
+void Editor::record_frame(std::chrono::duration<double> taken) {
     const Frame& frame = session().last_frame();
     figures_.splits = frame.splits;
     figures_.unsplits = frame.unsplits;
@@ -160,7 +161,7 @@ void Editor::release_drag() {
 }
 
 void Editor::end_drag(const Command& done, std::size_t steps_before) {
-    workspace_.note_drag(done, session().history().step_number() > steps_before);
+    workspace_.record_drag(done, session().history().step_number() > steps_before);
     figures_.folded = session().folded_vertices();
     std::string message;
     if (figures_.folded > 0) {
@@ -171,7 +172,7 @@ void Editor::end_drag(const Command& done, std::size_t steps_before) {
     if (const std::string& remark = session().remark(); !remark.empty()) {
         message += (message.empty() ? "After this drag " : " After it ") + remark + ".";
     }
-    if (!message.empty()) workspace_.tell(message);
+    if (!message.empty()) workspace_.set_message(message);
 }
 
 FrameFigures Editor::figures() const {
@@ -190,11 +191,11 @@ void Editor::cancel_drag() {
     moved_ = false;
 }
 
-void Editor::turn_or_grow(double notches) {
+void Editor::rotate_or_scale(double notches) {
     if (modifiers_.shift) {
         sculptor_.grow(notches);
     } else {
-        sculptor_.turn(kDegreesPerNotch * notches);
+        sculptor_.rotate(kDegreesPerNotch * notches);
     }
     moved_ = true;
 }
@@ -205,7 +206,8 @@ void Editor::toggle_pin() {
     if (!cursor_is_ours_) return;
     std::optional<Pick> pick = workspace_.session().pick(view().ray_through(cursor_));
     if (pick) pick = onto_plane(*pick);
-    if (pins_.toggle(view(), cursor_, pick, session().symmetry())) workspace_.withdraw();
+    if (pins_.toggle(view(), cursor_, pick, session().symmetry()))
+        workspace_.clear_command_message();
 }
 
 }  // namespace pectin

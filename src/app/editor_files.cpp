@@ -39,9 +39,9 @@ bool Editor::conclude(const Command& command, Workspace::Outcome outcome) {
     } else if (std::holds_alternative<command::Open>(command) &&
                session().mesh().face_slots() == 0) {
         // Whatever is told of the model stays to be read.
-        const std::string message = workspace_.told();
+        const std::string message = workspace_.command_message();
         execute(kFirstObject);
-        workspace_.tell(message);
+        workspace_.set_message(message);
     }
     return is_done;
 }
@@ -51,10 +51,10 @@ void Editor::begin_object() {
     figures_ = {};
     pins_.clear();
     frame_all(kFitDirection);
-    if (!session().symmetry() || !mirror_.through_middle) return;
-    const std::string message = workspace_.told();
+    if (!session().symmetry() || !mirror_.through_centre) return;
+    const std::string message = workspace_.command_message();
     set_symmetry(true);
-    workspace_.tell(message);
+    workspace_.set_message(message);
 }
 
 void Editor::begin(const std::string& model) {
@@ -210,17 +210,18 @@ void Editor::go_on_restoring() {
         // A part of the session must not take the place of the whole in the model's file.
         workspace_.forget_path();
         message = "Restored up to command " + std::to_string(ended.done()) + " of " +
-                  std::to_string(ended.count()) + ": " + workspace_.told() +
+                  std::to_string(ended.count()) + ": " + workspace_.command_message() +
                   ". The whole script is in " + set_aside(ended.session().path) + ".";
     } else {
-        const std::string why = state == Restoration::State::failed ? ": " + workspace_.told() : "";
+        const std::string why =
+            state == Restoration::State::failed ? ": " + workspace_.command_message() : "";
         execute(kFirstObject);
         message = "The session was not restored" + why + ". It is offered again at the next start.";
     }
     figures_ = {};
     pins_.clear();
     frame_all(kFitDirection);
-    workspace_.tell(message);
+    workspace_.set_message(message);
     if (std::exchange(quits_next_, false)) quit();
 }
 

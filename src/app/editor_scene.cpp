@@ -11,7 +11,8 @@ constexpr Colour kCircle{255, 255, 255, 190};
 constexpr Colour kCircleBeingSet{255, 214, 64, 255};
 constexpr Colour kCircleImage{255, 255, 255, 80};
 constexpr int kCircleSides = 96;
-constexpr double kRoom = 0.03;  // of the object's box diagonal, between it and the plane's border
+// Of the object's box diagonal, between it and the border of the plane that is drawn.
+constexpr double kPlaneMargin = 0.03;
 
 // The surface's normal where the pick is: that of its corners, weighed, so that the circle glides
 // from face to face.
@@ -45,10 +46,10 @@ void add_circle(Overlay& overlay, const Vec3& centre, const Vec3& normal, double
     overlay.points.push_back({centre, colour, 6.0f});
 }
 
-void add_drag_in_hand(Overlay& overlay, const Editor& editor) {
+void add_active_drag(Overlay& overlay, const Editor& editor) {
     const Sculptor& sculptor = editor.sculptor();
     // Of a drag in several steps the last one's.
-    for (const LatticeField& field : editor.session().lattices_in_hand()) {
+    for (const LatticeField& field : editor.session().active_lattices()) {
         add_lattice(overlay, field.lattice(), field.displacements());
     }
     add_drag(overlay, sculptor.from(), sculptor.to());
@@ -70,9 +71,9 @@ void add_pins(Overlay& overlay, const Editor& editor) {
 void add_symmetry_plane(Overlay& overlay, const Editor& editor) {
     const auto& plane = editor.session().symmetry();
     if (!plane || !editor.display.symmetry_plane) return;
-    const Vec3 room{kRoom * editor.workspace().diagonal()};
+    const Vec3 margin{kPlaneMargin * editor.workspace().diagonal()};
     const Box& box = editor.workspace().box();
-    add_mirror_plane(overlay, *plane, {.min = box.min - room, .max = box.max + room});
+    add_mirror_plane(overlay, *plane, {.min = box.min - margin, .max = box.max + margin});
 }
 
 void add_cage(Overlay& overlay, const Editor& editor, const Lattice& cage) {
@@ -104,7 +105,7 @@ void add_brush(Overlay& overlay, const Editor& editor, const Pick& hover) {
 }
 
 // The lattice that a drag would use, as far as that is known; else the last one's.
-std::optional<Lattice> lattice_at_hand(const Editor& editor) {
+std::optional<Lattice> preview_lattice(const Editor& editor) {
     const int span = editor.session().lattice_settings().span;
     if (editor.hover()) return brush_lattice(editor.hover()->point, editor.radius(), span);
     return editor.session().lattice_in_use();
@@ -122,11 +123,11 @@ Scene editor_scene(const Editor& editor, float pixel_scale) {
     const bool is_dragging = editor.sculptor().is_dragging();
     const bool has_cage = editor.session().lattice_settings().cage.has_value();
     if (is_dragging) {
-        add_drag_in_hand(overlay, editor);
-    } else if (const auto cage = editor.cage_at_hand()) {
+        add_active_drag(overlay, editor);
+    } else if (const auto cage = editor.editable_cage()) {
         add_cage(overlay, editor, *cage);
     } else if (editor.display.lattice) {
-        if (const auto lattice = lattice_at_hand(editor)) add_lattice(overlay, *lattice, {});
+        if (const auto lattice = preview_lattice(editor)) add_lattice(overlay, *lattice, {});
     }
     add_pins(overlay, editor);
     if (is_dragging || !editor.hover()) return scene;

@@ -100,11 +100,11 @@ bool begin_dialog(bool is_wanted, const char* title, float width, float height) 
         return false;
     }
     if (!ImGui::IsPopupOpen(title)) ImGui::OpenPopup(title);
-    const ImVec2 room = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(0.5f * room.x, 0.5f * room.y), ImGuiCond_Always,
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, 0.5f * display.y), ImGuiCond_Always,
                             ImVec2(0.5f, 0.5f));
     ImGui::SetNextWindowSize(
-        ImVec2(std::min(width, 0.94f * room.x), std::min(height, 0.9f * room.y)));
+        ImVec2(std::min(width, 0.94f * display.x), std::min(height, 0.9f * display.y)));
     return ImGui::BeginPopupModal(title, nullptr, kDialog);
 }
 

@@ -50,8 +50,8 @@ void Navigation::move_to(const Vec2& at, const IVec2& size) {
     const double height = size.y;
     switch (gesture_->mode) {
         case NavigationMode::orbit: {
-            const Vec2 turn = -kTurnPerHeight / height * by;
-            camera_ = orbited(camera_, turn.x, turn.y, camera_.target);
+            const Vec2 angles = -kTurnPerHeight / height * by;
+            camera_ = orbited(camera_, angles.x, angles.y, camera_.target);
             break;
         }
         case NavigationMode::pan:
@@ -72,16 +72,16 @@ void Navigation::scroll(double amount, const Vec2& at, const IVec2& size) {
     const Camera nearer =
         zoomed_within_reason(camera_, std::pow(kZoomPerNotch, std::clamp(amount, -10.0, 10.0)));
     const double factor = nearer.distance() / camera_.distance();
-    const Vec2 from_middle = at - 0.5 * Vec2(size);
-    camera_ = panned(nearer, (1.0 - 1.0 / factor) * from_middle, size);
+    const Vec2 from_centre = at - 0.5 * Vec2(size);
+    camera_ = panned(nearer, (1.0 - 1.0 / factor) * from_centre, size);
 }
 
-void Navigation::frame(std::span<const Vec3> points, double aspect, double share_of_height,
+void Navigation::frame(std::span<const Vec3> points, double aspect, double fraction_of_height,
                        const std::optional<Vec3>& direction) {
     const Vec3 back = direction.value_or(camera_.eye - camera_.target);
     Camera fitted = fit(points, aspect, back, camera_.fov);
     fitted.up = {0.0, 1.0, 0.0};
-    camera_ = zoomed(fitted, 1.0 / share_of_height);
+    camera_ = zoomed(fitted, 1.0 / fraction_of_height);
 }
 
 }  // namespace pectin

@@ -32,7 +32,7 @@ class Navigation {
 
     // Shows all of the points from where the camera looks now, or from `direction`. aspect: of the
     // part of the window that they are to be seen in, which has its middle in the window's.
-    void frame(std::span<const Vec3> points, double aspect, double share_of_height,
+    void frame(std::span<const Vec3> points, double aspect, double fraction_of_height,
                const std::optional<Vec3>& direction = {});
 
   private:

@@ -4,7 +4,7 @@
 
 namespace pectin {
 
-GpuMesh::Upload ObjectView::follow(Session& session) {
+GpuMesh::Upload ObjectView::update(Session& session) {
     // Until it is done: what throws in between leaves a picture of something else.
     const bool was_stale = std::exchange(is_stale_, true);
     const DirtyElements dirty = session.take_dirty();

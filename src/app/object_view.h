@@ -12,7 +12,7 @@ class ObjectView {
 
     // Uploads what has changed since it was last called, and nothing else; everything if it threw
     // when it was last called.
-    GpuMesh::Upload follow(Session& session);
+    GpuMesh::Upload update(Session& session);
 
     const GpuMesh& mesh() const { return mesh_; }
 

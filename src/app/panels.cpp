@@ -193,11 +193,11 @@ void Panels::draw_tools(Editor& editor) {
 
 void Panels::draw_settings(Editor& editor) {
     const float width = scaled(kSettingsWidth), top = menu_height_ + scaled(kMargin);
-    const ImVec2 room = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(room.x - width - scaled(kMargin), top));
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(display.x - width - scaled(kMargin), top));
     ImGui::SetNextWindowSizeConstraints(
         ImVec2(width, 0.0f),
-        ImVec2(width, std::max(scaled(80.0f), room.y - top - status_height_ - scaled(kMargin))));
+        ImVec2(width, std::max(scaled(80.0f), display.y - top - status_height_ - scaled(kMargin))));
     const bool is_open =
         ImGui::Begin("Settings", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize);
     claim_window();
@@ -221,10 +221,10 @@ void Panels::draw_display_settings(Editor& editor) {
 }
 
 void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
-    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
     status_height_ = ImGui::GetFrameHeight() + scaled(4.0f);
-    ImGui::SetNextWindowPos(ImVec2(0.0f, room.y - status_height_));
-    ImGui::SetNextWindowSize(ImVec2(room.x, status_height_));
+    ImGui::SetNextWindowPos(ImVec2(0.0f, display.y - status_height_));
+    ImGui::SetNextWindowSize(ImVec2(display.x, status_height_));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
     ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(14.0f), scaled(6.0f)));
     ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
@@ -328,15 +328,15 @@ void Panels::draw_selection(const Editor& editor) const {
 void Panels::draw_message(Editor& editor) {
     const std::string message = editor.workspace().message();
     if (message.empty()) return;
-    const ImVec2 room = ImGui::GetIO().DisplaySize;
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float close = ImGui::GetFrameHeight();
     // Between the panels, in the middle of the window; over them where that is too narrow.
     const float frame = close + scaled(kMessageGap) + 2.0f * ImGui::GetStyle().WindowPadding.x;
-    const float beside = room.x - 2.0f * scaled(kSettingsWidth + 2.0f * kMargin) - frame;
-    const float most = std::max(beside, 0.4f * room.x);
+    const float beside = display.x - 2.0f * scaled(kSettingsWidth + 2.0f * kMargin) - frame;
+    const float most = std::max(beside, 0.4f * display.x);
     const float text = std::min(most, ImGui::CalcTextSize(message.c_str()).x + scaled(2.0f));
-    ImGui::SetNextWindowPos(ImVec2(0.5f * room.x, menu_height_ + scaled(kMargin)), ImGuiCond_Always,
-                            ImVec2(0.5f, 0.0f));
+    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, menu_height_ + scaled(kMargin)),
+                            ImGuiCond_Always, ImVec2(0.5f, 0.0f));
     ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0.86f, 0.62f, 0.34f, 0.8f));
     ImGui::Begin("message", nullptr, kBare | ImGuiWindowFlags_AlwaysAutoResize);
     claim_window();
@@ -353,8 +353,8 @@ void Panels::draw_message(Editor& editor) {
 
 void Panels::draw_hint(const Editor& editor) {
     if (!editor.shows_hint()) return;
-    const ImVec2 room = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(0.5f * room.x, room.y - status_height_ - scaled(kMargin)),
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, display.y - status_height_ - scaled(kMargin)),
                             ImGuiCond_Always, ImVec2(0.5f, 1.0f));
     ImGui::SetNextWindowBgAlpha(0.72f);
     ImGui::Begin("hint", nullptr,

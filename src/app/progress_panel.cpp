@@ -14,13 +14,13 @@ namespace pectin {
 namespace {
 
 // `text` as far as there is room, its middle left out where it is longer. UTF-8 stays whole.
-std::string fitted(const std::string& text, float room) {
+std::string fitted(const std::string& text, float available) {
     const auto width = [](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x; };
     const auto is_inside = [&text](std::size_t at) {
         return at < text.size() && (static_cast<unsigned char>(text[at]) & 0xC0) == 0x80;
     };
     std::string shown = text;
-    for (std::size_t left_out = 1; width(shown) > room && left_out < text.size(); ++left_out) {
+    for (std::size_t left_out = 1; width(shown) > available && left_out < text.size(); ++left_out) {
         std::size_t begin = (text.size() - left_out) / 2, end = begin + left_out;
         while (begin > 0 && is_inside(begin)) --begin;
         while (is_inside(end)) ++end;
@@ -32,11 +32,11 @@ std::string fitted(const std::string& text, float room) {
 void draw_bar(double fraction, float height) {
     std::array<char, 8> percent{};
     std::snprintf(percent.data(), percent.size(), "%.0f %%", 100.0 * fraction);
-    const float room = ImGui::CalcTextSize("100 %").x + ImGui::GetStyle().ItemSpacing.x;
+    const float available = ImGui::CalcTextSize("100 %").x + ImGui::GetStyle().ItemSpacing.x;
     const float line = ImGui::GetTextLineHeight();
     const ImVec2 at = ImGui::GetCursorPos();
     ImGui::SetCursorPosY(at.y + 0.5f * (line - height));
-    ImGui::ProgressBar(static_cast<float>(fraction), ImVec2(-room, height), "");
+    ImGui::ProgressBar(static_cast<float>(fraction), ImVec2(-available, height), "");
     // The percentage ends where the button does.
     ImGui::SetCursorPos(
         ImVec2(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(percent.data()).x, at.y));

@@ -12,7 +12,7 @@ namespace {
 
 constexpr float kLeastThetaMax = 2.0f, kMostThetaMax = 90.0f;  // degrees
 constexpr float kLeastThetaMin = 0.5f;
-constexpr double kThetaMinShare = 0.97;                // of theta_max, at most
+constexpr double kThetaMinFraction = 0.97;             // of theta_max, at most
 constexpr double kLeastLMax = 0.002, kMostLMax = 0.5;  // of the object's box diagonal
 constexpr double kPaperThetaMax = 180.0 / 7.0;
 
@@ -140,7 +140,7 @@ void RefinePanel::draw_angles(Editor& editor) {
         if (overtaken) change.theta_min = Setting::automatic();
         apply(editor, change);
     }
-    // Below 0 degrees there is no edge: nothing is thinned.
+    // Below 0 degrees there is no edge: nothing is decimated.
     const Setting never = Setting::of(0.0);
     const Row min_row{.label = "θ min",
                       .help = kThetaMinHelp,
@@ -149,7 +149,7 @@ void RefinePanel::draw_angles(Editor& editor) {
                       .may_be_automatic = true,
                       .value = value_of(settings.theta_min, theta_max * 7.0 / 9.0),
                       .least = kLeastThetaMin,
-                      .most = static_cast<float>(theta_max * kThetaMinShare),
+                      .most = static_cast<float>(theta_max * kThetaMinFraction),
                       .format = "%.1f°",
                       .when_on = Setting::automatic(),
                       .when_off = never};

@@ -1,4 +1,4 @@
-// The part of the settings that says when the mesh is refined and thinned.
+// The part of the settings that says when the mesh is refined and decimated.
 #pragma once
 
 #include <optional>

@@ -23,7 +23,7 @@ Vec3 on_own_side(const Session& session, const Vec3& from, const Vec3& to) {
     const MirrorPlane& plane = *session.symmetry();
     const double cell = session.lattice_in_use()->cell[plane.axis];
     const double offset = plane.offset(from);
-    if (std::abs(offset) <= kOnPlaneShare * cell) return plane.onto(to);
+    if (std::abs(offset) <= kOnPlaneFraction * cell) return plane.onto(to);
     const double least = std::min(std::abs(offset), kLeastOffset * cell);
     const double side = offset < 0.0 ? -1.0 : 1.0;
     Vec3 allowed = to;
@@ -93,9 +93,15 @@ double Sculptor::scale() const { return target(grabbed_->done).scale; }
 
 std::optional<command::Drag> Sculptor::release(Session& session) {
     assert(is_dragging());
-    auto done = session.end_drag();  // where it throws, the drag is still to be cancelled
-    grabbed_.reset();
-    return done;
+    try {
+        auto done = session.end_drag();
+        grabbed_.reset();
+        return done;
+    } catch (...) {
+        // A drag that goes on is still to be cancelled.
+        if (!session.is_dragging()) grabbed_.reset();
+        throw;
+    }
 }
 
 void Sculptor::cancel(Session& session) {

@@ -40,7 +40,7 @@ class Sculptor {
 
     // --- From the next drag() on, the surroundings of the point turn about the surface's normal,
     // by the right hand, and grow by kGrowth for each step.
-    void turn(double degrees) { grabbed_->asked.degrees += degrees; }
+    void rotate(double degrees) { grabbed_->asked.degrees += degrees; }
     void grow(double steps) { grabbed_->asked.growth += steps; }
     static constexpr double kGrowth = 1.05;
 

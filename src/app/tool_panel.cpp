@@ -63,8 +63,8 @@ void draw_symmetry(Editor& editor, float width) {
         ImGui::EndDisabled();
     }
     ImGui::BeginDisabled(!is_on);
-    if (ImGui::Button(choice.through_middle ? "at middle" : "at origin", ImVec2(width, 0.0f))) {
-        choice.through_middle = !choice.through_middle;
+    if (ImGui::Button(choice.through_centre ? "at middle" : "at origin", ImVec2(width, 0.0f))) {
+        choice.through_centre = !choice.through_centre;
         editor.choose_mirror(choice);
     }
     help(
@@ -85,13 +85,13 @@ void draw_pins(Editor& editor, float width) {
 
 }  // namespace
 
-void ToolPanel::draw(Editor& editor, float scale, float room) {
+void ToolPanel::draw(Editor& editor, float scale, float available) {
     const float width = kWidth * scale;
     const float others = kButtonLines * ImGui::GetFrameHeightWithSpacing() +
                          kTextLines * ImGui::GetTextLineHeightWithSpacing() +
                          4.0f * ImGui::GetStyle().ItemSpacing.y;
     draw_radius(editor, width,
-                std::clamp(room - others, kLeastSliderHeight * scale, kSliderHeight * scale));
+                std::clamp(available - others, kLeastSliderHeight * scale, kSliderHeight * scale));
     ImGui::Separator();
     draw_symmetry(editor, width);
     ImGui::Separator();

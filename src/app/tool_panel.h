@@ -10,7 +10,7 @@ namespace pectin {
 class ToolPanel {
   public:
     // Within a window of Dear ImGui. scale: of the screen; room: for all of it, in pixels.
-    void draw(Editor& editor, float scale, float room);
+    void draw(Editor& editor, float scale, float available);
 
   private:
     void draw_radius(Editor& editor, float width, float height);

@@ -73,7 +73,7 @@ class Window {
             attempt([this] { editor_.advance(); });
             *is_kept_ = editor_.workspace().has_recovery();
             const bool is_laid_out = attempt([this] { lay_out_panels(); });
-            attempt([this] { follow_object(); });
+            attempt([this] { update_object(); });
             if (is_laid_out && attempt([this] { draw(); })) host_.show();
         }
         editor_.workspace().end_recovery();
@@ -102,7 +102,7 @@ class Window {
             workspace.begin_recovery(folder);
         }
         for (const std::string& file : lost.damaged) {
-            workspace.tell_lastingly(
+            workspace.add_notice(
                 "A session that ended unexpectedly cannot be restored: its "
                 "script is damaged. It is in " +
                 file + ".");
@@ -121,7 +121,7 @@ class Window {
         if (path == wanted) return;
         const std::string message =
             wanted + " holds an earlier record, which stays; this one is in " + path;
-        editor_.workspace().tell_lastingly(message);
+        editor_.workspace().add_notice(message);
         std::cerr << "pectin: " << printable(message) << '\n';
     }
 
@@ -152,8 +152,8 @@ class Window {
                         " — pectin");
     }
 
-    void follow_object() {
-        const GpuMesh::Upload upload = object_.follow(editor_.workspace().session());
+    void update_object() {
+        const GpuMesh::Upload upload = object_.update(editor_.workspace().session());
         if (upload.bytes == 0) return;
         figures_.uploaded_bytes = upload.bytes;
         figures_.uploaded_ranges = upload.ranges;

@@ -99,7 +99,7 @@ Workspace::FileWork Workspace::saving(const command::Save& save) const {
 template <typename MakeWork>
 Workspace::Outcome Workspace::carry_out(const Command& command, MakeWork make_work) {
     if (file_task_) {
-        tell("a file is under way; wait until it is done, or cancel it");
+        set_message("a file is under way; wait until it is done, or cancel it");
         return Outcome::failed;
     }
     const std::size_t step_number = session_.history().step_number();
@@ -110,13 +110,13 @@ Workspace::Outcome Workspace::carry_out(const Command& command, MakeWork make_wo
         return std::nullopt;
     });
     if (complaint) {
-        tell(*complaint);
+        set_message(*complaint);
         return Outcome::failed;
     }
     if (file_task_) return patience_.count() > 0 ? poll(patience_) : Outcome::under_way;
     if (session_.history().step_number() != step_number) is_modified_ = true;
     finish(command);
-    if (!session_.remark().empty()) tell(sentence(session_.remark()));
+    if (!session_.remark().empty()) set_message(sentence(session_.remark()));
     return Outcome::done;
 }
 
@@ -150,12 +150,12 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
             return std::nullopt;
         });
     if (complaint) {
-        if (!is_cancelled) tell(*complaint);
+        if (!is_cancelled) set_message(*complaint);
         return Outcome::failed;
     }
     finish(task->command, result.fingerprint);
-    if (!result.report.empty()) tell(result.report);
-    if (!result.warning.empty()) tell_lastingly(sentence(result.warning));
+    if (!result.report.empty()) set_message(result.report);
+    if (!result.warning.empty()) add_notice(sentence(result.warning));
     return Outcome::done;
 }
 
@@ -169,7 +169,7 @@ void Workspace::begin_anew() {
 }
 
 void Workspace::pass_over(const command::Save& save) {
-    note(save);
+    update_file_state(save);
     keep(save);
 }
 
@@ -178,33 +178,33 @@ void Workspace::set_viewport(Viewport* viewport) {
     session_.set_viewport(viewport);
 }
 
-void Workspace::tell(const std::string& message) { told_ = printable(message); }
+void Workspace::set_message(const std::string& message) { command_message_ = printable(message); }
 
-void Workspace::tell_lastingly(const std::string& message) {
-    told_lastingly_ += (told_lastingly_.empty() ? "" : "\n") + printable(message);
+void Workspace::add_notice(const std::string& message) {
+    notices_ += (notices_.empty() ? "" : "\n") + printable(message);
 }
 
 std::string Workspace::message() const {
-    const bool are_both = !told_lastingly_.empty() && !told_.empty();
-    return told_lastingly_ + (are_both ? "\n" : "") + told_;
+    const bool are_both = !notices_.empty() && !command_message_.empty();
+    return notices_ + (are_both ? "\n" : "") + command_message_;
 }
 
 void Workspace::dismiss() {
-    told_.clear();
-    told_lastingly_.clear();
+    command_message_.clear();
+    notices_.clear();
 }
 
 // The command is done.
 void Workspace::finish(const Command& command, const std::string& fingerprint) {
-    withdraw();
-    note(command);
+    clear_command_message();
+    update_file_state(command);
     if (const auto* open = std::get_if<command::Open>(&command)) {
-        tell(input_summary(open->path, session_.input_report(), session_.read_report()));
+        set_message(input_summary(open->path, session_.input_report(), session_.read_report()));
     }
     record(command, fingerprint);
 }
 
-void Workspace::note_drag(const Command& drag, bool has_changed) {
+void Workspace::record_drag(const Command& drag, bool has_changed) {
     is_modified_ |= has_changed;
     record(drag);
 }
@@ -213,7 +213,7 @@ void Workspace::record(const Command& command, const std::string& fingerprint) {
     try {
         if (recorder_) recorder_->record(command);
     } catch (const std::exception& error) {
-        tell_lastingly(error.what());
+        add_notice(error.what());
     }
     keep(command, fingerprint);
 }
@@ -223,8 +223,8 @@ void Workspace::keep(const Command& command, const std::string& fingerprint) {
     try {
         if (recovery_) recovery_->record(command, fingerprint);
     } catch (const std::exception& error) {
-        tell_lastingly(std::string("From now on this session is not kept for recovery: ") +
-                       error.what());
+        add_notice(std::string("From now on this session is not kept for recovery: ") +
+                   error.what());
     }
 }
 
@@ -232,7 +232,7 @@ void Workspace::begin_recovery(const std::string& folder) {
     try {
         recovery_.emplace(folder);
     } catch (const std::exception& error) {
-        tell_lastingly(error.what());
+        add_notice(error.what());
     }
 }
 
@@ -241,7 +241,7 @@ void Workspace::end_recovery() {
     recovery_.reset();
 }
 
-void Workspace::note(const Command& command) {
+void Workspace::update_file_state(const Command& command) {
     const auto begin = [this](std::string path) {
         path_ = std::move(path);
         box_ = session_.mesh().bounding_box();
@@ -254,7 +254,7 @@ void Workspace::note(const Command& command) {
         begin({});
         shape_name_ = shape_name(shape->kind);
     } else if (const auto* save = std::get_if<command::Save>(&command)) {
-        session_.note_saved(save->path);
+        session_.record_saved(save->path);
         path_ = save->path;
         is_modified_ = false;
     }

@@ -44,7 +44,7 @@ class Workspace {
     // until poll() says otherwise, and all commands fail.
     Outcome execute(const Command& command);
     // The same for a drag, of points or of control points, that the session has done already.
-    void note_drag(const Command& drag, bool has_changed);
+    void record_drag(const Command& drag, bool has_changed);
 
     // --- Restoring another session.
     // Begins as a new window does, with default settings and without an object. The records get
@@ -86,11 +86,11 @@ class Workspace {
 
     // --- Messages, as printable() text.
     // Stands until the next command is done or the next drag begins.
-    void tell(const std::string& message);
-    const std::string& told() const { return told_; }
-    void withdraw() { told_.clear(); }
+    void set_message(const std::string& message);
+    const std::string& command_message() const { return command_message_; }
+    void clear_command_message() { command_message_.clear(); }
     // Stands until it is dismissed.
-    void tell_lastingly(const std::string& message);
+    void add_notice(const std::string& message);
     // All of them, one a line.
     std::string message() const;
     void dismiss();
@@ -114,7 +114,7 @@ class Workspace {
     FileWork opening(const command::Open& open) const;
     FileWork saving(const command::Save& save) const;
     void finish(const Command& command, const std::string& fingerprint = {});
-    void note(const Command& command);
+    void update_file_state(const Command& command);
     void record(const Command& command, const std::string& fingerprint = {});
     void keep(const Command& command, const std::string& fingerprint = {});
 
@@ -123,7 +123,7 @@ class Workspace {
     std::optional<Recorder> recorder_;
     std::optional<RecoveryFile> recovery_;
     std::chrono::milliseconds patience_;
-    std::string told_, told_lastingly_;
+    std::string command_message_, notices_;
     std::string path_;
     std::string shape_name_ = "untitled";
     Box box_;

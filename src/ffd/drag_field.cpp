@@ -44,7 +44,7 @@ DragField::Bound DragField::bound_of(const AxisCubics& cubics) {
         const std::array<double, 4> b{p[0], p[0] + p[1] / 3.0, p[0] + (2.0 * p[1] + p[2]) / 3.0,
                                       p[0] + p[1] + p[2] + p[3]};
         for (std::size_t i = 0; i < 4; ++i) {
-            bound.share = std::max(bound.share, std::abs(b[i]));
+            bound.weight = std::max(bound.weight, std::abs(b[i]));
             if (i > 0) bound.gradient = std::max(bound.gradient, 3.0 * std::abs(b[i] - b[i - 1]));
         }
     }
@@ -56,12 +56,13 @@ void DragField::bound_moves() {
     for (std::size_t a = 0; a < products_.size(); ++a) {
         const Bound x = bound_of(products_[a][0]), y = bound_of(products_[a][1]),
                     z = bound_of(products_[a][2]);
-        const Vec3 gradient = Vec3{x.gradient * y.share * z.share, x.share * y.gradient * z.share,
-                                   x.share * y.share * z.gradient} *
-                              inverse_cell_;
+        const Vec3 gradient =
+            Vec3{x.gradient * y.weight * z.weight, x.weight * y.gradient * z.weight,
+                 x.weight * y.weight * z.gradient} *
+            inverse_cell_;
         for (std::size_t m = 0; m < move_count_; ++m) {
             const double factor = std::abs(inverse_[m * products_.size() + a]);
-            bounds_[m].share += factor * x.share * y.share * z.share;
+            bounds_[m].weight += factor * x.weight * y.weight * z.weight;
             bounds_[m].gradient += factor * glm::length(gradient);
         }
     }
@@ -71,18 +72,18 @@ double DragField::reach_bound(std::span<const Vec3> displacements) const {
     assert(displacements.size() == move_count_);
     double reach = 0.0;
     for (std::size_t m = 0; m < move_count_; ++m) {
-        reach += bounds_[m].share * glm::length(displacements[m]);
+        reach += bounds_[m].weight * glm::length(displacements[m]);
     }
     return reach;
 }
 
-double DragField::stretch_bound(std::span<const Vec3> displacements) const {
+double DragField::lipschitz_bound(std::span<const Vec3> displacements) const {
     assert(displacements.size() == move_count_);
-    double stretch = 1.0;
+    double bound = 1.0;
     for (std::size_t m = 0; m < move_count_; ++m) {
-        stretch += bounds_[m].gradient * glm::length(displacements[m]);
+        bound += bounds_[m].gradient * glm::length(displacements[m]);
     }
-    return stretch;
+    return bound;
 }
 
 DragField::AxisCubics DragField::axis_cubics(const BasisRow& row, std::size_t axis) {

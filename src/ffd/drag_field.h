@@ -56,7 +56,7 @@ class DragField {
     // tight: how far the drags move anything, and how many times as long they make anything.
     // displacements: move_count. Cost: O(moves).
     double reach_bound(std::span<const Vec3> displacements) const;
-    double stretch_bound(std::span<const Vec3> displacements) const;
+    double lipschitz_bound(std::span<const Vec3> displacements) const;
     // The same of one move: |∇w| is nowhere greater. O(1).
     double gradient_bound(std::size_t move) const { return bounds_[move].gradient; }
 
@@ -83,7 +83,7 @@ class DragField {
 
     // Of one move: |w| and |∇w| are nowhere greater.
     struct Bound {
-        double share = 0.0, gradient = 0.0;
+        double weight = 0.0, gradient = 0.0;
     };
     static Bound bound_of(const AxisCubics& cubics);
     void bound_moves();

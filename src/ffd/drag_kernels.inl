@@ -1,17 +1,17 @@
 // The loops of a frame over many elements, as drag_field.h has them for one, to the bit.
 // drag_stream.cpp includes this file once for each width of vector, inside a namespace with that
-// width as kLanes, in floats: vectors of a compiler's own are cut to the width of the function that
+// width as kSimdWidth, in floats: vectors of a compiler's own are cut to the width of the function that
 // names them.
 //
 // Elements lie one after the other (three numbers a point or normal, four a weight); vectors hold
 // one number each of several elements. What is left over at the end is done one by one.
 
-using Floats [[gnu::vector_size(kLanes * 4)]] = float;
-using Ints [[gnu::vector_size(kLanes * 4)]] = std::int32_t;
-using Doubles [[gnu::vector_size(kLanes * 4)]] = double;
-using HalfFloats [[gnu::vector_size(kLanes * 2)]] = float;
+using Floats [[gnu::vector_size(kSimdWidth * 4)]] = float;
+using Ints [[gnu::vector_size(kSimdWidth * 4)]] = std::int32_t;
+using Doubles [[gnu::vector_size(kSimdWidth * 4)]] = double;
+using HalfFloats [[gnu::vector_size(kSimdWidth * 2)]] = float;
 
-constexpr std::size_t kDoubles = kLanes / 2;
+constexpr std::size_t kDoubles = kSimdWidth / 2;
 
 template <typename Vector, typename Number>
 inline Vector load(const Number* p) {
@@ -31,18 +31,19 @@ inline auto shuffle(const Vector& a, const Vector& b, std::index_sequence<I...>)
 }
 template <typename From>
 inline Floats shuffle(const Floats& a, const Floats& b) {
-    return shuffle<From>(a, b, std::make_index_sequence<kLanes>{});
+    return shuffle<From>(a, b, std::make_index_sequence<kSimdWidth>{});
 }
 
-// Has the machine fetch what will be read or written kAhead elements on, which it would notice too
-// late where passes go from one array to the next every few elements. Nothing happens past the end.
-constexpr std::size_t kAhead = 128, kCacheLine = 64;
+// Has the machine fetch what will be read or written kPrefetchDistance elements on, which it would
+// notice too late where passes go from one array to the next every few elements. Nothing happens
+// past the end.
+constexpr std::size_t kPrefetchDistance = 128, kCacheLine = 64;
 enum class For { reading, writing };
 
 template <For kFor, typename Element>
-inline void fetch_ahead(const Element* elements, std::size_t count) {
+inline void prefetch(const Element* elements, std::size_t count) {
     const std::uintptr_t first =
-        reinterpret_cast<std::uintptr_t>(elements) + kAhead * sizeof *elements;
+        reinterpret_cast<std::uintptr_t>(elements) + kPrefetchDistance * sizeof *elements;
     for (std::size_t i = 0; i < count * sizeof *elements; i += kCacheLine) {
         __builtin_prefetch(reinterpret_cast<const void*>(first + i), kFor == For::writing);
     }
@@ -52,35 +53,35 @@ inline void fetch_ahead(const Element* elements, std::size_t count) {
 
 // A square of four weights lies in one quarter of their vectors (16 bytes), and is transposed
 // there: the weights of four vectors come to lie in this order.
-constexpr std::size_t weight_in(std::size_t lane) { return lane % 4 * (kLanes / 4) + lane / 4; }
+constexpr std::size_t weight_in(std::size_t lane) { return lane % 4 * (kSimdWidth / 4) + lane / 4; }
 constexpr std::size_t lane_of(std::size_t weight) {
-    return weight % (kLanes / 4) * 4 + weight / (kLanes / 4);
+    return weight % (kSimdWidth / 4) * 4 + weight / (kSimdWidth / 4);
 }
 
 // One number of each of two, and the next one: 0 and 1 of their quarters, or 2 and 3.
 template <std::size_t kFirst>
 struct Interleaved {
     static constexpr std::size_t lane(std::size_t i) {
-        return i / 4 * 4 + kFirst + i % 4 / 2 + i % 2 * kLanes;
+        return i / 4 * 4 + kFirst + i % 4 / 2 + i % 2 * kSimdWidth;
     }
 };
 // Two numbers of each of two.
 template <std::size_t kFirst>
 struct Paired {
     static constexpr std::size_t lane(std::size_t i) {
-        return i / 4 * 4 + kFirst + i % 2 + i % 4 / 2 * kLanes;
+        return i / 4 * 4 + kFirst + i % 2 + i % 4 / 2 * kSimdWidth;
     }
 };
 
-// One coordinate of kLanes elements each, in the order of weight_in.
+// One coordinate of kSimdWidth elements each, in the order of weight_in.
 struct Coordinates {
     Floats x, y, z;
 };
 
 inline Coordinates load_gradients(const DragWeight* weights) {
     const float* const p = &weights->w;
-    const Floats a = load<Floats>(p), b = load<Floats>(p + kLanes),
-                 c = load<Floats>(p + 2 * kLanes), d = load<Floats>(p + 3 * kLanes);
+    const Floats a = load<Floats>(p), b = load<Floats>(p + kSimdWidth),
+                 c = load<Floats>(p + 2 * kSimdWidth), d = load<Floats>(p + 3 * kSimdWidth);
     const Floats wx_ab = shuffle<Interleaved<0>>(a, b), wx_cd = shuffle<Interleaved<0>>(c, d);
     const Floats yz_ab = shuffle<Interleaved<2>>(a, b), yz_cd = shuffle<Interleaved<2>>(c, d);
     return {shuffle<Paired<2>>(wx_ab, wx_cd), shuffle<Paired<0>>(yz_ab, yz_cd),
@@ -91,20 +92,20 @@ inline Coordinates load_gradients(const DragWeight* weights) {
 struct FirstOfFours {
     static constexpr std::size_t lane(std::size_t i) { return i * 4; }
 };
-inline Doubles load_shares(const DragWeight* weights) {
+inline Doubles load_weights(const DragWeight* weights) {
     const float* const p = &weights->w;
-    const Floats a = load<Floats>(p), b = load<Floats>(p + kLanes);
+    const Floats a = load<Floats>(p), b = load<Floats>(p + kSimdWidth);
     const HalfFloats w = shuffle<FirstOfFours>(a, b, std::make_index_sequence<kDoubles>{});
     return __builtin_convertvector(w, Doubles);
 }
 
 // --- Points and normals: three vectors of them
 
-// Lane i of the v-th vector holds coordinate (v kLanes + i) % 3, and each lane holds each
-// coordinate in one of the three, as kLanes is no multiple of 3. So two blends, which cost next to
+// Lane i of the v-th vector holds coordinate (v kSimdWidth + i) % 3, and each lane holds each
+// coordinate in one of the three, as kSimdWidth is no multiple of 3. So two blends, which cost next to
 // nothing, gather one coordinate of all, and one permutation puts it in order.
 constexpr std::size_t coordinate_in(std::size_t vector, std::size_t lane) {
-    return (vector * kLanes + lane) % 3;
+    return (vector * kSimdWidth + lane) % 3;
 }
 constexpr std::size_t vector_with(std::size_t coordinate, std::size_t lane) {
     return coordinate_in(0, lane) == coordinate ? 0 : coordinate_in(1, lane) == coordinate ? 1 : 2;
@@ -114,13 +115,13 @@ constexpr std::size_t vector_with(std::size_t coordinate, std::size_t lane) {
 template <std::size_t kCoordinate, std::size_t kVector>
 struct Gathered {
     static constexpr std::size_t lane(std::size_t i) {
-        return vector_with(kCoordinate, i) == kVector ? kLanes + i : i;
+        return vector_with(kCoordinate, i) == kVector ? kSimdWidth + i : i;
     }
 };
 template <std::size_t kCoordinate>
 struct InOrder {
     static constexpr std::size_t lane(std::size_t i) {
-        return (3 * weight_in(i) + kCoordinate) % kLanes;
+        return (3 * weight_in(i) + kCoordinate) % kSimdWidth;
     }
 };
 template <std::size_t kCoordinate>
@@ -131,8 +132,8 @@ inline Floats coordinate(const Floats& a, const Floats& b, const Floats& c) {
 }
 inline Coordinates load_normals(const Vec3f* normals) {
     const float* const p = &normals->x;
-    const Floats a = load<Floats>(p), b = load<Floats>(p + kLanes),
-                 c = load<Floats>(p + 2 * kLanes);
+    const Floats a = load<Floats>(p), b = load<Floats>(p + kSimdWidth),
+                 c = load<Floats>(p + 2 * kSimdWidth);
     return {coordinate<0>(a, b, c), coordinate<1>(a, b, c), coordinate<2>(a, b, c)};
 }
 
@@ -141,14 +142,14 @@ template <std::size_t kCoordinate>
 struct Spread {
     static constexpr std::size_t lane(std::size_t i) {
         std::size_t element = 0;
-        while ((3 * element + kCoordinate) % kLanes != i) ++element;
+        while ((3 * element + kCoordinate) % kSimdWidth != i) ++element;
         return lane_of(element);
     }
 };
 template <std::size_t kVector, std::size_t kCoordinate>
 struct Scattered {
     static constexpr std::size_t lane(std::size_t i) {
-        return coordinate_in(kVector, i) == kCoordinate ? kLanes + i : i;
+        return coordinate_in(kVector, i) == kCoordinate ? kSimdWidth + i : i;
     }
 };
 template <std::size_t kVector>
@@ -161,8 +162,8 @@ inline void store_normals(const Coordinates& v, Vec3f* normals) {
                              shuffle<Spread<2>>(v.z, v.z)};
     float* const p = &normals->x;
     store(p, mixed<0>(spread));
-    store(p + kLanes, mixed<1>(spread));
-    store(p + 2 * kLanes, mixed<2>(spread));
+    store(p + kSimdWidth, mixed<1>(spread));
+    store(p + 2 * kSimdWidth, mixed<2>(spread));
 }
 
 // --- Positions
@@ -189,7 +190,7 @@ inline Doubles greater(const Doubles& a, const Doubles& b) { return a > b ? a : 
 
 // Of many points: the least |w|, and the size of the greatest coordinate.
 struct Extremes {
-    double least_share = std::numeric_limits<double>::infinity(), greatest_coordinate = 0.0;
+    double least_weight = std::numeric_limits<double>::infinity(), greatest_coordinate = 0.0;
 };
 
 inline Extremes displace_all(const Vec3* __restrict rest, const DragWeight* __restrict weights,
@@ -198,10 +199,10 @@ inline Extremes displace_all(const Vec3* __restrict rest, const DragWeight* __re
     Doubles least = Doubles{} + std::numeric_limits<double>::infinity(), greatest{};
     std::size_t i = 0;
     for (; i + kDoubles <= count; i += kDoubles) {
-        fetch_ahead<For::reading>(rest + i, kDoubles);
-        fetch_ahead<For::reading>(weights + i, kDoubles);
-        fetch_ahead<For::writing>(to + i, kDoubles);
-        const Doubles w = load_shares(weights + i);
+        prefetch<For::reading>(rest + i, kDoubles);
+        prefetch<For::reading>(weights + i, kDoubles);
+        prefetch<For::writing>(to + i, kDoubles);
+        const Doubles w = load_weights(weights + i);
         const double* const p = &rest[i].x;
         const Doubles p0 = load<Doubles>(p), p1 = load<Doubles>(p + kDoubles),
                       p2 = load<Doubles>(p + 2 * kDoubles);
@@ -214,14 +215,14 @@ inline Extremes displace_all(const Vec3* __restrict rest, const DragWeight* __re
     }
     Extremes found;
     for (std::size_t lane = 0; lane < kDoubles; ++lane) {
-        found.least_share = std::min(found.least_share, least[lane]);
+        found.least_weight = std::min(found.least_weight, least[lane]);
         found.greatest_coordinate = std::max(found.greatest_coordinate, greatest[lane]);
     }
     for (; i < count; ++i) {
         to[i] = displaced(rest[i], weights[i], d);
         const Vec3 size = glm::abs(rest[i]);
-        found.least_share =
-            std::min(found.least_share, std::abs(static_cast<double>(weights[i].w)));
+        found.least_weight =
+            std::min(found.least_weight, std::abs(static_cast<double>(weights[i].w)));
         found.greatest_coordinate = std::max({found.greatest_coordinate, size.x, size.y, size.z});
     }
     return found;
@@ -230,25 +231,26 @@ inline Extremes displace_all(const Vec3* __restrict rest, const DragWeight* __re
 // --- Normals
 
 inline Floats square_root(Floats v) {
-    for (std::size_t i = 0; i < kLanes; ++i) v[i] = std::sqrt(v[i]);
+    for (std::size_t i = 0; i < kSimdWidth; ++i) v[i] = std::sqrt(v[i]);
     return v;
 }
 
 inline bool any(const Ints& lanes) {
-    using Longs [[gnu::vector_size(kLanes * 4)]] = std::int64_t;
+    using Longs [[gnu::vector_size(kSimdWidth * 4)]] = std::int64_t;
     const Longs v = load<Longs>(&lanes);
     std::int64_t bits = 0;
     for (std::size_t i = 0; i < kDoubles; ++i) bits |= v[i];
     return bits != 0;
 }
 
-inline void turn_all(const Vec3f* __restrict rest, const DragWeight* __restrict weights,
-                     const Vec3 d, Vec3f* __restrict to, std::size_t count) {
+inline void transform_all_normals(const Vec3f* __restrict rest,
+                                  const DragWeight* __restrict weights, const Vec3 d,
+                                  Vec3f* __restrict to, std::size_t count) {
     const Vec3f e{d};
     std::size_t i = 0;
-    for (; i + kLanes <= count; i += kLanes) {
-        fetch_ahead<For::reading>(rest + i, kLanes);
-        fetch_ahead<For::writing>(to + i, kLanes);
+    for (; i + kSimdWidth <= count; i += kSimdWidth) {
+        prefetch<For::reading>(rest + i, kSimdWidth);
+        prefetch<For::writing>(to + i, kSimdWidth);
         const Coordinates n = load_normals(rest + i), g = load_gradients(weights + i);
         const Floats stretch = 1.0f + (g.x * e.x + g.y * e.y + g.z * e.z);
         const Floats along = e.x * n.x + e.y * n.y + e.z * n.z;
@@ -263,7 +265,7 @@ inline void turn_all(const Vec3f* __restrict rest, const DragWeight* __restrict 
         const Ints is_exact = (squared >= kLeastSquare) & (squared <= kGreatestSquare) &
                               (squared >= kLeastSquare * (stretch * stretch));
         if (!any(bent & ~is_exact)) continue;
-        for (std::size_t k = i; k < i + kLanes; ++k) {
+        for (std::size_t k = i; k < i + kSimdWidth; ++k) {
             to[k] = covariant_normal(rest[k], weights[k], d);
         }
     }

@@ -64,7 +64,7 @@ DragRefusal refuse_difference(const Vec3& point, const Vec3& a, const Vec3& b) {
             decimal(b) + "; moves of one point must agree"};
 }
 
-DragRefusal refuse_turn(const Vec3& point) {
+DragRefusal refuse_rotation(const Vec3& point) {
     return {"the lattice has too few control points about " + decimal(point) +
             " to twist or scale there; take a larger span, or more control points an axis"};
 }
@@ -88,7 +88,7 @@ DragRefusal refuse_near_plane(const MirrorPlane& plane, const Vec3& point) {
             decimal(plane.onto(point)) + ", or one farther away from it"};
 }
 
-DragRefusal refuse_asymmetric_turn(const MirrorPlane& plane, const Vec3& point) {
+DragRefusal refuse_asymmetric_rotation(const MirrorPlane& plane, const Vec3& point) {
     return {"move point " + decimal(point) +
             " is on the symmetry plane and can only be twisted about its normal, " +
             std::string("xyz").substr(static_cast<std::size_t>(plane.axis), 1) +
@@ -165,11 +165,11 @@ class DragSolver::Builder {
     Builder(const Lattice& lattice, const std::optional<MirrorPlane>& plane, double max_gain)
         : lattice_(lattice), plane_(plane), max_gain_(max_gain) {}
 
-    std::variant<DragSolver, DragRefusal> build(std::span<const Grip> grips,
+    std::variant<DragSolver, DragRefusal> build(std::span<const Handle> handles,
                                                 std::span<const Vec3> pins) {
-        if (grips.empty()) return DragRefusal{"a drag needs at least one point to move"};
-        for (const Grip& grip : grips) {
-            if (const auto refusal = add_grip(grip)) return *refusal;
+        if (handles.empty()) return DragRefusal{"a drag needs at least one point to move"};
+        for (const Handle& handle : handles) {
+            if (const auto refusal = add_handle(handle)) return *refusal;
         }
         const std::size_t driven = constraints_.size();
         for (const Vec3& pin : pins) {
@@ -190,7 +190,7 @@ class DragSolver::Builder {
     }
     bool is_on_plane(const Vec3& point) const {
         return plane_ &&
-               std::abs(plane_->offset(point)) <= kOnPlaneShare * lattice_.cell[plane_->axis];
+               std::abs(plane_->offset(point)) <= kOnPlaneFraction * lattice_.cell[plane_->axis];
     }
     bool is_reached(const Vec3& point) const {
         return lattice_.influences(point) || (plane_ && lattice_.influences(plane_->image(point)));
@@ -215,27 +215,33 @@ class DragSolver::Builder {
         return constraints_.size() - 1;
     }
 
-    std::optional<DragRefusal> add_grip(const Grip& grip) {
+    std::optional<DragRefusal> add_handle(const Handle& handle) {
         const Box zone = lattice_.influenced_zone();
-        if (!is_reached(grip.point)) return refuse_outside(grip.point, zone);
-        Move move{.asked = grip.point, .point = canonical(grip.point), .turns = grip.turns};
-        move.is_on_plane = is_on_plane(grip.point);
-        move.is_flipped = plane_ && !move.is_on_plane && plane_->offset(grip.point) < 0.0;
-        move.same_place = places_.emplace(ConstraintKey{move.point}, moves_.size()).first->second;
+        if (!is_reached(handle.point)) return refuse_outside(handle.point, zone);
+        Move move{.asked = handle.point,
+                  .point = canonical(handle.point),
+                  .prescribes_jacobian = handle.prescribes_jacobian};
+        move.is_on_plane = is_on_plane(handle.point);
+        move.is_flipped = plane_ && !move.is_on_plane && plane_->offset(handle.point) < 0.0;
+        const ConstraintKey key{move.point};
+        move.first_at_point = first_moves_.emplace(key, moves_.size()).first->second;
+        if (move.prescribes_jacobian) {
+            move.first_jacobian = first_jacobians_.emplace(key, moves_.size()).first->second;
+        }
         for (const double parity : parities()) {
             const double gain = add_column({move.point, -1, parity});
             if (parity < 0.0) {
                 move.is_near_plane = !move.is_on_plane && !(gain <= kMaxControlGain);
             } else if (!(gain <= max_gain_)) {
-                return refuse_border(grip.point, zone, max_gain_);
+                return refuse_border(handle.point, zone, max_gain_);
             }
         }
-        for (int along = 0; grip.turns && along < 3; ++along) {
+        for (int along = 0; handle.prescribes_jacobian && along < 3; ++along) {
             for (const double parity : parities()) {
                 const double gain = add_column({move.point, along, parity});
                 const bool vanishes = move.is_on_plane && std::isnan(gain);
                 if (!vanishes && !(gain <= kMaxControlGain * lattice_.cell[along])) {
-                    return refuse_turn(grip.point);
+                    return refuse_rotation(handle.point);
                 }
             }
         }
@@ -257,7 +263,7 @@ class DragSolver::Builder {
     }
 
     std::optional<DragRefusal> add_pin(const Vec3& pin) {
-        if (const auto there = places_.find(ConstraintKey{pin}); there != places_.end()) {
+        if (const auto there = first_moves_.find(ConstraintKey{pin}); there != first_moves_.end()) {
             moves_[there->second].is_pinned = true;
         }
         if (!is_reached(pin)) return std::nullopt;
@@ -310,7 +316,8 @@ class DragSolver::Builder {
     Indices rows_;                         // of the constraints
     std::vector<Column> columns_;
     std::vector<Move> moves_;
-    Indices places_;  // of points, the first move there
+    Indices first_moves_;      // of points, the first move there
+    Indices first_jacobians_;  // of points, the first move there that prescribes its Jacobian
 };
 
 DragSolver::DragSolver(DragField field, std::optional<Symmetry> symmetry, std::vector<Move> moves,
@@ -321,62 +328,64 @@ DragSolver::DragSolver(DragField field, std::optional<Symmetry> symmetry, std::v
       columns_(std::move(columns)) {}
 
 std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,
-                                                         std::span<const Grip> grips,
+                                                         std::span<const Handle> handles,
                                                          std::span<const Vec3> pins,
                                                          const std::optional<MirrorPlane>& plane,
                                                          double max_gain) {
     if (!lattice.is_valid()) return refuse_lattice();
     if (const auto refusal = check_pins(pins)) return *refusal;
-    return Builder(lattice, plane, max_gain).build(grips, pins);
+    return Builder(lattice, plane, max_gain).build(handles, pins);
 }
 
 std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,
                                                          std::span<const Vec3> move_points,
                                                          std::span<const Vec3> pins) {
-    std::vector<Grip> grips;
-    for (const Vec3& point : move_points) grips.push_back({point});
-    return create(lattice, grips, pins);
+    std::vector<Handle> handles;
+    for (const Vec3& point : move_points) handles.push_back({point});
+    return create(lattice, handles, pins);
 }
 
 // --- What is asked ---
 
-GripMotion DragSolver::on_positive_side(const Move& move, const GripMotion& motion) const {
+HandleMotion DragSolver::on_positive_side(const Move& move, const HandleMotion& motion) const {
     if (!move.is_flipped) return motion;
     const MirrorPlane& plane = symmetry_->plane;
     return {plane.image_of_vector(motion.displacement), plane.image_of_jacobian(motion.jacobian)};
 }
 
 std::optional<DragRefusal> DragSolver::check_symmetry(const Move& move,
-                                                      const GripMotion& motion) const {
+                                                      const HandleMotion& motion) const {
     const MirrorPlane& plane = symmetry_->plane;
     const Vec3& d = motion.displacement;
     if (move.is_on_plane && d[plane.axis] != 0.0) return refuse_off_plane(plane, move.asked, d);
     if (move.is_near_plane && d[plane.axis] != 0.0) return refuse_near_plane(plane, move.asked);
-    if (!move.is_on_plane || !move.turns) return std::nullopt;
+    if (!move.is_on_plane || !move.prescribes_jacobian) return std::nullopt;
     const Mat3 difference = plane.image_of_jacobian(motion.jacobian) - motion.jacobian;
     for (int column = 0; column < 3; ++column) {
         // What rounding leaves of a twist about the normal is no asymmetry.
         if (glm::length(difference[column]) > 1e-12) {
-            return refuse_asymmetric_turn(plane, move.asked);
+            return refuse_asymmetric_rotation(plane, move.asked);
         }
     }
     return std::nullopt;
 }
 
-std::optional<DragRefusal> DragSolver::check(std::span<const GripMotion> motions) const {
+std::optional<DragRefusal> DragSolver::check(std::span<const HandleMotion> motions) const {
     assert(motions.size() == moves_.size());
     for (std::size_t m = 0; m < moves_.size(); ++m) {
         const Move& move = moves_[m];
         const Vec3& d = motions[m].displacement;
         if (!is_finite(move.asked + d)) return refuse_target(move.asked, d);
-        const GripMotion here = on_positive_side(move, motions[m]);
-        const Move& first = moves_[move.same_place];
-        const GripMotion there = on_positive_side(first, motions[move.same_place]);
+        const HandleMotion here = on_positive_side(move, motions[m]);
+        const Move& first = moves_[move.first_at_point];
+        const HandleMotion there = on_positive_side(first, motions[move.first_at_point]);
         if (here.displacement != there.displacement) {
-            return refuse_difference(move.asked, motions[move.same_place].displacement, d);
+            return refuse_difference(move.asked, motions[move.first_at_point].displacement, d);
         }
-        if (move.turns && first.turns && here.jacobian != there.jacobian) {
-            return refuse_jacobian(move.asked);
+        if (move.prescribes_jacobian) {
+            const Move& other = moves_[move.first_jacobian];
+            const HandleMotion asked = on_positive_side(other, motions[move.first_jacobian]);
+            if (here.jacobian != asked.jacobian) return refuse_jacobian(move.asked);
         }
         if (first.is_pinned && d != Vec3{0.0}) return refuse_pinned(move.asked, d);
         if (!symmetry_) continue;
@@ -386,16 +395,16 @@ std::optional<DragRefusal> DragSolver::check(std::span<const GripMotion> motions
 }
 
 std::optional<DragRefusal> DragSolver::check(std::span<const Vec3> displacements) const {
-    std::vector<GripMotion> motions;
+    std::vector<HandleMotion> motions;
     for (const Vec3& d : displacements) motions.push_back({d});
     return check(motions);
 }
 
-std::vector<Vec3> DragSolver::field_displacements(std::span<const GripMotion> motions) const {
+std::vector<Vec3> DragSolver::field_displacements(std::span<const HandleMotion> motions) const {
     assert(motions.size() == moves_.size());
     std::vector<Vec3> asked;
     for (const auto& [m, key] : columns_) {
-        const GripMotion motion = on_positive_side(moves_[m], motions[m]);
+        const HandleMotion motion = on_positive_side(moves_[m], motions[m]);
         Vec3 d = motion.displacement;
         if (key.along >= 0) d = (motion.jacobian - Mat3{1.0})[key.along];
         if (symmetry_) {
@@ -411,7 +420,7 @@ std::vector<Vec3> DragSolver::field_displacements(std::span<const GripMotion> mo
 
 std::vector<Vec3> DragSolver::control_displacements(std::span<const Vec3> displacements) const {
     assert(!check(displacements));
-    std::vector<GripMotion> motions;
+    std::vector<HandleMotion> motions;
     for (const Vec3& d : displacements) motions.push_back({d});
     return field_.control_displacements(field_displacements(motions));
 }

@@ -40,12 +40,12 @@ inline constexpr double kMaxFoldFreeGain = 100.0;
 inline constexpr double kMinIndependence = 1e-8;
 
 // A point to be moved.
-struct Grip {
+struct Handle {
     Vec3 point{0.0};
-    bool turns = false;  // its Jacobian is prescribed, too
+    bool prescribes_jacobian = false;  // its Jacobian is prescribed, too
 };
 // What is asked of it.
-struct GripMotion {
+struct HandleMotion {
     Vec3 displacement{0.0};
     Mat3 jacobian{1.0};  // of the deformation at the point; not looked at unless it turns
 };
@@ -58,7 +58,7 @@ class DragSolver {
     // met on both sides. max_gain: how far a control point may be thrown for a grip, in times its
     // move. O(n³) in the distinct rows, O(n) in grips and pins that repeat others.
     static std::variant<DragSolver, DragRefusal> create(
-        const Lattice& lattice, std::span<const Grip> grips, std::span<const Vec3> pins,
+        const Lattice& lattice, std::span<const Handle> handles, std::span<const Vec3> pins,
         const std::optional<MirrorPlane>& plane = std::nullopt, double max_gain = kMaxControlGain);
     // The same for points that do not turn.
     static std::variant<DragSolver, DragRefusal> create(const Lattice& lattice,
@@ -73,13 +73,13 @@ class DragSolver {
 
     // motions: one a grip. Refused where they are not finite, where two of one place differ, where
     // a pinned point is asked to move, and where they are not symmetric on the plane.
-    std::optional<DragRefusal> check(std::span<const GripMotion> motions) const;
+    std::optional<DragRefusal> check(std::span<const HandleMotion> motions) const;
     std::optional<DragRefusal> check(std::span<const Vec3> displacements) const;
 
     // What the motions ask of the field's moves: field().move_count(). Precondition: they pass
     // check().
-    std::vector<Vec3> field_displacements(std::span<const GripMotion> motions) const;
-    DragStep step(std::span<const GripMotion> motions) const {
+    std::vector<Vec3> field_displacements(std::span<const HandleMotion> motions) const;
+    DragStep step(std::span<const HandleMotion> motions) const {
         return {field_, field_displacements(motions), symmetry_};
     }
 
@@ -91,10 +91,11 @@ class DragSolver {
     struct Move {
         Vec3 asked;  // the point as given
         Vec3 point;  // the same, or its image on the plane's positive side
-        bool turns = false, is_flipped = false;
+        bool prescribes_jacobian = false, is_flipped = false;
         bool is_pinned = false;  // of the first move there
         bool is_on_plane = false, is_near_plane = false;
-        std::size_t same_place = 0;  // the first move there, often itself
+        std::size_t first_at_point = 0;  // the first move there, often itself
+        std::size_t first_jacobian = 0;  // the first there that prescribes it, where this one does
     };
     struct Column {
         std::size_t move;
@@ -104,8 +105,8 @@ class DragSolver {
 
     DragSolver(DragField field, std::optional<Symmetry> symmetry, std::vector<Move> moves,
                std::vector<Column> columns);
-    GripMotion on_positive_side(const Move& move, const GripMotion& motion) const;
-    std::optional<DragRefusal> check_symmetry(const Move& move, const GripMotion& motion) const;
+    HandleMotion on_positive_side(const Move& move, const HandleMotion& motion) const;
+    std::optional<DragRefusal> check_symmetry(const Move& move, const HandleMotion& motion) const;
 
     DragField field_;
     std::optional<Symmetry> symmetry_;

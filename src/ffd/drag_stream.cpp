@@ -14,21 +14,21 @@ namespace {
 constexpr double kSurelyMoves = 2.0 * std::numeric_limits<double>::epsilon();
 
 namespace plain {
-constexpr std::size_t kLanes = 4;
+constexpr std::size_t kSimdWidth = 4;
 #include "ffd/drag_kernels.inl"
 }  // namespace plain
 #if PECTIN_HAS_WIDE_VERSIONS
 #pragma GCC push_options
 #pragma GCC target("avx2")
 namespace avx2 {
-constexpr std::size_t kLanes = 8;
+constexpr std::size_t kSimdWidth = 8;
 #include "ffd/drag_kernels.inl"
 }  // namespace avx2
 #pragma GCC pop_options
 #pragma GCC push_options
 #pragma GCC target("avx512f")
 namespace avx512 {
-constexpr std::size_t kLanes = 16;
+constexpr std::size_t kSimdWidth = 16;
 #include "ffd/drag_kernels.inl"
 }  // namespace avx512
 #pragma GCC pop_options
@@ -45,7 +45,7 @@ bool displace(std::span<const Vec3> rest, std::span<const DragWeight> weights, c
     const double farthest = std::max({std::abs(d.x), std::abs(d.y), std::abs(d.z)});
     const auto moves_all = [&](const auto& displace_all) {
         const auto extremes = displace_all(rest.data(), weights.data(), d, to.data(), to.size());
-        return extremes.least_share * farthest > kSurelyMoves * extremes.greatest_coordinate;
+        return extremes.least_weight * farthest > kSurelyMoves * extremes.greatest_coordinate;
     };
     switch (vectors) {
         case Vectors::avx512:
@@ -64,16 +64,16 @@ void mark_moved(std::span<const Vec3> rest, std::span<const Vec3> to,
     for (std::size_t i = 0; i < to.size(); ++i) moved[i] = before[i] | (rest[i] != to[i] ? 1 : 0);
 }
 
-void turn(std::span<const Vec3f> rest, std::span<const DragWeight> weights, const Vec3& d,
-          std::span<Vec3f> to, Vectors vectors) {
+void transform_normals(std::span<const Vec3f> rest, std::span<const DragWeight> weights,
+                       const Vec3& d, std::span<Vec3f> to, Vectors vectors) {
     assert(rest.size() == to.size() && weights.size() == to.size());
-    const auto turn_all = vectors == Vectors::avx512 ? avx512::turn_all
-                          : vectors == Vectors::avx2 ? avx2::turn_all
-                                                     : plain::turn_all;
+    const auto transform_all_normals = vectors == Vectors::avx512 ? avx512::transform_all_normals
+                                       : vectors == Vectors::avx2 ? avx2::transform_all_normals
+                                                                  : plain::transform_all_normals;
     if (d == Vec3{0.0}) {
         std::copy(rest.begin(), rest.end(), to.begin());
     } else {
-        turn_all(rest.data(), weights.data(), d, to.data(), to.size());
+        transform_all_normals(rest.data(), weights.data(), d, to.data(), to.size());
     }
 }
 

@@ -21,7 +21,7 @@ void mark_moved(std::span<const Vec3> rest, std::span<const Vec3> to,
                 std::span<const std::uint8_t> before, std::span<std::uint8_t> moved);
 
 // rest, weights (of the vertex of each), to: n_normals, `to` apart from the others. Unit or zero.
-void turn(std::span<const Vec3f> rest, std::span<const DragWeight> weights, const Vec3& d,
-          std::span<Vec3f> to, Vectors vectors = widest_vectors());
+void transform_normals(std::span<const Vec3f> rest, std::span<const DragWeight> weights,
+                       const Vec3& d, std::span<Vec3f> to, Vectors vectors = widest_vectors());
 
 }  // namespace pectin

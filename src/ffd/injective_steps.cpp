@@ -43,29 +43,29 @@ DragRefusal refuse_onto(const Vec3& to) {
             "would meet its own image; take a target beside the plane, or drag a point on it"};
 }
 
-DragRefusal refuse_turn(const Turn& turn) {
+DragRefusal refuse_rotation(const Rotation& rotation) {
     return {"a turn needs an axis with a length, at most " + decimal(kMostDegrees) +
             " degrees either way and a scale from " + decimal(1.0 / kMostGrowth) + " to " +
-            decimal(kMostGrowth) + "; axis " + decimal(turn.axis) + ", " + decimal(turn.degrees) +
-            " degrees, scale " + decimal(turn.scale) + " is none"};
+            decimal(kMostGrowth) + "; axis " + decimal(rotation.axis) + ", " +
+            decimal(rotation.degrees) + " degrees, scale " + decimal(rotation.scale) + " is none"};
 }
 
 // The axis may be as long or short as numbers are.
-Vec3 unit_axis(const Turn& turn) {
-    const Vec3 size = glm::abs(turn.axis);
+Vec3 unit_axis(const Rotation& rotation) {
+    const Vec3 size = glm::abs(rotation.axis);
     const double largest = std::max({size.x, size.y, size.z});
-    if (!(largest > 0.0) || !is_finite(turn.axis)) return Vec3{0.0};
-    return glm::normalize(turn.axis / largest);
+    if (!(largest > 0.0) || !is_finite(rotation.axis)) return Vec3{0.0};
+    return glm::normalize(rotation.axis / largest);
 }
 
-bool is_usable(const Turn& turn) {
-    return unit_axis(turn) != Vec3{0.0} && std::abs(turn.degrees) <= kMostDegrees &&
-           turn.scale >= 1.0 / kMostGrowth && turn.scale <= kMostGrowth;
+bool is_usable(const Rotation& rotation) {
+    return unit_axis(rotation) != Vec3{0.0} && std::abs(rotation.degrees) <= kMostDegrees &&
+           rotation.scale >= 1.0 / kMostGrowth && rotation.scale <= kMostGrowth;
 }
 
 bool is_on_plane(const DragPlan& plan, const Vec3& point) {
     return std::abs(plan.plane->offset(point)) <=
-           kOnPlaneShare * plan.lattice.cell[plan.plane->axis];
+           kOnPlaneFraction * plan.lattice.cell[plan.plane->axis];
 }
 
 std::optional<DragRefusal> check_target(const DragPlan& plan, const Vec3& from, const Vec3& to) {
@@ -76,7 +76,7 @@ std::optional<DragRefusal> check_target(const DragPlan& plan, const Vec3& from, 
     if (plane && plan.fold_free && is_on_plane(plan, to) && !is_on_plane(plan, from)) {
         return refuse_onto(to);
     }
-    if (!plan.fold_free || plan.follows_point || plan.lattice.influences(to) ||
+    if (!plan.fold_free || plan.is_centred_on_point || plan.lattice.influences(to) ||
         (plane && plan.lattice.influences(plane->image(to)))) {
         return std::nullopt;
     }
@@ -84,7 +84,7 @@ std::optional<DragRefusal> check_target(const DragPlan& plan, const Vec3& from, 
 }
 
 // How far beyond a step the proof looks, so that the next questions are answered.
-constexpr double kLookAhead = 1.5;
+constexpr double kProofMargin = 1.5;
 // Proofs that a guard keeps: a hand that wavers comes back to directions it had some frames ago.
 constexpr std::size_t kProofsKept = 8;
 // Moves for which a guard finds tight bounds. Each takes a pass over the whole lattice.
@@ -96,20 +96,20 @@ constexpr double kDegreesAStep = 80.0;
 
 // The largest t in (0, 1] for which t times the step is proven; the guard and the planner have to
 // agree on it to the bit.
-double proven_share(const DragStep& step) {
-    return std::min(1.0, injective_limit(step.lattice_fields(), kLookAhead));
+double proven_fraction(const DragStep& step) {
+    return std::min(1.0, injective_limit(step.lattice_fields(), kProofMargin));
 }
 
 class Planner {
   public:
     explicit Planner(const DragPlan& plan) : plan_(plan) {
         for (const DragPlan::Move& move : plan_.moves) {
-            grips_.push_back({move.from});
+            handles_.push_back({move.from});
         }
     }
 
     std::variant<PlannedDrag, DragRefusal> run() {
-        if (grips_.empty()) return DragRefusal{"a drag needs at least one point to move"};
+        if (handles_.empty()) return DragRefusal{"a drag needs at least one point to move"};
         if (const auto refusal = check_drag(plan_)) return *refusal;
         Vec3 at = plan_.moves.front().from;
         for (const Vec3& waypoint : plan_.via) {
@@ -140,7 +140,7 @@ class Planner {
                 if (!enough) return refuse_steps(target(b, is_last));
                 pieces = *enough;
             }
-            points_.push_back(grips_.front().point);
+            points_.push_back(handles_.front().point);
             warp_.steps.push_back(compact(solver_->step(motions(pieces))));
             if (pieces == 1) return std::nullopt;
             done += (1.0 - done) / static_cast<double>(pieces);
@@ -155,10 +155,10 @@ class Planner {
                                              const Motions& motions, bool is_last) {
         const std::size_t most = kMaxSteps - warp_.steps.size();
         for (const DragPlan::Move& move : plan_.moves) {
-            if (is_last) pieces = std::max(pieces, move.turn.least_steps(1.0 - done));
+            if (is_last) pieces = std::max(pieces, move.rotation.least_steps(1.0 - done));
         }
         while (pieces <= most) {
-            const double t = proven_share(solver_->step(motions(pieces)));
+            const double t = proven_fraction(solver_->step(motions(pieces)));
             if (t >= 1.0) return pieces;
             const double enough = std::ceil(static_cast<double>(pieces) / t);
             if (!(enough <= static_cast<double>(most))) return std::nullopt;
@@ -170,9 +170,9 @@ class Planner {
     // Of the moves in the segment to b the target of the one that goes farthest.
     Vec3 target(const Vec3& b, bool is_last) const {
         Vec3 farthest = b;
-        double distance = glm::distance(grips_.front().point, b);
-        for (std::size_t m = 1; is_last && m < grips_.size(); ++m) {
-            const double of_move = glm::distance(grips_[m].point, plan_.moves[m].to);
+        double distance = glm::distance(handles_.front().point, b);
+        for (std::size_t m = 1; is_last && m < handles_.size(); ++m) {
+            const double of_move = glm::distance(handles_[m].point, plan_.moves[m].to);
             if (!(of_move > distance)) continue;
             distance = of_move;
             farthest = plan_.moves[m].to;
@@ -186,27 +186,27 @@ class Planner {
         return {"on the way to " + decimal(target(b, is_last)) + ", " + refusal.what};
     }
 
-    static Vec3 between(const Vec3& a, const Vec3& b, double share) {
-        return share == 1.0 ? b : a + share * (b - a);
+    static Vec3 between(const Vec3& a, const Vec3& b, double fraction) {
+        return fraction == 1.0 ? b : a + fraction * (b - a);
     }
-    Vec3 point_of(std::size_t move, const Vec3& a, const Vec3& b, double share,
+    Vec3 point_of(std::size_t move, const Vec3& a, const Vec3& b, double fraction,
                   bool is_last) const {
-        if (move == 0) return between(a, b, share);
-        const auto& [from, to, turn] = plan_.moves[move];
-        return is_last ? between(from, to, share) : from;
+        if (move == 0) return between(a, b, fraction);
+        const auto& [from, to, rotation] = plan_.moves[move];
+        return is_last ? between(from, to, fraction) : from;
     }
 
     std::optional<DragRefusal> solve_at(const Vec3& a, const Vec3& b, double done, bool is_last) {
-        for (std::size_t m = 0; m < grips_.size(); ++m) {
-            grips_[m] = {point_of(m, a, b, done, is_last),
-                         is_last && !plan_.moves[m].turn.is_none()};
+        for (std::size_t m = 0; m < handles_.size(); ++m) {
+            handles_[m] = {point_of(m, a, b, done, is_last),
+                           is_last && !plan_.moves[m].rotation.is_none()};
         }
         Lattice lattice = plan_.lattice;
-        if (plan_.follows_point && grips_.front().point != plan_.moves.front().from) {
+        if (plan_.is_centred_on_point && handles_.front().point != plan_.moves.front().from) {
             lattice.origin =
-                grips_.front().point - 0.5 * Vec3{lattice.deformable - 1} * lattice.cell;
+                handles_.front().point - 0.5 * Vec3{lattice.deformable - 1} * lattice.cell;
         }
-        auto solved = DragSolver::create(lattice, grips_, plan_.pins, plan_.plane,
+        auto solved = DragSolver::create(lattice, handles_, plan_.pins, plan_.plane,
                                          plan_.fold_free ? kMaxFoldFreeGain : kMaxControlGain);
         if (auto* refusal = std::get_if<DragRefusal>(&solved)) {
             return on_the_way(std::move(*refusal), b, is_last);
@@ -215,20 +215,20 @@ class Planner {
         return std::nullopt;
     }
 
-    std::vector<GripMotion> motions_between(const Vec3& a, const Vec3& b, double done, double next,
-                                            bool is_last) const {
-        std::vector<GripMotion> motions;
-        for (std::size_t m = 0; m < grips_.size(); ++m) {
+    std::vector<HandleMotion> motions_between(const Vec3& a, const Vec3& b, double done,
+                                              double next, bool is_last) const {
+        std::vector<HandleMotion> motions;
+        for (std::size_t m = 0; m < handles_.size(); ++m) {
             const Vec3 to = point_of(m, a, b, next, is_last);
-            const Turn& turn = plan_.moves[m].turn;
+            const Rotation& rotation = plan_.moves[m].rotation;
             motions.push_back(
-                {to - grips_[m].point, is_last ? turn.jacobian(next - done) : Mat3{1.0}});
+                {to - handles_[m].point, is_last ? rotation.jacobian(next - done) : Mat3{1.0}});
         }
         return motions;
     }
 
     const DragPlan& plan_;
-    std::vector<Grip> grips_;  // where they are before the next step
+    std::vector<Handle> handles_;  // where they are before the next step
     Warp warp_;
     std::vector<Vec3> points_;
     std::optional<DragSolver> solver_;
@@ -237,25 +237,25 @@ class Planner {
 }  // namespace
 
 // Rodrigues' formula.
-Mat3 Turn::jacobian(double share) const {
+Mat3 Rotation::jacobian(double fraction) const {
     if (is_none()) return Mat3{1.0};
     const Vec3 k = unit_axis(*this);
-    const double angle = share * degrees * std::numbers::pi / 180.0;
+    const double angle = fraction * degrees * std::numbers::pi / 180.0;
     const Mat3 cross{0.0, k.z, -k.y, -k.z, 0.0, k.x, k.y, -k.x, 0.0};
     const Mat3 rotation =
         Mat3{1.0} + std::sin(angle) * cross + (1.0 - std::cos(angle)) * (cross * cross);
-    return std::pow(scale, share) * rotation;
+    return std::pow(scale, fraction) * rotation;
 }
 
-std::size_t Turn::least_steps(double share) const {
+std::size_t Rotation::least_steps(double fraction) const {
     // A share of 1/n of it, n steps before the end, is not rounded up to a step more.
-    const double steps = std::ceil(share * std::abs(degrees) / kDegreesAStep - kRounding);
+    const double steps = std::ceil(fraction * std::abs(degrees) / kDegreesAStep - kRounding);
     return std::max(std::size_t{1}, static_cast<std::size_t>(steps));
 }
 
 std::optional<DragRefusal> check_drag(const DragPlan& plan) {
     for (const DragPlan::Move& move : plan.moves) {
-        if (!is_usable(move.turn)) return refuse_turn(move.turn);
+        if (!is_usable(move.rotation)) return refuse_rotation(move.rotation);
         if (const auto refusal = check_target(plan, move.from, move.to)) return refusal;
     }
     for (const Vec3& waypoint : plan.via) {
@@ -318,7 +318,7 @@ double FoldGuard::limit(const DragStep& step) {
         const double steepness = steepness_by(proof, step.displacements);
         if (steepness <= (1.0 - kLeastStretch) * (1.0 - kRounding)) return 1.0;
     }
-    const double found = injective_limit(step.lattice_fields(), kLookAhead);
+    const double found = injective_limit(step.lattice_fields(), kProofMargin);
     if (next_ == proofs_.size()) proofs_.emplace_back();
     proofs_[next_] = {step.displacements, (1.0 - kLeastStretch) / found};
     next_ = next_ == kProofsKept ? 1 : next_ + 1;

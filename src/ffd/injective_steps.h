@@ -18,7 +18,7 @@ inline constexpr double kMostDegrees = 3600.0;
 inline constexpr double kMostGrowth = 1000.0;  // or its inverse
 
 // A turn about `axis` (any length above 0) by `degrees`, and a growth by `scale`.
-struct Turn {
+struct Rotation {
     Vec3 axis{0.0, 0.0, 1.0};
     double degrees = 0.0;
     double scale = 1.0;
@@ -27,17 +27,17 @@ struct Turn {
     // In how many steps at least this share of it is taken without folding: none turns by more than
     // 80 degrees. At 90 the Jacobian's symmetric part is definite no longer, and a Jacobian does
     // not tell a full turn from none.
-    std::size_t least_steps(double share = 1.0) const;
+    std::size_t least_steps(double fraction = 1.0) const;
     // Its Jacobian, or that of a share of it: those of shares that add up to 1 multiply to that
     // of 1.
-    Mat3 jacobian(double share = 1.0) const;
-    bool operator==(const Turn&) const = default;
+    Mat3 jacobian(double fraction = 1.0) const;
+    bool operator==(const Rotation&) const = default;
 };
 
 struct DragPlan {
     struct Move {
         Vec3 from{0.0}, to{0.0};
-        Turn turn{};  // about the point
+        Rotation rotation{};  // about the point
     };
     // The first move goes along `via`, in straight segments; each waypoint is a step's end. All
     // else (other moves, turns) waits for the last segment and is spread evenly over it. With
@@ -47,7 +47,7 @@ struct DragPlan {
     bool fold_free = false;              // else each segment is one step, whatever it folds
     std::optional<MirrorPlane> plane{};  // everything happens on both sides of it
     Lattice lattice{};                   // of the first step
-    bool follows_point = false;          // a brush: every step's is centred on the first move
+    bool is_centred_on_point = false;    // a brush: every step's is centred on the first move
 };
 
 struct PlannedDrag {

@@ -52,13 +52,13 @@ Conversion conversion(double a, double b) {
 
 // An interval of one axis between two knots, and what each lattice has there.
 struct Interval {
-    struct Share {
+    struct Contribution {
         bool is_inside = false;
         int first = 0;  // control point
         Conversion conversion{};
     };
     double start = 0.0, width = 0.0;
-    std::vector<Share> shares;  // one a field
+    std::vector<Contribution> contributions;  // one a field
 };
 
 std::vector<double> knots(std::span<const LatticeField> sum, int axis, int parts) {
@@ -72,9 +72,9 @@ std::vector<double> knots(std::span<const LatticeField> sum, int axis, int parts
         }
     }
     std::sort(all.begin(), all.end());
-    const double apart = kSameKnot * smallest;
+    const double tolerance = kSameKnot * smallest;
     all.erase(
-        std::unique(all.begin(), all.end(), [&](double x, double y) { return y - x < apart; }),
+        std::unique(all.begin(), all.end(), [&](double x, double y) { return y - x < tolerance; }),
         all.end());
     std::vector<double> divided;
     for (std::size_t i = 0; i + 1 < all.size(); ++i) {
@@ -90,15 +90,16 @@ std::vector<Interval> intervals(std::span<const LatticeField> sum, int axis, int
     const std::vector<double> ends = knots(sum, axis, parts);
     std::vector<Interval> result;
     for (std::size_t i = 0; i + 1 < ends.size(); ++i) {
-        Interval interval{.start = ends[i], .width = ends[i + 1] - ends[i], .shares = {}};
+        Interval interval{.start = ends[i], .width = ends[i + 1] - ends[i], .contributions = {}};
         for (const LatticeField& field : sum) {
             const Lattice& lattice = field.lattice();
             const double middle = 0.5 * (ends[i] + ends[i + 1]);
             const double cell = std::floor((middle - lattice.origin[axis]) / lattice.cell[axis]);
             const double knot = lattice.origin[axis] + cell * lattice.cell[axis];
-            interval.shares.push_back(
-                {.is_inside = cell >= -2.0 && cell <= lattice.deformable[axis],
-                 .first = static_cast<int>(cell) - 1,
+            const bool is_inside = cell >= -2.0 && cell <= lattice.deformable[axis];
+            interval.contributions.push_back(
+                {.is_inside = is_inside,
+                 .first = is_inside ? static_cast<int>(cell) - 1 : 0,  // else beyond any int
                  .conversion = conversion((ends[i] - knot) / lattice.cell[axis],
                                           (ends[i + 1] - knot) / lattice.cell[axis])});
         }
@@ -195,9 +196,9 @@ class BernsteinGrid {
         for (std::size_t f = 0; f < sum_.size(); ++f) {
             std::array<T, 64> values;
             if (!gather(sum_[f], f, sides, part, values)) continue;
-            convert(values, sides[0]->shares[f].conversion, 1);
-            convert(values, sides[1]->shares[f].conversion, 4);
-            convert(values, sides[2]->shares[f].conversion, 16);
+            convert(values, sides[0]->contributions[f].conversion, 1);
+            convert(values, sides[1]->contributions[f].conversion, 4);
+            convert(values, sides[2]->contributions[f].conversion, 16);
             for (std::size_t i = 0; i < 64; ++i) {
                 out.of[i] = moves ? out.of[i] + values[i] : values[i];
             }
@@ -216,10 +217,10 @@ class BernsteinGrid {
                        const std::array<const Interval*, 3>& sides, const Part& part,
                        std::array<T, 64>& out) {
         const Lattice& lattice = field.lattice();
-        const IVec3 first{sides[0]->shares[f].first, sides[1]->shares[f].first,
-                          sides[2]->shares[f].first};
+        const IVec3 first{sides[0]->contributions[f].first, sides[1]->contributions[f].first,
+                          sides[2]->contributions[f].first};
         for (const Interval* side : sides) {
-            if (!side->shares[f].is_inside) return false;
+            if (!side->contributions[f].is_inside) return false;
         }
         bool any = false;
         for (int flat = 0; flat < 64; ++flat) {

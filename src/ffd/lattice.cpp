@@ -9,7 +9,7 @@ namespace {
 
 // A box thinner than this share of its longest side is flat: its thickness is rounding, and a cell
 // of that size would leave the influenced zone at the first touch.
-constexpr double kFlatShare = 1e-6;
+constexpr double kFlatFraction = 1e-6;
 
 bool counts_are_valid(const IVec3& deformable) {
     const auto [least, most] = std::minmax({deformable.x, deformable.y, deformable.z});
@@ -44,7 +44,7 @@ Lattice brush_lattice(const Vec3& centre, double radius, int span) {
 Lattice fit_lattice(const Box& box, const IVec3& counts) {
     assert(!box.is_empty() && counts_are_valid(counts + 2));
     const Vec3 extent = box.extent();
-    const double flat = kFlatShare * std::max({extent.x, extent.y, extent.z});
+    const double flat = kFlatFraction * std::max({extent.x, extent.y, extent.z});
     const auto is_flat = [&](int axis) { return extent[axis] <= flat; };
 
     Lattice lattice{.origin = box.min, .cell = Vec3{0.0}, .deformable = counts};

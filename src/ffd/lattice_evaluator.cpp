@@ -93,13 +93,13 @@ void LatticeEvaluator::displace(std::span<const Vec3> points, std::span<Vec3> to
 }
 
 void LatticeEvaluator::transform(std::span<const Vec3> points, std::span<const Vec3f> normals,
-                                 std::span<Vec3> to, std::span<Vec3f> turned) const {
+                                 std::span<Vec3> to, std::span<Vec3f> transformed) const {
     assert(normals.size() == points.size() && to.size() == points.size() &&
-           turned.size() == points.size());
+           transformed.size() == points.size());
     const bool is_wide = vectors_ >= Vectors::avx2;
     const auto transform_all = is_wide ? avx2::transform_all : plain::transform_all;
     transform_all(grid_of(lattice_, size_, {x_.data(), y_.data(), z_.data()}), points.data(),
-                  normals.data(), to.data(), turned.data(), points.size());
+                  normals.data(), to.data(), transformed.data(), points.size());
 }
 
 std::size_t LatticeEvaluator::memory_bytes() const { return 3 * x_.capacity() * sizeof(double); }

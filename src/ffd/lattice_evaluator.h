@@ -34,7 +34,7 @@ class LatticeEvaluator {
     // The same, and the covariant normals at the points: normalise(cof(J)·n), zero where that has
     // no direction, n itself outside and where J is the identity. normals, turned: n_points.
     void transform(std::span<const Vec3> points, std::span<const Vec3f> normals, std::span<Vec3> to,
-                   std::span<Vec3f> turned) const;
+                   std::span<Vec3f> transformed) const;
 
     std::size_t memory_bytes() const;
 

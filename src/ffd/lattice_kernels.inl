@@ -94,7 +94,7 @@ struct Block {
 // Truncation after a shift by the two influenced cells is a floor: parameters inside the zone
 // exceed −2. Outside any cell will do, and rounding may not leave the grid.
 template <bool kDerivatives>
-inline void place(const Grid& grid, std::size_t n, Block& block) {
+inline void locate(const Grid& grid, std::size_t n, Block& block) {
     Vec4 x[3];
     for (int axis = 0; axis < 3; ++axis) x[axis] = load(block.x[axis] + n);
     const Mask4 inside = (x[0] > grid.zone.min.x) & (x[0] < grid.zone.max.x) &
@@ -217,7 +217,7 @@ inline void evaluate(const Grid& grid, const Vec3* points, std::size_t count, Bl
     for (std::size_t n = count; n % 4 != 0; ++n) {
         for (int axis = 0; axis < 3; ++axis) block.x[axis][n] = points[0][axis];
     }
-    for (std::size_t n = 0; n < count; n += 4) place<kDerivatives>(grid, n, block);
+    for (std::size_t n = 0; n < count; n += 4) locate<kDerivatives>(grid, n, block);
     for (std::size_t n = 0; n < count; n += 4) sum_four<kDerivatives>(grid, n, block);
 }
 
@@ -230,7 +230,7 @@ inline void write_positions(const Block& block, std::size_t count, Vec3* to) {
 // Equation 3: cof(J)·n, its columns the cross products of J's, and unit length. What has no
 // direction becomes zero; where J is the identity, and outside, n stays.
 inline void write_normals(const Grid& grid, const Block& block, std::size_t count,
-                          const float* __restrict normals, float* __restrict turned) {
+                          const float* __restrict normals, float* __restrict transformed) {
     const double hx = grid.inverse_cell.x, hy = grid.inverse_cell.y, hz = grid.inverse_cell.z;
     for (std::size_t n = 0; n < count; ++n) {
         const double ux = 1.0 + hx * block.du[0][n], uy = hx * block.du[1][n],
@@ -258,9 +258,9 @@ inline void write_normals(const Grid& grid, const Block& block, std::size_t coun
         const float tx = static_cast<float>(has_direction ? x * scale : 0.0);
         const float ty = static_cast<float>(has_direction ? y * scale : 0.0);
         const float tz = static_cast<float>(has_direction ? z * scale : 0.0);
-        turned[3 * n] = stays ? normal[0] : tx;
-        turned[3 * n + 1] = stays ? normal[1] : ty;
-        turned[3 * n + 2] = stays ? normal[2] : tz;
+        transformed[3 * n] = stays ? normal[0] : tx;
+        transformed[3 * n + 1] = stays ? normal[1] : ty;
+        transformed[3 * n + 2] = stays ? normal[2] : tz;
     }
 }
 
@@ -276,12 +276,12 @@ void displace_all(const Grid grid, const Vec3* points, Vec3* to, std::size_t cou
 }
 
 void transform_all(const Grid grid, const Vec3* points, const Vec3f* normals, Vec3* to,
-                   Vec3f* turned, std::size_t count) {
+                   Vec3f* transformed, std::size_t count) {
     Block block;
     for (std::size_t first = 0; first < count; first += kBlock) {
         const std::size_t many = std::min(kBlock, count - first);
         evaluate<true>(grid, points + first, many, block);
         write_positions(block, many, to + first);
-        write_normals(grid, block, many, &normals[first].x, &turned[first].x);
+        write_normals(grid, block, many, &normals[first].x, &transformed[first].x);
     }
 }

@@ -69,6 +69,6 @@ LatticeField image(const MirrorPlane& plane, const LatticeField& field);
 
 // Points nearer to the plane than this share of a cell lie on it: they are far below what a hand
 // places, and as a pair the lattice could not tell them apart.
-inline constexpr double kOnPlaneShare = 1e-6;
+inline constexpr double kOnPlaneFraction = 1e-6;
 
 }  // namespace pectin

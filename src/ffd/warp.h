@@ -31,8 +31,8 @@ struct DragStep {
     // Bounds of the present drag over all of space, as DragField has them. The image's share comes
     // on top of a point's own.
     double reach_bound() const { return (symmetry ? 2.0 : 1.0) * field.reach_bound(displacements); }
-    double stretch_bound() const {
-        return 1.0 + (symmetry ? 2.0 : 1.0) * (field.stretch_bound(displacements) - 1.0);
+    double lipschitz_bound() const {
+        return 1.0 + (symmetry ? 2.0 : 1.0) * (field.lipschitz_bound(displacements) - 1.0);
     }
     // The same as control points of one lattice, or of two whose displacements add up.
     std::vector<LatticeField> lattice_fields() const;

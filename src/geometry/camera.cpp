@@ -135,12 +135,12 @@ Camera orbited(const Camera& camera, double yaw, double pitch, const Vec3& pivot
     const Vec3 up = glm::normalize(camera.up);
     const double now = std::asin(std::clamp(glm::dot(camera.forward(), up), -1.0, 1.0));
     const double steepest = std::max(std::asin(kSteepest), std::abs(now));
-    const double turn = std::clamp(now + pitch, -steepest, steepest) - now;
-    const Mat4 rotation = glm::rotate(glm::rotate(Mat4{1.0}, yaw, up), turn, camera.right());
-    const auto turned = [&](const Vec3& p) { return pivot + Mat3(rotation) * (p - pivot); };
+    const double tilt = std::clamp(now + pitch, -steepest, steepest) - now;
+    const Mat4 rotation = glm::rotate(glm::rotate(Mat4{1.0}, yaw, up), tilt, camera.right());
+    const auto rotated = [&](const Vec3& p) { return pivot + Mat3(rotation) * (p - pivot); };
     Camera result = camera;
-    result.eye = turned(camera.eye);
-    result.target = turned(camera.target);
+    result.eye = rotated(camera.eye);
+    result.target = rotated(camera.target);
     return result;
 }
 

@@ -62,7 +62,7 @@ const char* reason_against(const fs::path& folder, const fs::path& path) {
 }
 
 // Also a symbolic link that leads nowhere: writing would follow it.
-bool is_anything(const fs::path& path) {
+bool path_exists(const fs::path& path) {
     std::error_code error;
     return fs::symlink_status(path, error).type() != fs::file_type::not_found && !error;
 }
@@ -232,7 +232,7 @@ MaterialCopy MaterialCopier::copy() {
         done = std::min(done + step, 1.0);
     }
     std::copy_if(lost_.begin(), lost_.end(), std::back_inserter(result_.missing),
-                 [this](const std::string& name) { return !is_anything(to_ / name); });
+                 [this](const std::string& name) { return !path_exists(to_ / name); });
     for (auto& [name, why] : refused_) result_.refused.push_back({name, why});
     return std::move(result_);
 }
@@ -241,7 +241,7 @@ void MaterialCopier::copy_one(const fs::path& path, const Progress& progress) {
     const char* why = reason_against(from_, path);
     if (!why) why = reason_against(to_, path);
     if (why) return refuse(path, why);
-    if (is_anything(to_ / path)) return;
+    if (path_exists(to_ / path)) return;
     const bool is_library = libraries_.contains(path);
     const std::optional<OpenFile> file =
         open(path, is_library ? limits_.library_bytes : limits_.texture_bytes);

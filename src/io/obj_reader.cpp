@@ -60,7 +60,7 @@ class ObjParser {
     void read_uv();
     void read_normal();
     bool read_state();
-    void note_unknown();
+    void record_unknown();
     std::array<double, 3> take_position(std::string_view& rest) const;
     std::string read_name() const;
     std::string read_group_names() const;
@@ -139,11 +139,11 @@ void ObjParser::read_statement() {
     } else if (read_state()) {
         part_.reset();
     } else if (!is_obj_keyword(keyword)) {
-        note_unknown();
+        record_unknown();
     }
 }
 
-void ObjParser::note_unknown() {
+void ObjParser::record_unknown() {
     const std::string_view keyword = statements_.keyword();
     unknown_.add(keyword, statements_.line());
     if (report_.unknown_statements.count == 0) {

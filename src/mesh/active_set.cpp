@@ -15,7 +15,7 @@ void ActiveSet::begin(std::span<const FaceId> faces, const Box& zone) {
     begun_ = true;
     zone_ = zone;
     slots_at_begin_ = mesh_.slot_counts();
-    room_ = 0;
+    split_capacity_ = 0;
     fit_to_mesh();
     faces_.clear();
     faces_.append(faces);
@@ -57,7 +57,7 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
     sort_ids(std::span(edges_));
     for (std::uint32_t i = 0; i < edges_.size(); ++i) {
         edge_states_[index(edges_[i])].entry = i;
-        one_look_[i] = one_look_is_enough(edges_[i]) ? 1 : 0;
+        is_smooth_[i] = has_smooth_normals(edges_[i]) ? 1 : 0;
         longest_square_ = std::max(longest_square_, mesh_.squared_length(edges_[i]));
     }
 
@@ -87,13 +87,13 @@ void ActiveSet::collect(std::span<const FaceId> faces) {
     }
 }
 
-bool ActiveSet::one_look_is_enough(EdgeId e) const {
+bool ActiveSet::has_smooth_normals(EdgeId e) const {
     const bool is_boundary = !exists(mesh_.twin(mesh_.half_edge(e)));
     return is_boundary ? mesh_.sibling(e) == e : mesh_.is_smooth(e);
 }
 
 // Of an edge that was not there at the beginning, rounded to float.
-void ActiveSet::note_length(float rest_length) {
+void ActiveSet::record_length(float rest_length) {
     const double length = (1.0 + 1e-6) * static_cast<double>(rest_length);
     const std::atomic_ref longest(longest_square_);  // several threads may
     double known = longest.load(std::memory_order_relaxed);
@@ -101,7 +101,7 @@ void ActiveSet::note_length(float rest_length) {
     }
 }
 
-float ActiveSet::distance_at_rest(EdgeId e) const {
+float ActiveSet::distance_of_rest_ends(EdgeId e) const {
     const HalfEdgeId h = mesh_.half_edge(e);
     return static_cast<float>(
         glm::distance(rest_position(mesh_.origin(h)), rest_position(mesh_.target(h))));
@@ -110,14 +110,14 @@ float ActiveSet::distance_at_rest(EdgeId e) const {
 float ActiveSet::measure(EdgeId e) {
     if (index(e) >= edge_states_.size()) edge_states_.resize(index(e) + std::size_t{1});
     EdgeState& state = edge_states_[index(e)];
-    state.rest_length = distance_at_rest(e);
+    state.rest_length = distance_of_rest_ends(e);
     if (state.entry == kNoEntry) measured_edges_.push_back(e);
     return state.rest_length;
 }
 
 void ActiveSet::roll_back() noexcept {
     take_back(edits_, slots_at_begin_, mesh_);
-    mesh_.truncate(slots_at_begin_);
+    mesh_.shrink(slots_at_begin_);
     for (std::size_t i = 0; i < lost_wedges_.size(); ++i) {
         mesh_.set_normal(lost_wedges_[i], lost_normals_[i]);
     }
@@ -134,8 +134,8 @@ void ActiveSet::roll_back() noexcept {
         mesh_.set_normal(w, rest_normals_[i]);
     }
     for (std::uint32_t i = 0; i < original_edges_; ++i) edge_states_[index(edges_[i])].entry = i;
-    for (std::uint32_t entry : turned_looks_) one_look_[entry] ^= 1;
-    turned_looks_.clear();
+    for (std::uint32_t entry : flipped_smooth_) is_smooth_[entry] ^= 1;
+    flipped_smooth_.clear();
 }
 
 // Cuts the entries back to those of the beginning.
@@ -156,7 +156,7 @@ void ActiveSet::drop_inserted() noexcept {
     rest_normals_.resize(original_wedges_);
     wedge_owners_.resize(original_wedges_);
     edges_.resize(original_edges_);
-    one_look_.resize(original_edges_);
+    is_smooth_.resize(original_edges_);
     free_vertex_entries_.clear();
     lost_wedges_.clear();
     lost_normals_.clear();
@@ -207,7 +207,7 @@ void ActiveSet::abandon() noexcept {
     rest_normals_.clear();
     wedge_owners_.clear();
     edges_.clear();
-    one_look_.clear();
+    is_smooth_.clear();
     vertex_entry_.clear();
     wedge_entry_.clear();
     edge_states_.clear();
@@ -259,7 +259,7 @@ void ActiveSet::forget() noexcept {
     drop_inserted();
     original_ids_.clear();
     original_wedge_ids_.clear();
-    turned_looks_.clear();
+    flipped_smooth_.clear();
     influenced_ = influenced_wedges_ = 0;
     longest_square_ = 0.0;
     begun_ = false;
@@ -270,7 +270,7 @@ std::size_t ActiveSet::memory_bytes() const {
            capacity_bytes(rest_positions_) + capacity_bytes(was_deformed_) +
            capacity_bytes(wedges_) + capacity_bytes(original_wedge_ids_) +
            capacity_bytes(rest_normals_) + capacity_bytes(wedge_owners_) + capacity_bytes(edges_) +
-           capacity_bytes(one_look_) + capacity_bytes(turned_looks_) + capacity_bytes(scratch_) +
+           capacity_bytes(is_smooth_) + capacity_bytes(flipped_smooth_) + capacity_bytes(scratch_) +
            capacity_bytes(measured_edges_) + capacity_bytes(edits_) + capacity_bytes(lost_wedges_) +
            capacity_bytes(lost_normals_) + capacity_bytes(free_vertex_entries_) +
            capacity_bytes(free_wedge_entries_) + capacity_bytes(vertex_entry_) +

@@ -79,7 +79,7 @@ class ActiveSet {
     std::span<const EdgeId> edges() const { return edges_; }
     // Of each: 1 where one side says all about its end normals, since the other shares both wedges
     // or there is none; so it stays for all its pieces. 0 on creases and along cuts.
-    std::span<const std::uint8_t> one_look_edges() const { return one_look_; }
+    std::span<const std::uint8_t> smooth_edges() const { return is_smooth_; }
     // A byte for each of them, for a pass to write and read; lost with the next edit.
     std::span<std::uint8_t> scratch_of_edges() {
         scratch_.resize(edges_.size());
@@ -122,23 +122,23 @@ class ActiveSet {
     }
     // The same, but remembers it of active edges alone. Several threads may ask, each of edges that
     // no other asks for. Precondition: e was there when the gesture began, or is active.
-    float keep_rest_length(EdgeId e) {
+    float cached_rest_length(EdgeId e) {
         EdgeState& state = edge_states_[index(e)];
         if (state.rest_length != kUnmeasured) return state.rest_length;
-        const float length = distance_at_rest(e);
+        const float length = distance_of_rest_ends(e);
         if (state.entry != kNoEntry) state.rest_length = length;
         return length;
     }
     // The same, but remembers nothing, so that several threads may ask for any edge.
-    float rest_length_unremembered(EdgeId e) const {
+    float uncached_rest_length(EdgeId e) const {
         if (index(e) < edge_states_.size()) {
             const float known = edge_states_[index(e)].rest_length;
             if (known != kUnmeasured) return known;
         }
-        return distance_at_rest(e);
+        return distance_of_rest_ends(e);
     }
     // No active edge is longer at rest, nor has any been in this gesture. O(1).
-    double longest_at_rest() const { return std::sqrt(longest_square_); }
+    double longest_rest_length() const { return std::sqrt(longest_square_); }
 
     // --- Edits, logged.
     // What a split has made in one sheet: entries, and edges round the new vertex. All is at rest.
@@ -147,7 +147,7 @@ class ActiveSet {
     struct Inserted {
         std::uint32_t vertex_entry = kNoEntry;
         bool is_first_sheet = true;
-        bool is_one_look = true;  // the edge that was split, and so its halves (one_look_edges)
+        bool is_smooth = true;  // the edge that was split, and so its halves (smooth_edges)
         std::array<std::uint32_t, 2> wedge_entries{kNoEntry, kNoEntry};  // the second on a crease
         std::array<EdgeId, 4> edges{kNone<EdgeId>, kNone<EdgeId>, kNone<EdgeId>, kNone<EdgeId>};
     };
@@ -162,9 +162,10 @@ class ActiveSet {
     void reserve_splits(std::uint32_t count);
     // --- The same on several threads, of active edges that are smooth; TriMesh says which may go
     // at the same time. allocate_splits takes ids, entries and room in the log for so many, or
-    // throws std::bad_alloc and has changed nothing. Until split_apart has been called once with
-    // each, in any order, nothing else may be asked of what it took. That changes no array's size.
-    struct SplitPlaces {
+    // throws std::bad_alloc and has changed nothing. Until concurrent_split has been called once
+    // with each, in any order, nothing else may be asked of what it took. That changes no array's
+    // size.
+    struct ReservedSlots {
         struct Entries {
             std::uint32_t vertex, wedge;
             std::array<std::uint32_t, 3> edges;  // mc, am, dm
@@ -173,10 +174,10 @@ class ActiveSet {
         std::vector<Entries> entries;        // of each
         std::size_t first_edit, first_face;  // in the log, of the first
     };
-    void allocate_splits(std::uint32_t count, SplitPlaces& places);
-    Inserted split_apart(EdgeId e, const SplitPlaces& places, std::size_t i);
+    void allocate_splits(std::uint32_t count, ReservedSlots& slots);
+    Inserted concurrent_split(EdgeId e, const ReservedSlots& slots, std::size_t i);
     // The length of the edge from an apex to the midpoint m, both at rest, as rest_length has it.
-    float spoke_at_rest(VertexId apex, const Vec3& m) const {
+    float spoke_rest_length(VertexId apex, const Vec3& m) const {
         return static_cast<float>(glm::distance(rest_position(apex), m));
     }
 
@@ -184,31 +185,31 @@ class ActiveSet {
     void unsplit(const Star& star);
     // --- The same on several threads. Two calls may run at the same time if no corner of the one's
     // faces is one of the other's. What they return is logged, and what they removed is free, when
-    // log_unsplits has had it. Precondition: may_unsplit_apart(star).
+    // log_unsplits has had it. Precondition: may_unsplit_concurrently(star).
     struct Unsplit {
         SplitIds ids;
         EdgeId bc = kNone<EdgeId>;
         std::array<FaceId, 2> kept_faces{};
         std::uint32_t vertex_entry = kNoEntry, wedge_entry = kNoEntry;
     };
-    Unsplit unsplit_apart(const Star& star);
+    Unsplit concurrent_unsplit(const Star& star);
     // Takes places in the log for the next ones, behind those taken before; log_unsplits may then
     // be called with them while others are, and has to be before anything else is asked of the log.
     // count, log_unsplits: O(unsplits). allocate_unsplits: O(1).
     struct UnsplitCount {
         std::size_t unsplits = 0, vertex_entries = 0, wedge_entries = 0;  // entries that get free
     };
-    struct UnsplitPlaces {  // of the first
+    struct ReservedLogSlots {  // of the first
         std::size_t edit = 0, face = 0, vertex_entry = 0, wedge_entry = 0;
-        FreedPlaces freed{};
+        FreedSlots freed{};
     };
     UnsplitCount count(std::span<const Unsplit> unsplits) const;
-    UnsplitPlaces allocate_unsplits(const UnsplitCount& count);
-    void log_unsplits(std::span<const Unsplit> unsplits, UnsplitPlaces at);
+    ReservedLogSlots allocate_unsplits(const UnsplitCount& count);
+    void log_unsplits(std::span<const Unsplit> unsplits, ReservedLogSlots at);
     // Room for so many, so that none of all this throws.
     void reserve_unsplits(std::size_t count);
     // Whether bm and mc are smooth, and star.m, its wedge and bm have entries.
-    bool may_unsplit_apart(const Star& star) const;
+    bool may_unsplit_concurrently(const Star& star) const;
     std::uint64_t edit_count() const { return edits_.size(); }
     std::uint64_t splits() const { return splits_; }
     std::uint64_t unsplits() const { return edits_.size() - splits_; }
@@ -231,12 +232,12 @@ class ActiveSet {
     void collect(std::span<const FaceId> faces);
     std::uint32_t allocate_vertex_entry(VertexId v);
     std::uint32_t allocate_wedge_entry(WedgeId w);
-    std::uint32_t allocate_edge_entry(EdgeId e, bool one_look);
+    std::uint32_t allocate_edge_entry(EdgeId e, bool smooth);
     void enter(std::uint32_t entry, VertexId v, const Vec3& rest, bool was_deformed);
     void enter(std::uint32_t entry, WedgeId w, const Vec3f& rest, std::uint32_t owner);
     void enter(std::uint32_t entry, EdgeId e, float rest_length);
     void enter_spoke(std::uint32_t entry, EdgeId e, VertexId apex, const Vec3& m);
-    void make_room(EdgeId e);
+    void reserve_for_split(EdgeId e);
     template <typename Visit>
     void for_each_array_of_splits(Visit visit);
     void insert_sheet(const Split& split, std::uint32_t vertex_entry, float half_length,
@@ -247,11 +248,11 @@ class ActiveSet {
     void log_faces(std::size_t first, const Split& split);
     Vec3 rest_area_normal(VertexId p, VertexId q, VertexId r) const;
     float measure(EdgeId e);
-    float distance_at_rest(EdgeId e) const;
+    float distance_of_rest_ends(EdgeId e) const;
     void drop_sheet(const Star& star);
     void drop_wedge(WedgeId w);
-    bool one_look_is_enough(EdgeId e) const;
-    void note_length(float rest_length);
+    bool has_smooth_normals(EdgeId e) const;
+    void record_length(float rest_length);
     void drop_inserted() noexcept;
     void forget() noexcept;
     void record_states(MeshChange& change) const;
@@ -278,16 +279,17 @@ class ActiveSet {
     GrowingArray<WedgeId> lost_wedges_;
     GrowingArray<Vec3f> lost_normals_;
     GrowingArray<EdgeId> edges_;
-    GrowingArray<std::uint8_t> one_look_;  // of edges_
+    GrowingArray<std::uint8_t> is_smooth_;  // of edges_
     GrowingArray<std::uint32_t>
-        turned_looks_;  // entries at begin, of ids that other edges took over
+        flipped_smooth_;  // entries at begin, of ids that other edges took over
     GrowingArray<std::uint8_t> scratch_;
     GrowingArray<EdgeId> measured_edges_;  // not in edges_, but their rest length is remembered
     GrowingArray<std::uint32_t> free_vertex_entries_, free_wedge_entries_;  // inserted and gone
 
     GrowingArray<TopologyEdit> edits_;
     std::uint64_t splits_ = 0;
-    std::uint32_t room_ = 0;  // for how many splits of edges that lie along no cut, at least
+    std::uint32_t split_capacity_ =
+        0;  // for how many splits of edges that lie along no cut, at least
     double longest_square_ = 0.0;
 
     // As large as the mesh; as initialised but for what the gesture has touched.

@@ -12,36 +12,36 @@ namespace pectin {
 // holds is for enter() to write.
 
 std::uint32_t ActiveSet::allocate_vertex_entry(VertexId v) {
-    if (index(v) == vertex_entry_.size()) vertex_entry_.grow_into_room(1);
-    if (!free_vertex_entries_.empty()) return free_vertex_entries_.take_back();
-    vertices_.grow_into_room(1);
-    rest_positions_.grow_into_room(1);
-    was_deformed_.grow_into_room(1);
+    if (index(v) == vertex_entry_.size()) vertex_entry_.grow_unchecked(1);
+    if (!free_vertex_entries_.empty()) return free_vertex_entries_.pop_value();
+    vertices_.grow_unchecked(1);
+    rest_positions_.grow_unchecked(1);
+    was_deformed_.grow_unchecked(1);
     return vertex_entries() - 1;
 }
 
 std::uint32_t ActiveSet::allocate_wedge_entry(WedgeId w) {
-    if (index(w) == wedge_entry_.size()) wedge_entry_.grow_into_room(1);
-    if (!free_wedge_entries_.empty()) return free_wedge_entries_.take_back();
-    wedges_.grow_into_room(1);
-    rest_normals_.grow_into_room(1);
-    wedge_owners_.grow_into_room(1);
+    if (index(w) == wedge_entry_.size()) wedge_entry_.grow_unchecked(1);
+    if (!free_wedge_entries_.empty()) return free_wedge_entries_.pop_value();
+    wedges_.grow_unchecked(1);
+    rest_normals_.grow_unchecked(1);
+    wedge_owners_.grow_unchecked(1);
     return wedge_entries() - 1;
 }
 
-std::uint32_t ActiveSet::allocate_edge_entry(EdgeId e, bool one_look) {
-    const std::uint8_t look = one_look ? 1 : 0;
+std::uint32_t ActiveSet::allocate_edge_entry(EdgeId e, bool smooth) {
+    const std::uint8_t mark = smooth ? 1 : 0;
     const bool is_new = index(e) == edge_states_.size();
-    if (is_new) edge_states_.grow_into_room(1);
+    if (is_new) edge_states_.grow_unchecked(1);
     if (is_new || edge_states_[index(e)].entry == kNoEntry) {
         edges_.push_back(e);
-        one_look_.push_back(look);
+        is_smooth_.push_back(mark);
         return static_cast<std::uint32_t>(edges_.size()) - 1;
     }
     const std::uint32_t entry = edge_states_[index(e)].entry;
-    if (one_look_[entry] != look) {
-        if (entry < original_edges_) turned_looks_.push_back(entry);
-        one_look_[entry] = look;
+    if (is_smooth_[entry] != mark) {
+        if (entry < original_edges_) flipped_smooth_.push_back(entry);
+        is_smooth_[entry] = mark;
     }
     return entry;
 }
@@ -68,9 +68,9 @@ void ActiveSet::enter(std::uint32_t entry, EdgeId e, float rest_length) {
 
 // am or dm.
 void ActiveSet::enter_spoke(std::uint32_t entry, EdgeId e, VertexId apex, const Vec3& m) {
-    const float length = spoke_at_rest(apex, m);
+    const float length = spoke_rest_length(apex, m);
     enter(entry, e, length);
-    note_length(length);
+    record_length(length);
 }
 
 // visit(array, elements that a split adds to it at most in one sheet).
@@ -85,8 +85,8 @@ void ActiveSet::for_each_array_of_splits(Visit visit) {
     visit(wedge_owners_, 2);
     visit(wedge_entry_, 2);
     visit(edges_, 4);
-    visit(one_look_, 4);
-    visit(turned_looks_, 4);
+    visit(is_smooth_, 4);
+    visit(flipped_smooth_, 4);
     visit(edge_states_, 3);
     visit(faces_, 4);
     visit(edits_, 1);
@@ -96,27 +96,27 @@ void ActiveSet::reserve_splits(std::uint32_t count) {
     mesh_.reserve_splits(count);
     std::size_t splits = std::numeric_limits<std::uint32_t>::max();
     for_each_array_of_splits([&](auto& values, std::size_t a_split) {
-        values.make_room(a_split * count);
+        values.reserve_additional(a_split * count);
         splits = std::min(splits, (values.capacity() - values.size()) / a_split);
     });
-    room_ = static_cast<std::uint32_t>(splits);
+    split_capacity_ = static_cast<std::uint32_t>(splits);
 }
 
 // Before anything is changed: without the memory nothing has happened.
-void ActiveSet::make_room(EdgeId e) {
+void ActiveSet::reserve_for_split(EdgeId e) {
     std::uint32_t sheets = 1;
     for (EdgeId s = mesh_.sibling(e); s != e; s = mesh_.sibling(s)) ++sheets;
-    if (room_ < sheets) reserve_splits(sheets);
-    room_ -= sheets;
+    if (split_capacity_ < sheets) reserve_splits(sheets);
+    split_capacity_ -= sheets;
 }
 
 Split ActiveSet::split(EdgeId e, std::vector<Inserted>& inserted) {
-    make_room(e);
+    reserve_for_split(e);
     const float length = rest_length(e), half_length = 0.5f * length;
-    note_length(length);  // of its halves, too, and of what an unsplit restores
+    record_length(length);  // of its halves, too, and of what an unsplit restores
 
     const Split s = mesh_.insert_midpoint(e);
-    edits_.push_into_room(TopologyEdit::split(s.bm));
+    edits_.push_back_unchecked(TopologyEdit::split(s.bm));
     ++splits_;
     const Vec3 rest = 0.5 * rest_position(s.b) + 0.5 * rest_position(s.c);
     mesh_.set_position(s.m, rest);
@@ -140,7 +140,7 @@ void ActiveSet::insert_sheet(const Split& s, std::uint32_t vertex_entry, float h
     const Vec3& m = rest_positions_[vertex_entry];
     const bool is_smooth = s.right ? s.is_smooth() : mesh_.sibling(s.bm) == s.bm;
     made.vertex_entry = vertex_entry;
-    made.is_one_look = is_smooth;
+    made.is_smooth = is_smooth;
     made.edges = {s.bm, s.mc, s.am, s.dm};
     enter(allocate_edge_entry(s.bm, is_smooth), s.bm, half_length);
     enter(allocate_edge_entry(s.mc, is_smooth), s.mc, half_length);
@@ -149,7 +149,7 @@ void ActiveSet::insert_sheet(const Split& s, std::uint32_t vertex_entry, float h
     insert_side(s.left, made.wedge_entries[0], vertex_entry,
                 [&] { return rest_area_normal(s.b, s.c, s.a); });
     const std::size_t first_face = faces_.size();
-    faces_.grow_into_room(s.right ? 4 : 2);
+    faces_.grow_unchecked(s.right ? 4 : 2);
     log_faces(first_face, s);
     if (!s.right) return;
 
@@ -160,36 +160,37 @@ void ActiveSet::insert_sheet(const Split& s, std::uint32_t vertex_entry, float h
                 [&] { return rest_area_normal(s.b, s.d, s.c); });
 }
 
-void ActiveSet::allocate_splits(std::uint32_t count, SplitPlaces& places) {
-    places.ids.resize(count);
-    places.entries.resize(count);
-    if (room_ < count) reserve_splits(count);
-    room_ -= count;
-    places.first_edit = edits_.size();
-    places.first_face = faces_.size();
-    mesh_.allocate_splits(places.ids);
+void ActiveSet::allocate_splits(std::uint32_t count, ReservedSlots& slots) {
+    slots.ids.resize(count);
+    slots.entries.resize(count);
+    if (split_capacity_ < count) reserve_splits(count);
+    split_capacity_ -= count;
+    slots.first_edit = edits_.size();
+    slots.first_face = faces_.size();
+    mesh_.allocate_splits(slots.ids);
     for (std::uint32_t i = 0; i < count; ++i) {
-        const SplitIds& ids = places.ids[i];
-        places.entries[i] = {allocate_vertex_entry(ids.m),
-                             allocate_wedge_entry(ids.wedge),
-                             {allocate_edge_entry(ids.mc, true), allocate_edge_entry(ids.am, true),
-                              allocate_edge_entry(ids.dm, true)}};
+        const SplitIds& ids = slots.ids[i];
+        slots.entries[i] = {allocate_vertex_entry(ids.m),
+                            allocate_wedge_entry(ids.wedge),
+                            {allocate_edge_entry(ids.mc, true), allocate_edge_entry(ids.am, true),
+                             allocate_edge_entry(ids.dm, true)}};
     }
-    edits_.grow_into_room(count);
-    faces_.grow_into_room(4 * std::size_t{count});
+    edits_.grow_unchecked(count);
+    faces_.grow_unchecked(4 * std::size_t{count});
     splits_ += count;
 }
 
-ActiveSet::Inserted ActiveSet::split_apart(EdgeId e, const SplitPlaces& places, std::size_t i) {
+ActiveSet::Inserted ActiveSet::concurrent_split(EdgeId e, const ReservedSlots& slots,
+                                                std::size_t i) {
     EdgeState& state = edge_states_[index(e)];
-    assert(state.entry != kNoEntry && one_look_[state.entry] != 0);
-    const float length = keep_rest_length(e), half_length = 0.5f * length;
-    note_length(length);
+    assert(state.entry != kNoEntry && is_smooth_[state.entry] != 0);
+    const float length = cached_rest_length(e), half_length = 0.5f * length;
+    record_length(length);
     state.rest_length = half_length;
 
-    const SplitPlaces::Entries& entries = places.entries[i];
-    const Split s = mesh_.insert_midpoint(e, places.ids[i]);
-    edits_[places.first_edit + i] = TopologyEdit::split(e);
+    const ReservedSlots::Entries& entries = slots.entries[i];
+    const Split s = mesh_.insert_midpoint(e, slots.ids[i]);
+    edits_[slots.first_edit + i] = TopologyEdit::split(e);
     const Vec3 rest = 0.5 * rest_position(s.b) + 0.5 * rest_position(s.c);
     mesh_.set_position(s.m, rest);
     enter(entries.vertex, s.m, rest, mesh_.is_deformed(s.m));
@@ -198,7 +199,7 @@ ActiveSet::Inserted ActiveSet::split_apart(EdgeId e, const SplitPlaces& places, 
     enter_spoke(entries.edges[2], s.dm, s.d, rest);
     insert_side(s.left, entries.wedge, entries.vertex,
                 [&] { return rest_area_normal(s.b, s.c, s.a); });
-    log_faces(places.first_face + 4 * i, s);
+    log_faces(slots.first_face + 4 * i, s);
     return {.vertex_entry = entries.vertex,
             .wedge_entries = {entries.wedge, kNoEntry},
             .edges = {s.bm, s.mc, s.am, s.dm}};
@@ -230,23 +231,23 @@ Vec3 ActiveSet::rest_area_normal(VertexId p, VertexId q, VertexId r) const {
 // Of vertices with so many sheets in all: the most that they leave behind.
 void ActiveSet::reserve_unsplits(std::size_t sheets) {
     mesh_.reserve_unsplits(sheets);
-    edits_.make_room(sheets);
-    faces_.make_room(4 * sheets);
-    free_vertex_entries_.make_room(sheets);
-    free_wedge_entries_.make_room(2 * sheets);
+    edits_.reserve_additional(sheets);
+    faces_.reserve_additional(4 * sheets);
+    free_vertex_entries_.reserve_additional(sheets);
+    free_wedge_entries_.reserve_additional(2 * sheets);
 }
 
 void ActiveSet::unsplit(const Star& star) {
     std::size_t sheets = 0;
     mesh_.for_each_sheet(star, [&](const Star&) { ++sheets; });
     reserve_unsplits(sheets);
-    edges_.make_room(2 * sheets);  // what the rim of the active set has none of
-    one_look_.make_room(2 * sheets);
-    turned_looks_.make_room(2 * sheets);
-    measured_edges_.make_room(2 * sheets);
-    lost_wedges_.make_room(2 * sheets);
-    lost_normals_.make_room(2 * sheets);
-    room_ = 0;
+    edges_.reserve_additional(2 * sheets);  // what the rim of the active set has none of
+    is_smooth_.reserve_additional(2 * sheets);
+    flipped_smooth_.reserve_additional(2 * sheets);
+    measured_edges_.reserve_additional(2 * sheets);
+    lost_wedges_.reserve_additional(2 * sheets);
+    lost_normals_.reserve_additional(2 * sheets);
+    split_capacity_ = 0;
     mesh_.for_each_sheet(star, [this](const Star& sheet) { drop_sheet(sheet); });
     std::uint32_t& entry = vertex_entry_[index(star.m)];
     vertices_[entry] = kNone<VertexId>;
@@ -258,19 +259,19 @@ void ActiveSet::unsplit(const Star& star) {
     mesh_.for_each_side(bc, [&](HalfEdgeId h) {
         const EdgeId e = mesh_.edge(h);
         if (edge_states_[index(e)].entry == kNoEntry) {
-            enter(allocate_edge_entry(e, one_look_is_enough(e)), e, kUnmeasured);
+            enter(allocate_edge_entry(e, has_smooth_normals(e)), e, kUnmeasured);
         }
         edge_states_[index(e)].rest_length = kUnmeasured;
-        if (!was_inserted) note_length(rest_length(e));  // else its split has
+        if (!was_inserted) record_length(rest_length(e));  // else its split has
     });
 }
 
-bool ActiveSet::may_unsplit_apart(const Star& star) const {
+bool ActiveSet::may_unsplit_concurrently(const Star& star) const {
     if (star.on_boundary() || mesh_.wedge(star.mb) != mesh_.wedge(star.mc)) return false;
     return entry_of(mesh_.edge(star.bm)) && slot(wedge_entry_, mesh_.wedge(star.mc)) != kNoEntry;
 }
 
-ActiveSet::Unsplit ActiveSet::unsplit_apart(const Star& star) {
+ActiveSet::Unsplit ActiveSet::concurrent_unsplit(const Star& star) {
     std::uint32_t& vertex_entry = vertex_entry_[index(star.m)];
     std::uint32_t& wedge_entry = wedge_entry_[index(mesh_.wedge(star.mc))];
     Unsplit done{.ids = {},
@@ -283,7 +284,7 @@ ActiveSet::Unsplit ActiveSet::unsplit_apart(const Star& star) {
     vertex_entry = wedge_entry = kNoEntry;
     done.ids = mesh_.remove_midpoint(star);
     edge_states_[index(done.bc)].rest_length = kUnmeasured;
-    if (done.vertex_entry < original_vertices_) note_length(keep_rest_length(done.bc));
+    if (done.vertex_entry < original_vertices_) record_length(cached_rest_length(done.bc));
     return done;
 }
 
@@ -296,18 +297,18 @@ ActiveSet::UnsplitCount ActiveSet::count(std::span<const Unsplit> unsplits) cons
     return count;
 }
 
-ActiveSet::UnsplitPlaces ActiveSet::allocate_unsplits(const UnsplitCount& count) {
-    const UnsplitPlaces first{edits_.size(), faces_.size(), free_vertex_entries_.size(),
-                              free_wedge_entries_.size(), mesh_.allocate_freed(count.unsplits)};
-    edits_.grow_into_room(count.unsplits);
-    faces_.grow_into_room(4 * count.unsplits);
-    free_vertex_entries_.grow_into_room(count.vertex_entries);
-    free_wedge_entries_.grow_into_room(count.wedge_entries);
-    room_ = 0;  // splits find less now
+ActiveSet::ReservedLogSlots ActiveSet::allocate_unsplits(const UnsplitCount& count) {
+    const ReservedLogSlots first{edits_.size(), faces_.size(), free_vertex_entries_.size(),
+                                 free_wedge_entries_.size(), mesh_.allocate_freed(count.unsplits)};
+    edits_.grow_unchecked(count.unsplits);
+    faces_.grow_unchecked(4 * count.unsplits);
+    free_vertex_entries_.grow_unchecked(count.vertex_entries);
+    free_wedge_entries_.grow_unchecked(count.wedge_entries);
+    split_capacity_ = 0;  // splits find less now
     return first;
 }
 
-void ActiveSet::log_unsplits(std::span<const Unsplit> unsplits, UnsplitPlaces at) {
+void ActiveSet::log_unsplits(std::span<const Unsplit> unsplits, ReservedLogSlots at) {
     for (std::size_t i = 0; i < unsplits.size(); ++i) {
         const Unsplit& done = unsplits[i];
         edits_[at.edit++] = TopologyEdit::unsplit(done.bc);

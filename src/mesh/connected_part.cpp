@@ -10,7 +10,7 @@ namespace pectin {
 namespace {
 
 // Something that faces may share: a vertex in a zone (twice), or the two ends of an edge.
-struct Place {
+struct SharedElement {
     VertexId first, second;
     std::size_t face;  // into the faces
 };
@@ -25,25 +25,25 @@ bool is_inside_any(const Vec3& p, std::span<const Box> zones) {
                        [&](const Box& zone) { return zone.contains_strictly(p); });
 }
 
-std::vector<Place> shared_places(const TriMesh& mesh, std::span<const FaceId> faces,
-                                 std::span<const Box> zones) {
-    std::vector<Place> places;
+std::vector<SharedElement> shared_elements(const TriMesh& mesh, std::span<const FaceId> faces,
+                                           std::span<const Box> zones) {
+    std::vector<SharedElement> elements;
     for (std::size_t f = 0; f < faces.size(); ++f) {
         for (int corner = 0; corner < 3; ++corner) {
             const HalfEdgeId h = TriMesh::half_edge(faces[f], corner);
             const VertexId v = mesh.origin(h), w = mesh.target(h);
             if (is_inside_any(mesh.position(v), zones)) {
-                places.push_back({v, v, f});
+                elements.push_back({v, v, f});
             } else if (!is_inside_any(mesh.position(w), zones) &&
                        meets_any(mesh.position(v), mesh.position(w), zones)) {
-                places.push_back({std::min(v, w), std::max(v, w), f});
+                elements.push_back({std::min(v, w), std::max(v, w), f});
             }
         }
     }
-    std::sort(places.begin(), places.end(), [](const Place& a, const Place& b) {
+    std::sort(elements.begin(), elements.end(), [](const SharedElement& a, const SharedElement& b) {
         return std::tie(a.first, a.second, a.face) < std::tie(b.first, b.second, b.face);
     });
-    return places;
+    return elements;
 }
 
 }  // namespace
@@ -51,10 +51,11 @@ std::vector<Place> shared_places(const TriMesh& mesh, std::span<const FaceId> fa
 std::vector<FaceId> connected_part(const TriMesh& mesh, std::span<const FaceId> faces,
                                    std::span<const FaceId> seeds, std::span<const Box> zones) {
     DisjointSets parts(faces.size());
-    const std::vector<Place> places = shared_places(mesh, faces, zones);
-    for (std::size_t i = 1; i < places.size(); ++i) {
-        if (places[i].first == places[i - 1].first && places[i].second == places[i - 1].second) {
-            parts.join(places[i].face, places[i - 1].face);
+    const std::vector<SharedElement> elements = shared_elements(mesh, faces, zones);
+    for (std::size_t i = 1; i < elements.size(); ++i) {
+        if (elements[i].first == elements[i - 1].first &&
+            elements[i].second == elements[i - 1].second) {
+            parts.join(elements[i].face, elements[i - 1].face);
         }
     }
     std::vector<bool> is_reached(faces.size(), false);

@@ -40,7 +40,7 @@ class EarClipper {
             const Ear ear = ears_.top();
             ears_.pop();
             const bool is_current = version_[ear.tip] == ear.version;
-            if (is_current && is_ear(ear.tip)) cut(ear.tip);
+            if (is_current && is_ear(ear.tip)) clip_ear(ear.tip);
         }
         triangles_.push_back({prev_[last_], last_, next_[last_]});
         return std::move(triangles_);
@@ -106,7 +106,7 @@ class EarClipper {
         });
     }
 
-    void cut(std::uint32_t i) {
+    void clip_ear(std::uint32_t i) {
         const std::uint32_t before = prev_[i], after = next_[i];
         triangles_.push_back({before, i, after});
         next_[before] = after;
@@ -119,7 +119,7 @@ class EarClipper {
         }
         last_ = after;
         --left_;
-        has_cut_ = true;
+        has_clipped_ = true;
         if (rule_ == Rule::any && easings_ < kMostEasings) restart(Rule::proper);
     }
     void stop_blocking(std::uint32_t i) {
@@ -130,7 +130,7 @@ class EarClipper {
 
     // No corner is an ear by the present rule.
     void ease_rule() {
-        if (has_cut_ && rule_ != Rule::proper && easings_ < kMostEasings) {
+        if (has_clipped_ && rule_ != Rule::proper && easings_ < kMostEasings) {
             restart(Rule::proper);
         } else {
             restart(rule_ == Rule::proper    ? Rule::touched
@@ -140,7 +140,7 @@ class EarClipper {
     }
     void restart(Rule rule) {
         rule_ = ++easings_ < kMostEasings ? rule : Rule::any;
-        has_cut_ = false;
+        has_clipped_ = false;
         ears_ = {};
         push_all();
     }
@@ -155,7 +155,7 @@ class EarClipper {
     std::vector<CornerTriangle> triangles_;
     std::uint32_t last_ = 0;  // a corner that is left
     Rule rule_ = Rule::proper;
-    bool has_cut_ = false;  // since the rule was changed
+    bool has_clipped_ = false;  // since the rule was changed
     int easings_ = 0;
 };
 

@@ -51,10 +51,10 @@ void FaceTree::build(const TriMesh& mesh, std::span<const FaceId> faces) {
     leaves_.clear();
     node_of_face_.assign(mesh.face_slots(), kNoNode);
     built_for_ = mesh.face_count();
-    std::vector<Placed> placed;
-    placed.reserve(faces.size());
-    for (FaceId f : faces) placed.push_back({f, face_box(f, mesh).centre()});
-    build_node(placed, kNoNode, mesh);
+    std::vector<FaceCentre> centres;
+    centres.reserve(faces.size());
+    for (FaceId f : faces) centres.push_back({f, face_box(f, mesh).centre()});
+    build_node(centres, kNoNode, mesh);
 }
 
 // Of the faces it holds and those that are new to it.
@@ -70,17 +70,17 @@ void FaceTree::rebuild(const TriMesh& mesh, std::span<const FaceId> changed) {
     build(mesh, faces);
 }
 
-std::uint32_t FaceTree::build_node(std::span<Placed> faces, std::uint32_t parent,
+std::uint32_t FaceTree::build_node(std::span<FaceCentre> faces, std::uint32_t parent,
                                    const TriMesh& mesh) {
     // Three quarters full, so that refinement does not divide every leaf at once.
     if (faces.size() <= kLeafFaces * 3 / 4) return make_leaf(faces, parent, mesh);
     Box spread;
-    for (const Placed& f : faces) spread.include(f.centre);
+    for (const FaceCentre& f : faces) spread.include(f.centre);
     const int axis = longest_axis(spread);
     const std::size_t middle = faces.size() / 2;
     std::nth_element(
         faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(middle), faces.end(),
-        [&](const Placed& x, const Placed& y) { return x.centre[axis] < y.centre[axis]; });
+        [&](const FaceCentre& x, const FaceCentre& y) { return x.centre[axis] < y.centre[axis]; });
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     nodes_[node].parent = parent;
@@ -92,14 +92,14 @@ std::uint32_t FaceTree::build_node(std::span<Placed> faces, std::uint32_t parent
     return node;
 }
 
-std::uint32_t FaceTree::make_leaf(std::span<const Placed> faces, std::uint32_t parent,
+std::uint32_t FaceTree::make_leaf(std::span<const FaceCentre> faces, std::uint32_t parent,
                                   const TriMesh& mesh) {
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     nodes_[node].parent = parent;
     nodes_[node].leaf = static_cast<std::uint32_t>(leaves_.size());
     Leaf& leaf = leaves_.emplace_back();
-    for (const Placed& f : faces) {
+    for (const FaceCentre& f : faces) {
         leaf.faces[leaf.count++] = f.face;
         node_of_face_[index(f.face)] = node;
     }
@@ -335,15 +335,16 @@ void FaceTree::remove(FaceId f) {
 
 void FaceTree::divide_leaf(std::uint32_t node, FaceId extra, const TriMesh& mesh) {
     const std::uint32_t old_leaf = nodes_[node].leaf;
-    std::array<Placed, kLeafFaces + 1> faces;
+    std::array<FaceCentre, kLeafFaces + 1> faces;
     for (std::uint32_t i = 0; i <= kLeafFaces; ++i) {
         const FaceId f = i < kLeafFaces ? leaves_[old_leaf].faces[i] : extra;
         faces[i] = {f, face_box(f, mesh).centre()};
     }
     const int axis = longest_axis(nodes_[node].box);
-    std::sort(faces.begin(), faces.end(),
-              [&](const Placed& x, const Placed& y) { return x.centre[axis] < y.centre[axis]; });
-    const std::span<const Placed> all(faces);
+    std::sort(faces.begin(), faces.end(), [&](const FaceCentre& x, const FaceCentre& y) {
+        return x.centre[axis] < y.centre[axis];
+    });
+    const std::span<const FaceCentre> all(faces);
     const std::size_t middle = faces.size() / 2;
     const std::uint32_t left = make_leaf(all.first(middle), node, mesh);
     // The second half takes over the leaf that the node gives up.
@@ -352,7 +353,7 @@ void FaceTree::divide_leaf(std::uint32_t node, FaceId extra, const TriMesh& mesh
     nodes_[right].parent = node;
     nodes_[right].leaf = old_leaf;
     leaves_[old_leaf].count = 0;
-    for (const Placed& f : all.subspan(middle)) {
+    for (const FaceCentre& f : all.subspan(middle)) {
         leaves_[old_leaf].faces[leaves_[old_leaf].count++] = f.face;
         node_of_face_[index(f.face)] = right;
     }

@@ -71,15 +71,16 @@ class FaceTree {
         FaceId faces[kLeafFaces] = {};
     };
 
-    struct Placed {
+    struct FaceCentre {
         FaceId face = kNone<FaceId>;
         Vec3 centre;  // of its box
     };
 
     void build(const TriMesh& mesh, std::span<const FaceId> faces);
-    std::uint32_t build_node(std::span<Placed> faces, std::uint32_t parent, const TriMesh& mesh);
+    std::uint32_t build_node(std::span<FaceCentre> faces, std::uint32_t parent,
+                             const TriMesh& mesh);
     void rebuild(const TriMesh& mesh, std::span<const FaceId> changed);
-    std::uint32_t make_leaf(std::span<const Placed> faces, std::uint32_t parent,
+    std::uint32_t make_leaf(std::span<const FaceCentre> faces, std::uint32_t parent,
                             const TriMesh& mesh);
     void insert(FaceId f, const TriMesh& mesh);
     void remove(FaceId f);

@@ -15,12 +15,12 @@ std::size_t in_pages(std::size_t size) { return (size + kPage - 1) / kPage * kPa
 // From a multiple of a huge page on.
 std::byte* mapped(std::size_t size) {
     const std::size_t pages = in_pages(size);
-    void* const room = mmap(nullptr, pages + kHugePage, PROT_READ | PROT_WRITE,
-                            MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
-    if (room == MAP_FAILED) return nullptr;
-    const std::size_t before = kHugePage - reinterpret_cast<std::uintptr_t>(room) % kHugePage;
-    std::byte* const block = static_cast<std::byte*>(room) + before;
-    munmap(room, before);
+    void* const mapping = mmap(nullptr, pages + kHugePage, PROT_READ | PROT_WRITE,
+                               MAP_PRIVATE | MAP_ANONYMOUS, -1, 0);
+    if (mapping == MAP_FAILED) return nullptr;
+    const std::size_t before = kHugePage - reinterpret_cast<std::uintptr_t>(mapping) % kHugePage;
+    std::byte* const block = static_cast<std::byte*>(mapping) + before;
+    munmap(mapping, before);
     if (before < kHugePage) munmap(block + pages, kHugePage - before);
     madvise(block, pages, MADV_HUGEPAGE);  // where the system has none, these are small pages
     return block;

@@ -62,37 +62,37 @@ class GrowingArray {
     T& back() { return data_[size_ - 1]; }
     const T& back() const { return data_[size_ - 1]; }
 
-    // reserve: this many in all, no more. make_room: so many further ones, and some ahead, so that
-    // it seldom moves what there is.
+    // reserve: this many in all, no more. reserve_additional: so many further ones, and some ahead,
+    // so that it seldom moves what there is.
     void reserve(std::size_t capacity) {
         if (capacity > capacity_) move_to(capacity);
     }
-    void make_room(std::size_t count) {
+    void reserve_additional(std::size_t count) {
         if (capacity_ - size_ < count) [[unlikely]]
             grow_to(size_ + count);
     }
     void push_back(T value) {
-        make_room(1);
+        reserve_additional(1);
         data_[size_++] = value;
     }
     // The same where there is room.
-    void push_into_room(T value) {
+    void push_back_unchecked(T value) {
         assert(size_ < capacity_);
         data_[size_++] = value;
     }
     void grow(std::size_t count) {  // by what happens to be there
-        make_room(count);
+        reserve_additional(count);
         size_ += count;
     }
-    void grow_into_room(std::size_t count) {
+    void grow_unchecked(std::size_t count) {
         assert(size_ + count <= capacity_);
         size_ += count;
     }
     void pop_back() { --size_; }
-    T take_back() { return data_[--size_]; }
+    T pop_value() { return data_[--size_]; }
     void clear() { size_ = 0; }
     void resize(std::size_t size, T fill = T{}) {
-        if (size > size_) make_room(size - size_);
+        if (size > size_) reserve_additional(size - size_);
         for (std::size_t i = size_; i < size; ++i) data_[i] = fill;
         size_ = size;
     }
@@ -103,7 +103,7 @@ class GrowingArray {
     }
     void append(std::span<const T> values) {  // none of its own
         if (values.empty()) return;
-        make_room(values.size());
+        reserve_additional(values.size());
         std::memcpy(static_cast<void*>(data_ + size_), values.data(), values.size_bytes());
         size_ += values.size();
     }

@@ -57,7 +57,7 @@ void unsplit_edge(TriMesh& mesh, EdgeId bc) {
 
 void take_back(std::span<const TopologyEdit> edits, const SlotCounts& slots_before,
                TriMesh& mesh) noexcept {
-    const TriMesh::TakingBack taking_back(mesh, slots_before);
+    const TriMesh::RollbackScope rollback_scope(mesh, slots_before);
     for (std::size_t i = edits.size(); i-- > 0;) {
         if (edits[i].is_split()) {
             unsplit_edge(mesh, edits[i].edge());

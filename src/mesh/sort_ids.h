@@ -29,11 +29,11 @@ void sort_ids(std::span<Id> ids) {
     std::span<Id> from = ids, to = other;
     for (std::uint32_t shift = 0; shift < 32 && greatest >> shift != 0; shift += kDigitBits) {
         const auto digit = [&](Id id) { return index(id) >> shift & (kDigits - 1); };
-        std::array<std::uint32_t, kDigits> place{};
-        for (const Id id : from) ++place[digit(id)];
+        std::array<std::uint32_t, kDigits> offsets{};
+        for (const Id id : from) ++offsets[digit(id)];
         std::uint32_t begin = 0;
-        for (std::uint32_t& p : place) begin += std::exchange(p, begin);
-        for (const Id id : from) to[place[digit(id)]++] = id;
+        for (std::uint32_t& p : offsets) begin += std::exchange(p, begin);
+        for (const Id id : from) to[offsets[digit(id)]++] = id;
         std::swap(from, to);
     }
     if (from.data() != ids.data()) std::copy(from.begin(), from.end(), ids.begin());

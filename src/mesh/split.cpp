@@ -16,30 +16,30 @@ constexpr std::uint16_t kMostLevel = std::numeric_limits<std::uint16_t>::max();
 
 }  // namespace
 
-// The slot freed last, else a new one, for which make_room has made room. What it holds is the
-// caller's to write.
+// The slot freed last, else a new one, for which reserve_for_split has made room. What it holds is
+// the caller's to write.
 VertexId TriMesh::allocate_vertex() {
-    if (!free_vertices_.empty()) return free_vertices_.take_back();
-    for_each_array_of_vertices([](auto& slots) { slots.grow_into_room(1); });
+    if (!free_vertices_.empty()) return free_vertices_.pop_value();
+    for_each_array_of_vertices([](auto& slots) { slots.grow_unchecked(1); });
     return VertexId{vertex_slots() - 1};
 }
 
 WedgeId TriMesh::allocate_wedge() {
-    if (!free_wedges_.empty()) return free_wedges_.take_back();
-    for_each_array_of_wedges([](auto& slots) { slots.grow_into_room(1); });
+    if (!free_wedges_.empty()) return free_wedges_.pop_value();
+    for_each_array_of_wedges([](auto& slots) { slots.grow_unchecked(1); });
     return WedgeId{wedge_slots() - 1};
 }
 
 EdgeId TriMesh::allocate_edge() {
-    if (!free_edges_.empty()) return free_edges_.take_back();
-    for_each_array_of_edges([](auto& slots) { slots.grow_into_room(1); });
+    if (!free_edges_.empty()) return free_edges_.pop_value();
+    for_each_array_of_edges([](auto& slots) { slots.grow_unchecked(1); });
     return EdgeId{edge_slots() - 1};
 }
 
 FaceId TriMesh::allocate_face() {
-    if (!free_faces_.empty()) return free_faces_.take_back();
-    half_edges_.grow_into_room(3);
-    face_bases_.grow_into_room(1);
+    if (!free_faces_.empty()) return free_faces_.pop_value();
+    half_edges_.grow_unchecked(3);
+    face_bases_.grow_unchecked(1);
     return FaceId{face_slots() - 1};
 }
 
@@ -57,18 +57,18 @@ SplitIds TriMesh::allocate_split() {
 
 void TriMesh::allocate_splits(std::span<SplitIds> splits) {
     reserve_splits(static_cast<std::uint32_t>(splits.size()));
-    room_.splits -= static_cast<std::uint32_t>(splits.size());
+    split_capacity_.splits -= static_cast<std::uint32_t>(splits.size());
     while (has_free_slots() && !splits.empty()) {
         splits.front() = allocate_split();
         splits = splits.subspan(1);
     }
     const SlotCounts first = slot_counts();
     const auto count = static_cast<std::uint32_t>(splits.size());
-    for_each_array_of_vertices([&](auto& slots) { slots.grow_into_room(count); });
-    for_each_array_of_wedges([&](auto& slots) { slots.grow_into_room(count); });
-    for_each_array_of_edges([&](auto& slots) { slots.grow_into_room(3 * std::size_t{count}); });
-    half_edges_.grow_into_room(6 * std::size_t{count});
-    face_bases_.grow_into_room(2 * std::size_t{count});
+    for_each_array_of_vertices([&](auto& slots) { slots.grow_unchecked(count); });
+    for_each_array_of_wedges([&](auto& slots) { slots.grow_unchecked(count); });
+    for_each_array_of_edges([&](auto& slots) { slots.grow_unchecked(3 * std::size_t{count}); });
+    half_edges_.grow_unchecked(6 * std::size_t{count});
+    face_bases_.grow_unchecked(2 * std::size_t{count});
     for (std::uint32_t i = 0; i < count; ++i) {
         const std::uint32_t e = first.edges + 3 * i, f = first.faces + 2 * i;
         splits[i] = {VertexId{first.vertices + i},
@@ -109,13 +109,13 @@ bool TriMesh::has_slots_for_split(EdgeId e) {
     return suffices;
 }
 
-EdgeId TriMesh::leader(EdgeId e) const {
+EdgeId TriMesh::representative(EdgeId e) const {
     EdgeId lowest = e;
     for (EdgeId s = sibling(e); s != e; s = sibling(s)) lowest = std::min(lowest, s);
     return lowest;
 }
 
-std::uint16_t TriMesh::highest_level_round(EdgeId e) const {
+std::uint16_t TriMesh::highest_level_around(EdgeId e) const {
     const HalfEdgeId bc = half_edge(e);
     std::uint16_t highest = std::max(level(origin(bc)), level(target(bc)));
     for_each_side(e, [&](HalfEdgeId h) { highest = std::max(highest, level(origin(prev(h)))); });
@@ -123,7 +123,7 @@ std::uint16_t TriMesh::highest_level_round(EdgeId e) const {
 }
 
 bool TriMesh::may_split(EdgeId e) const {
-    return highest_level_ < kMostLevel || highest_level_round(e) < kMostLevel;
+    return highest_level_ < kMostLevel || highest_level_around(e) < kMostLevel;
 }
 
 bool TriMesh::has_levels_for(std::uint32_t count) const {
@@ -168,8 +168,8 @@ Split TriMesh::split(EdgeId e) {
 //  of each sibling round the ring. unsplit releases in reverse.
 Split TriMesh::insert_midpoint(EdgeId e) {
     assert(is_live(e) && may_split(e));
-    e = leader(e);
-    make_room(e);
+    e = representative(e);
+    reserve_for_split(e);
     const VertexId m = allocate_vertex();
     describe_midpoint(e, m);
     const Split s = insert_into_sheet(e, m);
@@ -179,7 +179,7 @@ Split TriMesh::insert_midpoint(EdgeId e) {
 }
 
 Split TriMesh::insert_midpoint(EdgeId e, const SplitIds& ids) {
-    assert(is_live(e) && highest_level_round(e) < kMostLevel && is_smooth(e));
+    assert(is_live(e) && highest_level_around(e) < kMostLevel && is_smooth(e));
     describe_midpoint(e, ids.m);
     Split s = before_split(e);
     s.m = ids.m;
@@ -197,8 +197,8 @@ Split TriMesh::insert_midpoint(EdgeId e, const SplitIds& ids) {
 // All but its half-edge.
 void TriMesh::describe_midpoint(EdgeId e, VertexId m) {
     const VertexId b = origin(half_edge(e)), c = target(half_edge(e));
-    const auto level = static_cast<std::uint16_t>(highest_level_round(e) + 1);
-    note_level(level);
+    const auto level = static_cast<std::uint16_t>(highest_level_around(e) + 1);
+    record_level(level);
     vertex_levels_[index(m)] = level;
     positions_[index(m)] = Vec3{0.0};
     deformed_[index(m)] = is_deformed(b) || is_deformed(c) ? 1 : 0;
@@ -206,7 +206,7 @@ void TriMesh::describe_midpoint(EdgeId e, VertexId m) {
 }
 
 // Several threads may.
-void TriMesh::note_level(std::uint16_t level) {
+void TriMesh::record_level(std::uint16_t level) {
     const std::atomic_ref highest(highest_level_);
     std::uint16_t known = highest.load(std::memory_order_relaxed);
     while (known < level && !highest.compare_exchange_weak(known, level)) {
@@ -214,21 +214,21 @@ void TriMesh::note_level(std::uint16_t level) {
 }
 
 // For the most a split adds, before it changes anything: without the memory nothing has happened.
-void TriMesh::make_room(EdgeId e) {
+void TriMesh::reserve_for_split(EdgeId e) {
     const bool along_cut = sibling(e) != e;
-    if (!along_cut && room_.splits > 0) {
-        --room_.splits;
+    if (!along_cut && split_capacity_.splits > 0) {
+        --split_capacity_.splits;
         return;
     }
     std::size_t sides = 0;
     for_each_side(e, [&](HalfEdgeId) { ++sides; });
     if (along_cut) sheets_.reserve(sides);
     if (has_slots_for_split(e)) {
-        room_.splits = 0;  // this split takes some of it
+        split_capacity_.splits = 0;  // this split takes some of it
         return;
     }
-    reserve_for(std::max<std::size_t>(sides, 2));
-    room_.splits = along_cut ? 0 : room_.splits - 1;
+    reserve_for_sides(std::max<std::size_t>(sides, 2));
+    split_capacity_.splits = along_cut ? 0 : split_capacity_.splits - 1;
 }
 
 // visit(array, elements that a side of a split adds to it at most).
@@ -242,17 +242,17 @@ void TriMesh::for_each_array_of_splits(Visit visit) {
 }
 
 // Room for at least a split with so many sides, and notes how many with two there are then.
-void TriMesh::reserve_for(std::size_t sides) {
+void TriMesh::reserve_for_sides(std::size_t sides) {
     std::size_t splits = kMostCounted;
     for_each_array_of_splits([&](auto& slots, std::size_t a_side) {
-        slots.make_room(a_side * sides);
+        slots.reserve_additional(a_side * sides);
         splits = std::min(splits, (slots.capacity() - slots.size()) / (2 * a_side));
     });
-    room_.splits = static_cast<std::uint32_t>(splits);
+    split_capacity_.splits = static_cast<std::uint32_t>(splits);
 }
 
 void TriMesh::reserve_splits(std::uint32_t count) {
-    if (room_.splits < count) reserve_for(2 * std::size_t{count});
+    if (split_capacity_.splits < count) reserve_for_sides(2 * std::size_t{count});
 }
 
 // What a split made in the sheet of this star, along a cut.
@@ -325,28 +325,28 @@ void TriMesh::describe_wedge(const Split::Side& side) {
     if (has_uvs()) uvs_[index(side.m)] = 0.5f * uv(side.b) + 0.5f * uv(side.c);
 }
 
-// The siblings of the edge that `leader` has split, about the same m. Along bm and along mc the
-// pieces become siblings, in the order that the edges had.
+// The siblings of the edge that `representative` has split, about the same m. Along bm and along mc
+// the pieces become siblings, in the order that the edges had.
 //
 //      a1 a2             a1 a2
 //      | / |             |\./|
 //      b===c   ---->     b=m=c     here sheets 1 and 2 run the same way; where one runs from c to
 //                                  b, its own bm lies along the others' mc
-void TriMesh::insert_into_siblings(const Split& leader) {
-    EdgeId along_bm = leader.bm, along_mc = leader.mc;
-    const auto follow = [this](EdgeId& last, EdgeId e) {
+void TriMesh::insert_into_siblings(const Split& representative) {
+    EdgeId along_bm = representative.bm, along_mc = representative.mc;
+    const auto append = [this](EdgeId& last, EdgeId e) {
         siblings_[index(last)] = e;
         last = e;
     };
-    for (EdgeId e = sibling(leader.bm), next = e; e != leader.bm; e = next) {
+    for (EdgeId e = sibling(representative.bm), next = e; e != representative.bm; e = next) {
         next = sibling(e);
-        const Split s = insert_into_sheet(e, leader.m);
-        const bool same_way = s.b == leader.b;
-        follow(along_bm, same_way ? s.bm : s.mc);
-        follow(along_mc, same_way ? s.mc : s.bm);
+        const Split s = insert_into_sheet(e, representative.m);
+        const bool same_way = s.b == representative.b;
+        append(along_bm, same_way ? s.bm : s.mc);
+        append(along_mc, same_way ? s.mc : s.bm);
     }
-    follow(along_bm, leader.bm);
-    follow(along_mc, leader.mc);
+    append(along_bm, representative.bm);
+    append(along_mc, representative.mc);
 }
 
 void TriMesh::connect_left(const Split& s) {

@@ -38,7 +38,7 @@ struct SplitIds {
 
 // Places in the lists of what is free, for what several such splits took and now give back: those
 // of the first split.
-struct FreedPlaces {
+struct FreedSlots {
     std::size_t vertex = 0, wedge = 0, edge = 0, face = 0;
 };
 

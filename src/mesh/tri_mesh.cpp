@@ -48,7 +48,7 @@ Vec3 TriMesh::area_normal(FaceId f) const {
     return glm::cross(b - a, c - a);
 }
 
-void TriMesh::truncate(const SlotCounts& counts) {
+void TriMesh::shrink(const SlotCounts& counts) {
     drop_past(free_vertices_, counts.vertices);
     drop_past(free_wedges_, counts.wedges);
     drop_past(free_edges_, counts.edges);

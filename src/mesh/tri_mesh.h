@@ -107,7 +107,7 @@ class TriMesh {
     // The next of the edges that lie along e where a cut parts their sheets; e itself where none.
     EdgeId sibling(EdgeId e) const { return siblings_.empty() ? e : siblings_[index(e)]; }
     // Of e and its siblings the one with the lowest id. Cost: O(siblings).
-    EdgeId leader(EdgeId e) const;
+    EdgeId representative(EdgeId e) const;
     // visit(HalfEdgeId): e's one or two half-edges, then its siblings' (each has one).
     template <typename Visit>
     void for_each_side(EdgeId e, Visit visit) const {
@@ -203,8 +203,8 @@ class TriMesh {
     // called at the same time, too: once with each of those that allocate_freed has taken places
     // for, whose order counts. Precondition: as unsplit's, and bm and mc are smooth.
     SplitIds remove_midpoint(const Star& star);
-    FreedPlaces allocate_freed(std::size_t splits);
-    void free_split(const SplitIds& ids, const FreedPlaces& first, std::size_t i);
+    FreedSlots allocate_freed(std::size_t splits);
+    void free_split(const SplitIds& ids, const FreedSlots& first, std::size_t i);
     // Room for what so many unsplits of one sheet free, so that none of all this throws.
     void reserve_unsplits(std::size_t count);
 
@@ -221,37 +221,37 @@ class TriMesh {
         const EdgeId first = edge(star.mc);
         for (EdgeId e = sibling(first); e != first; e = sibling(e)) visit(*sheet(star.m, e));
     }
-    // visit(const Split&): what a split has just made in each sheet along a cut, its leader's
-    // first.
+    // visit(const Split&): what a split has just made in each sheet along a cut, its
+    // representative's first.
     template <typename Visit>
-    void for_each_sheet(const Split& leader, Visit visit) const {
-        visit(leader);
-        if (sibling(leader.mc) == leader.mc) return;
-        for (EdgeId e = sibling(leader.mc); e != leader.mc; e = sibling(e)) {
-            visit(split_of(*sheet(leader.m, e)));
+    void for_each_sheet(const Split& representative, Visit visit) const {
+        visit(representative);
+        if (sibling(representative.mc) == representative.mc) return;
+        for (EdgeId e = sibling(representative.mc); e != representative.mc; e = sibling(e)) {
+            visit(split_of(*sheet(representative.m, e)));
         }
     }
-    // The exact inverse of the split that made star.m: same ids, same bytes. Returns bc, the leader
-    // of its siblings. Precondition: star is what removable(m) says.
+    // The exact inverse of the split that made star.m: same ids, same bytes. Returns bc, the
+    // representative of its siblings. Precondition: star is what removable(m) says.
     EdgeId unsplit(const Star& star);
     // While one exists, unsplit() removes the slots that splits had added beyond `counts`, instead
     // of adding them to the free lists. So edits that are taken back last first leave the mesh as
     // it was, and nothing is allocated: the free lists were as long before.
-    class TakingBack {
+    class RollbackScope {
       public:
-        TakingBack(TriMesh& mesh, const SlotCounts& counts) : mesh_(mesh) {
+        RollbackScope(TriMesh& mesh, const SlotCounts& counts) : mesh_(mesh) {
             mesh_.kept_slots_ = counts;
         }
-        ~TakingBack() { mesh_.kept_slots_ = kAllSlots; }
-        TakingBack(const TakingBack&) = delete;
-        TakingBack& operator=(const TakingBack&) = delete;
+        ~RollbackScope() { mesh_.kept_slots_ = kAllSlots; }
+        RollbackScope(const RollbackScope&) = delete;
+        RollbackScope& operator=(const RollbackScope&) = delete;
 
       private:
         TriMesh& mesh_;
     };
     // Cuts the slots back to `counts` where all edits made since then have been undone in
     // reverse order: the slots they had added are then free, below all others in the free lists.
-    void truncate(const SlotCounts& counts);
+    void shrink(const SlotCounts& counts);
 
     // The same surface with all that splits have inserted made base (bake.cpp). O(n).
     Baked baked() const;
@@ -276,16 +276,16 @@ class TriMesh {
 
     // How many two-sided splits find all arrays large enough, at least. The arrays of a copy are as
     // large as they have to be.
-    struct Room {
+    struct SplitCapacity {
         std::uint32_t splits = 0;
-        Room() = default;
-        Room(const Room&) {}
-        Room& operator=(const Room&) {
+        SplitCapacity() = default;
+        SplitCapacity(const SplitCapacity&) {}
+        SplitCapacity& operator=(const SplitCapacity&) {
             splits = 0;
             return *this;
         }
-        Room(Room&& other) noexcept : splits(std::exchange(other.splits, 0)) {}
-        Room& operator=(Room&& other) noexcept {
+        SplitCapacity(SplitCapacity&& other) noexcept : splits(std::exchange(other.splits, 0)) {}
+        SplitCapacity& operator=(SplitCapacity&& other) noexcept {
             splits = std::exchange(other.splits, 0);
             return *this;
         }
@@ -311,8 +311,8 @@ class TriMesh {
 
     void move_half_edge(HalfEdgeId from, HalfEdgeId to);
     void link(HalfEdgeId h, HalfEdgeId twin);
-    void make_room(EdgeId e);
-    void reserve_for(std::size_t sides);
+    void reserve_for_split(EdgeId e);
+    void reserve_for_sides(std::size_t sides);
     // visit(array of slots)
     template <typename Visit>
     void for_each_array_of_vertices(Visit visit);
@@ -327,12 +327,12 @@ class TriMesh {
     void describe_midpoint(EdgeId e, VertexId m);
     void describe_edge(EdgeId e, std::uint16_t level);
     void describe_wedge(const Split::Side& side);
-    void note_level(std::uint16_t level);
+    void record_level(std::uint16_t level);
     void connect(const Split& split);
     void connect_left(const Split& split);
     void connect_right(const Split& split);
-    void insert_into_siblings(const Split& leader);
-    std::uint16_t highest_level_round(EdgeId e) const;
+    void insert_into_siblings(const Split& representative);
+    std::uint16_t highest_level_around(EdgeId e) const;
     std::optional<Star> star_from(HalfEdgeId mc) const;
     std::optional<Star> sheet(VertexId m, EdgeId along_cut) const;
     Split split_of(const Star& star) const;
@@ -340,7 +340,7 @@ class TriMesh {
     SplitIds ids_of(const Star& star) const;
     void disconnect_left(const Star& star, const SplitIds& ids);
     void disconnect_right(const Star& star, const SplitIds& ids);
-    void unsplit_siblings(const Star& leader);
+    void unsplit_siblings(const Star& representative);
 
     GrowingArray<Vec3> positions_;                // n_vertex_slots, world
     GrowingArray<HalfEdgeId> vertex_half_edges_;  // n_vertex_slots
@@ -364,10 +364,10 @@ class TriMesh {
     GrowingArray<WedgeId> free_wedges_;
     GrowingArray<EdgeId> free_edges_;
     GrowingArray<FaceId> free_faces_;
-    Room room_;
+    SplitCapacity split_capacity_;
     static constexpr std::uint32_t kAll = 0xffffffffu;
     static constexpr SlotCounts kAllSlots{kAll, kAll, kAll, kAll};
-    SlotCounts kept_slots_ = kAllSlots;  // see TakingBack
+    SlotCounts kept_slots_ = kAllSlots;  // see RollbackScope
     // Scratch of unsplit_siblings(). A split makes it large enough, so that undoing it allocates
     // nothing.
     std::vector<Star> sheets_;

@@ -63,7 +63,7 @@ int dropped_axis(std::span<const Vec3> corners, const Vec3& normal) {
 
 // Ranks of the corners in the order in which ears of equal length are cut: first those farthest
 // from the mirror planes, so that diagonals end at corners on or near to these.
-std::vector<std::uint32_t> cutting_order(std::span<const Vec3> corners, const Vec3& centre) {
+std::vector<std::uint32_t> clipping_order(std::span<const Vec3> corners, const Vec3& centre) {
     struct Key {
         std::array<std::int64_t, 6> cells{};
         std::uint32_t corner = 0;
@@ -110,16 +110,16 @@ bool has_reversed(const std::vector<Vec2>& points, std::span<const CornerTriangl
     });
 }
 
-class PolygonCutter {
+class PolygonTriangulator {
   public:
-    PolygonCutter(std::span<const Vec3> corners, const Vec3& centre)
+    PolygonTriangulator(std::span<const Vec3> corners, const Vec3& centre)
         : polygon_{.points = {}, .in_space = scaled(corners), .order = {}} {
         normal_ = newell_normal(polygon_.in_space);
-        polygon_.order = cutting_order(polygon_.in_space, scaled(centre, scale_exponent(corners)));
+        polygon_.order = clipping_order(polygon_.in_space, scaled(centre, scale_exponent(corners)));
         polygon_.points.resize(corners.size());
     }
 
-    bool cut(std::vector<CornerTriangle>& out) {
+    bool triangulate(std::vector<CornerTriangle>& out) {
         project_along_axis();
         bool covers = clip();
         if (!covers && project_along_normal()) covers = clip();
@@ -189,7 +189,7 @@ bool triangulate(std::span<const Vec3> corners, std::vector<CornerTriangle>& tri
         return true;
     }
     if (corners.size() == 4) return triangulate_quad(corners, centre, triangles);
-    return PolygonCutter(corners, centre).cut(triangles);
+    return PolygonTriangulator(corners, centre).triangulate(triangles);
 }
 
 }  // namespace pectin

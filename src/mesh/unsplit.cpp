@@ -134,12 +134,12 @@ EdgeId TriMesh::unsplit(const Star& star) {
     return e;
 }
 
-void TriMesh::unsplit_siblings(const Star& leader) {
+void TriMesh::unsplit_siblings(const Star& representative) {
     sheets_.clear();
-    for_each_sheet(leader, [&](const Star& star) { sheets_.push_back(star); });
+    for_each_sheet(representative, [&](const Star& star) { sheets_.push_back(star); });
     for (std::size_t i = sheets_.size(); i-- > 0;) {
         const EdgeId e = edge(sheets_[i].bm);
-        assert(e >= edge(leader.bm));
+        assert(e >= edge(representative.bm));
         siblings_[index(e)] = edge(sheets_[(i + 1) % sheets_.size()].bm);
         if (i > 0) unsplit_sheet(sheets_[i]);
     }
@@ -184,24 +184,24 @@ SplitIds TriMesh::remove_midpoint(const Star& star) {
 }
 
 void TriMesh::reserve_unsplits(std::size_t count) {
-    free_vertices_.make_room(count);
-    free_wedges_.make_room(2 * count);
-    free_edges_.make_room(3 * count);
-    free_faces_.make_room(2 * count);
+    free_vertices_.reserve_additional(count);
+    free_wedges_.reserve_additional(2 * count);
+    free_edges_.reserve_additional(3 * count);
+    free_faces_.reserve_additional(2 * count);
 }
 
-FreedPlaces TriMesh::allocate_freed(std::size_t splits) {
-    const FreedPlaces first{free_vertices_.size(), free_wedges_.size(), free_edges_.size(),
-                            free_faces_.size()};
-    free_vertices_.grow_into_room(splits);
-    free_wedges_.grow_into_room(splits);
-    free_edges_.grow_into_room(3 * splits);
-    free_faces_.grow_into_room(2 * splits);
+FreedSlots TriMesh::allocate_freed(std::size_t splits) {
+    const FreedSlots first{free_vertices_.size(), free_wedges_.size(), free_edges_.size(),
+                           free_faces_.size()};
+    free_vertices_.grow_unchecked(splits);
+    free_wedges_.grow_unchecked(splits);
+    free_edges_.grow_unchecked(3 * splits);
+    free_faces_.grow_unchecked(2 * splits);
     return first;
 }
 
 // In the order that unsplit would.
-void TriMesh::free_split(const SplitIds& ids, const FreedPlaces& first, std::size_t i) {
+void TriMesh::free_split(const SplitIds& ids, const FreedSlots& first, std::size_t i) {
     std::ranges::copy(std::array{ids.face4, ids.face3}, &free_faces_[first.face + 2 * i]);
     std::ranges::copy(std::array{ids.dm, ids.am, ids.mc}, &free_edges_[first.edge + 3 * i]);
     free_wedges_[first.wedge + i] = ids.wedge;

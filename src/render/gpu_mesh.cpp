@@ -89,7 +89,7 @@ GpuMesh::Upload GpuMesh::upload(const TriMesh& mesh, const Vec3& centre) {
     bounds_ = Box{};
     face_slots_ = mesh.face_slots();
     wedge_vertices_.assign(mesh.wedge_slots(), kNone<VertexId>);
-    for (std::uint32_t i = 0; i < face_slots_; ++i) note_corners(mesh, FaceId{i});
+    for (std::uint32_t i = 0; i < face_slots_; ++i) record_corners(mesh, FaceId{i});
     vertices_.clear(mesh.wedge_slots());
     triangles_.clear(face_slots_);
     bind_buffers();
@@ -113,7 +113,7 @@ GpuMesh::Upload GpuMesh::update(const TriMesh& mesh, std::span<const WedgeId> we
     face_slots_ = mesh.face_slots();
     wedge_vertices_.resize(mesh.wedge_slots(), kNone<VertexId>);
     for (const FaceId f : faces) {
-        if (index(f) < face_slots_) note_corners(mesh, f);
+        if (index(f) < face_slots_) record_corners(mesh, f);
     }
     const bool new_vertices = vertices_.reserve(mesh.wedge_slots());
     const bool new_triangles = triangles_.reserve(face_slots_);
@@ -130,7 +130,7 @@ GpuMesh::Upload GpuMesh::update(const TriMesh& mesh, std::span<const WedgeId> we
     return upload;
 }
 
-void GpuMesh::note_corners(const TriMesh& mesh, FaceId f) {
+void GpuMesh::record_corners(const TriMesh& mesh, FaceId f) {
     if (!mesh.is_live(f)) return;
     for (int corner = 0; corner < 3; ++corner) {
         const HalfEdgeId h = TriMesh::half_edge(f, corner);

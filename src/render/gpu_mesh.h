@@ -81,7 +81,7 @@ class GpuMesh {
     std::uint32_t face_slots() const { return face_slots_; }
 
   private:
-    void note_corners(const TriMesh& mesh, FaceId f);
+    void record_corners(const TriMesh& mesh, FaceId f);
     void bind_buffers() const;
     GpuVertex vertex(const TriMesh& mesh, WedgeId w) const;
     void write_vertices(const TriMesh& mesh, std::uint32_t first, std::uint32_t end,

@@ -11,7 +11,7 @@ namespace {
 
 constexpr float kEdgeWidth = 1.1f;        // pixels
 constexpr float kHiddenStrength = 0.28f;  // of what lies behind the object
-constexpr double kNearRoom = 0.5;         // lines and points are drawn nearer than they are
+constexpr double kNearMargin = 0.5;       // lines and points are drawn nearer than they are
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -63,7 +63,7 @@ Renderer::View Renderer::view(const GpuMesh& mesh, const Scene& scene, const Can
     Box shown = mesh.bounds();
     shown.include(scene.overlay.bounds());
     DepthRange depths = depth_range(scene.camera, shown);
-    depths.near *= kNearRoom;
+    depths.near *= kNearMargin;
     const double aspect = static_cast<double>(canvas.size().x) / canvas.size().y;
     return {.to_camera = glm::translate(scene.camera.view(), mesh.centre()),
             .projection = scene.camera.projection(aspect, depths),

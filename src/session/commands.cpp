@@ -146,8 +146,8 @@ Frame Session::State::adapt_everything() {
     // At the budget, refinement rests until a drag or the settings change.
     const bool was_hit = outcome.budget_hit;
     if (was_hit) adapt_limits.budget = 0;
-    Adaptation adaptation =
-        adapt_without_cuts(*active, embedding, Criteria(adapt_limits, zones_of_readapt(), {}));
+    Adaptation adaptation = adapt_without_self_intersections(
+        *active, embedding, Criteria(adapt_limits, zones_of_readapt(), {}));
     Frame frame;
     frame.splits = adaptation.refinement.splits;
     frame.unsplits = adaptation.decimation.unsplits;
@@ -181,7 +181,7 @@ Refusal Session::State::run(const command::Readapt& readapt) {
         change = active->finish();
         stopwatch.lap();
         outcome.blocked.clear();
-        note(frame);
+        record(frame);
         add_step(readapt, change);
     } catch (...) {  // no memory: the object as it was
         if (active->is_begun()) {
@@ -189,7 +189,7 @@ Refusal Session::State::run(const command::Readapt& readapt) {
         } else {
             undo(change, *mesh);
         }
-        follow_everything();
+        update_everything();
         take_outcome();
         throw;
     }
@@ -222,7 +222,7 @@ Refusal Session::State::run(const command::Save& save) {
     SaveReport report = save_model(*mesh, save, {}, material_folders);
     remark = std::move(report.text);
     has_failed_partly = report.has_failed;
-    note_saved(save.path);
+    record_saved(save.path);
     return std::nullopt;
 }
 

@@ -26,8 +26,8 @@ bool is_in(const IVec3& index, const Lattice& cage) {
 }
 
 bool is_symmetric(const Lattice& cage, const MirrorPlane& plane) {
-    const double apart = glm::length((image(plane, cage).origin - cage.origin) / cage.cell);
-    return apart <= kSameCage;
+    const double distance = glm::length((image(plane, cage).origin - cage.origin) / cage.cell);
+    return distance <= kSameCage;
 }
 
 std::string refuse_index(const IVec3& index, const Lattice& cage) {
@@ -103,7 +103,7 @@ std::variant<std::vector<Vec3>, std::string> Session::State::control_displacemen
 }
 
 Refusal Session::State::begin_control(std::span<const IVec3> indices) {
-    assert(!in_hand);
+    assert(!active_gesture);
     if (!has_object()) return kNoObject;
     if (indices.empty()) return "control needs at least one control point to move";
     command::Control control;
@@ -115,7 +115,7 @@ Refusal Session::State::begin_control(std::span<const IVec3> indices) {
     auto displacements = control_displacements(control);
     if (auto* refusal = std::get_if<std::string>(&displacements)) return std::move(*refusal);
     Stopwatch stopwatch;
-    auto begun = std::make_unique<InHand>();
+    auto begun = std::make_unique<ActiveGesture>();
     begun->control = std::move(control);
     Warp warp{{LatticeField{*lattice_settings.cage, std::move(std::get<0>(displacements))}}};
     Box zone = warp.zone();
@@ -123,29 +123,31 @@ Refusal Session::State::begin_control(std::span<const IVec3> indices) {
     const std::vector<FaceId> faces = face_tree().faces_meeting(zone, *mesh);
     start_gesture(*begun, faces, std::move(warp));
     begun->measured.seconds.begin = stopwatch.lap();
-    in_hand = std::move(begun);
+    active_gesture = std::move(begun);
     return std::nullopt;
 }
 
 Refusal Session::State::control_to(std::span<const Vec3> targets) {
-    assert(in_hand && in_hand->is_control() && targets.size() == in_hand->control.points.size());
-    command::Control control = in_hand->control;
+    assert(active_gesture && active_gesture->is_control() &&
+           targets.size() == active_gesture->control.points.size());
+    command::Control control = active_gesture->control;
     for (std::size_t i = 0; i < targets.size(); ++i) control.points[i].to = targets[i];
     auto displacements = control_displacements(control);
     if (auto* refusal = std::get_if<std::string>(&displacements)) return std::move(*refusal);
-    in_hand->control = std::move(control);
-    show_frame(std::get<0>(displacements));
+    active_gesture->control = std::move(control);
+    update_frame(std::get<0>(displacements));
     return std::nullopt;
 }
 
 std::optional<command::Control> Session::State::end_control() {
-    assert(in_hand && in_hand->is_control());
-    const command::Control control = in_hand->control;
-    const std::vector<Vec3> displacements = std::get<0>(control_displacements(control));
-    const bool is_nothing = std::all_of(displacements.begin(), displacements.end(),
-                                        [](const Vec3& d) { return d == Vec3{0.0}; });
-    commit(displacements, is_nothing);
-    return is_nothing ? std::nullopt : std::optional(control);
+    assert(active_gesture && active_gesture->is_control());
+    std::optional<command::Control> control = active_gesture->control;  // as in end_drag
+    const std::vector<Vec3> displacements = std::get<0>(control_displacements(*control));
+    const bool is_noop = std::all_of(displacements.begin(), displacements.end(),
+                                     [](const Vec3& d) { return d == Vec3{0.0}; });
+    commit(displacements, is_noop);
+    if (is_noop) control.reset();
+    return control;
 }
 
 Refusal Session::State::run(const command::Control& control) {
@@ -157,11 +159,11 @@ Refusal Session::State::run(const command::Control& control) {
     std::vector<IVec3> indices;
     for (const auto& point : control.points) indices.push_back(point.index);
     if (Refusal refusal = begin_control(indices)) return refusal;
-    in_hand->control = control;
+    active_gesture->control = control;
     try {
         end_control();
     } catch (...) {
-        if (in_hand) cancel_drag();
+        if (active_gesture) cancel_drag();
         throw;
     }
     return std::nullopt;

@@ -28,58 +28,70 @@ double largest_component(const Vec3& v) {
     return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
 }
 
-Turn turn_of(const command::Drag::Move& move) {
-    Turn turn{.scale = move.scale};
+Rotation rotation_of(const command::Drag::Move& move) {
+    Rotation rotation{.scale = move.scale};
     if (move.twist) {
-        turn.axis = move.twist->axis;
-        turn.degrees = move.twist->degrees;
+        rotation.axis = move.twist->axis;
+        rotation.degrees = move.twist->degrees;
     }
-    return turn;
+    return rotation;
 }
 
-bool turns(const command::Drag::Move& move) { return !turn_of(move).is_none(); }
+bool rotates(const command::Drag::Move& move) { return !rotation_of(move).is_none(); }
 
-bool moves_nothing(const command::Drag& drag) {
-    const bool goes_nowhere =
+bool has_no_effect(const command::Drag& drag) {
+    const bool stays_in_place =
         std::all_of(drag.moves.begin(), drag.moves.end(),
-                    [](const auto& move) { return move.to == move.from && !turns(move); });
-    return goes_nowhere && std::all_of(drag.via.begin(), drag.via.end(), [&](const Vec3& point) {
+                    [](const auto& move) { return move.to == move.from && !rotates(move); });
+    return stays_in_place && std::all_of(drag.via.begin(), drag.via.end(), [&](const Vec3& point) {
                return point == drag.moves.front().from;
            });
 }
 
 // What the last step is asked for where it makes up the last segment.
-std::vector<GripMotion> last_motions(const command::Drag& drag) {
-    std::vector<GripMotion> motions;
+std::vector<HandleMotion> last_motions(const command::Drag& drag) {
+    std::vector<HandleMotion> motions;
     for (const auto& move : drag.moves) {
-        const bool goes_on = motions.empty() && !drag.via.empty();
-        const Vec3& at = goes_on ? drag.via.back() : move.from;
-        motions.push_back({move.to - at, turn_of(move).jacobian()});
+        const bool continues = motions.empty() && !drag.via.empty();
+        const Vec3& at = continues ? drag.via.back() : move.from;
+        motions.push_back({move.to - at, rotation_of(move).jacobian()});
     }
     return motions;
 }
 
+// The zones and their mirror images with symmetry, which may differ by rounding: a face that only
+// just meets a zone has its mirror image among the faces that follow, too.
+std::vector<Box> both_sides(std::vector<Box> zones, const std::optional<MirrorPlane>& symmetry) {
+    if (!symmetry) return zones;
+    const std::size_t count = zones.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Box image = symmetry->image(zones[i]);
+        if (std::ranges::find(zones, image) == zones.end()) zones.push_back(image);
+    }
+    return zones;
+}
+
 // Why intersections are left, and what helps.
-std::string reason_of(CutLimit limit) {
+std::string reason_of(IntersectionLimit limit) {
     switch (limit) {
-        case CutLimit::floor:
+        case IntersectionLimit::floor:
             return "since the floor keeps the edges there from being split; lower the floor";
-        case CutLimit::budget:
+        case IntersectionLimit::budget:
             return "since the triangle budget is used up; raise the budget";
-        case CutLimit::thinning:
+        case IntersectionLimit::decimation:
             return "since without a flatness limit vertices there were removed; set flatness";
-        case CutLimit::search:
-        case CutLimit::none:
+        case IntersectionLimit::search:
+        case IntersectionLimit::none:
             break;
     }
     return "since there are too many to find them all; take a larger radius";
 }
 
-std::string remark_on_cuts(const Frame& frame) {
-    if (frame.cuts == 0) return {};
-    return "triangles still intersect each other in " + std::to_string(frame.cuts) +
-           (frame.cuts == 1 ? " place, " : " places, ") + reason_of(frame.cut_limit) +
-           ", or undo and drag less far";
+std::string remark_on_self_intersections(const Frame& frame) {
+    if (frame.self_intersections == 0) return {};
+    return "triangles still intersect each other in " + std::to_string(frame.self_intersections) +
+           (frame.self_intersections == 1 ? " place, " : " places, ") +
+           reason_of(frame.intersection_limit) + ", or undo and drag less far";
 }
 
 }  // namespace
@@ -91,8 +103,9 @@ DragPlan Session::State::plan_of(const command::Drag& drag) const {
                   .fold_free = drag.fold_free,
                   .plane = symmetry,
                   .lattice = lattice_settings.lattice(drag.moves.front().from, diagonal),
-                  .follows_point = !lattice_settings.cage.has_value()};
-    for (const auto& move : drag.moves) plan.moves.push_back({move.from, move.to, turn_of(move)});
+                  .is_centred_on_point = !lattice_settings.cage.has_value()};
+    for (const auto& move : drag.moves)
+        plan.moves.push_back({move.from, move.to, rotation_of(move)});
     return plan;
 }
 
@@ -175,12 +188,12 @@ std::vector<VertexId> Session::State::vertices_at_handles(const command::Drag& d
     return vertices;
 }
 
-void Session::State::start_gesture(InHand& begun, std::span<const FaceId> faces, Warp warp) {
+void Session::State::start_gesture(ActiveGesture& begun, std::span<const FaceId> faces, Warp warp) {
     std::optional<AdaptLimits> adapt_limits;
     begun.lattice = lattice_of(warp.steps.back());
     if (adapt_settings.enabled) {
         adapt_limits = limits(begun.lattice);
-        adapt_limits->without_cuts = begun.drag.fold_free;
+        adapt_limits->without_self_intersections = begun.drag.fold_free;
     }
     begun.measured.steps = warp.steps.size();
     begun.gesture = std::make_unique<Gesture>(*active, faces, std::move(warp), adapt_limits,
@@ -189,13 +202,13 @@ void Session::State::start_gesture(InHand& begun, std::span<const FaceId> faces,
 }
 
 // Plans the drag and begins its gesture, in place of the one there may be.
-Refusal Session::State::embed(InHand& begun) {
+Refusal Session::State::embed(ActiveGesture& begun) {
     Stopwatch stopwatch;
     auto result = plan_drag(plan_of(begun.drag));
     if (auto* refusal = std::get_if<DragRefusal>(&result)) return std::move(refusal->what);
     PlannedDrag planned = std::move(std::get<PlannedDrag>(result));
     const std::size_t left = planned.warp.steps.size() - planned.last_segment;
-    const bool is_alone = begun.drag.moves.size() == 1 && !turns(begun.drag.moves.front());
+    const bool is_alone = begun.drag.moves.size() == 1 && !rotates(begun.drag.moves.front());
     begun.is_one_step_left = left == 1;
     if (begun.gesture && left > 1 && is_alone) {
         // Its steps become waypoints, so that the next frame has but the last to change.
@@ -211,13 +224,13 @@ Refusal Session::State::embed(InHand& begun) {
     // At rest again: faces are looked for and embedded there.
     if (begun.gesture) {
         if (const auto changed = begun.gesture->cancel()) {
-            show(*changed);
+            mark_dirty(*changed);
         } else {
-            follow_everything();
+            update_everything();
         }
         begun.gesture.reset();
     }
-    auto faces = faces_of(begun.drag, planned.warp.zones());
+    auto faces = faces_of(begun.drag, both_sides(planned.warp.zones(), symmetry));
     if (auto* refusal = std::get_if<std::string>(&faces)) return std::move(*refusal);
     // What throws from here on (memory) leaves no gesture, and the object at rest.
     start_gesture(begun, std::get<0>(faces), std::move(planned.warp));
@@ -226,114 +239,116 @@ Refusal Session::State::embed(InHand& begun) {
 }
 
 Refusal Session::State::begin_drag(const command::Drag& drag) {
-    assert(!in_hand);
+    assert(!active_gesture);
     if (!has_object()) return kNoObject;
     if (drag.moves.empty()) return "a drag needs at least one move, from a point to another";
     const Lattice lattice = lattice_settings.lattice(drag.moves.front().from, diagonal);
     if (Refusal refusal = check_lattice(lattice)) return refusal;
-    auto begun = std::make_unique<InHand>();
+    auto begun = std::make_unique<ActiveGesture>();
     begun->drag = drag;
     begun->reach = lattice.influenced_zone().diagonal();
     if (Refusal refusal = check_targets(drag, begun->reach)) return refusal;
     if (Refusal refusal = embed(*begun)) return refusal;
-    in_hand = std::move(begun);
+    active_gesture = std::move(begun);
     return std::nullopt;
 }
 
 // Whether the last step takes everything there by itself; a refusal where nothing would.
 bool Session::State::is_single_step(const command::Drag& drag, Refusal& refusal) const {
-    const command::Drag& before = in_hand->drag;
-    if (!in_hand->is_one_step_left) return false;
+    const command::Drag& before = active_gesture->drag;
+    if (!active_gesture->is_one_step_left) return false;
     for (std::size_t m = 0; m < drag.moves.size(); ++m) {
-        if (turns(drag.moves[m]) != turns(before.moves[m])) return false;
-        if (drag.fold_free && turn_of(drag.moves[m]).least_steps() > 1) return false;
+        if (rotates(drag.moves[m]) != rotates(before.moves[m])) return false;
+        if (drag.fold_free && rotation_of(drag.moves[m]).least_steps() > 1) return false;
     }
     const auto motions = last_motions(drag);
     if (const auto refused = check_drag(plan_of(drag))) {
         refusal = refused->what;
         return true;
     }
-    if (const auto refused = in_hand->solver->check(motions)) {
+    if (const auto refused = active_gesture->solver->check(motions)) {
         refusal = refused->what;
         return true;
     }
-    return !in_hand->guard || in_hand->guard->limit(in_hand->solver->step(motions)) >= 1.0;
+    return !active_gesture->guard ||
+           active_gesture->guard->limit(active_gesture->solver->step(motions)) >= 1.0;
 }
 
 // Whether the last step has used up half of what it could.
 bool Session::State::is_past_half_way() const {
-    DragStep step = in_hand->solver->step(last_motions(in_hand->drag));
+    DragStep step = active_gesture->solver->step(last_motions(active_gesture->drag));
     for (Vec3& d : step.displacements) d *= 2.0;
-    return in_hand->is_one_step_left && in_hand->guard->limit(step) < 1.0;
+    return active_gesture->is_one_step_left && active_gesture->guard->limit(step) < 1.0;
 }
 
 Refusal Session::State::drag_to(const command::Drag& asked) {
-    assert(in_hand && in_hand->gesture && !in_hand->is_control());
-    if (Refusal refusal = check_targets(asked, in_hand->reach)) return refusal;
+    assert(active_gesture && active_gesture->gesture && !active_gesture->is_control());
+    if (Refusal refusal = check_targets(asked, active_gesture->reach)) return refusal;
     Refusal refusal;
     if (!is_single_step(asked, refusal)) {
-        InHand next{.drag = asked, .reach = in_hand->reach, .measured = in_hand->measured};
+        ActiveGesture next{
+            .drag = asked, .reach = active_gesture->reach, .measured = active_gesture->measured};
         if (asked.fold_free && asked.moves.size() == 1 && is_past_half_way()) {
-            next.drag.via.push_back(in_hand->drag.moves.front().to);
+            next.drag.via.push_back(active_gesture->drag.moves.front().to);
         }
         // Where the plan is refused the present one stays.
-        next.gesture = std::move(in_hand->gesture);
+        next.gesture = std::move(active_gesture->gesture);
         refusal = embed(next);
         if (refusal && next.gesture) {
-            in_hand->gesture = std::move(next.gesture);
+            active_gesture->gesture = std::move(next.gesture);
             return refusal;
         }
-        *in_hand = std::move(next);
+        *active_gesture = std::move(next);
     }
     if (refusal) return refusal;
-    in_hand->drag.moves = asked.moves;
-    show_frame(last_displacements());
+    active_gesture->drag.moves = asked.moves;
+    update_frame(last_displacements());
     return std::nullopt;
 }
 
 // What the last step of the warp is displaced by: where it is all of the last segment, by what the
 // drag asks for now, else by what was planned.
 std::vector<Vec3> Session::State::last_displacements() const {
-    const Warp::Step& last_step = in_hand->gesture->warp().steps.back();
-    if (!in_hand->is_one_step_left) {
+    const Warp::Step& last_step = active_gesture->gesture->warp().steps.back();
+    if (!active_gesture->is_one_step_left) {
         const std::span<const Vec3> planned = displacements_of(last_step);
         return {planned.begin(), planned.end()};
     }
-    const auto motions = last_motions(in_hand->drag);
+    const auto motions = last_motions(active_gesture->drag);
     if (std::holds_alternative<DragStep>(last_step)) {
-        return in_hand->solver->field_displacements(motions);
+        return active_gesture->solver->field_displacements(motions);
     }
-    const Warp::Step step = compact(in_hand->solver->step(motions));
+    const Warp::Step step = compact(active_gesture->solver->step(motions));
     const std::span<const Vec3> asked = displacements_of(step);
     return {asked.begin(), asked.end()};
 }
 
-void Session::State::show_frame(std::span<const Vec3> displacements) {
-    in_hand->gesture->frame(displacements);
+void Session::State::update_frame(std::span<const Vec3> displacements) {
+    active_gesture->gesture->frame(displacements);
     // Corners of new faces may lie where nothing moves: they are shown with their faces.
-    show(in_hand->gesture->take_edited_faces());
+    mark_dirty(active_gesture->gesture->take_edited_faces());
     if (dirty.everything) return;
     // At least one a vertex; what was named before has its room already.
-    if (dirty.wedges.empty()) dirty.wedges.reserve(in_hand->gesture->influenced_vertices());
-    in_hand->gesture->append_moved_wedges(dirty.wedges);
+    if (dirty.wedges.empty()) dirty.wedges.reserve(active_gesture->gesture->influenced_vertices());
+    active_gesture->gesture->append_moved_wedges(dirty.wedges);
 }
 
 // Cancels where nothing moves: such a gesture does nothing.
-void Session::State::commit(std::span<const Vec3> displacements, bool is_nothing) {
-    last = in_hand->measured;
-    if (is_nothing) {
+void Session::State::commit(std::span<const Vec3> displacements, bool is_noop) {
+    last = active_gesture->measured;
+    if (is_noop) {
         cancel_drag();
         return;
     }
     Stopwatch stopwatch;
-    MeshChange change = in_hand->gesture->commit(displacements);
+    MeshChange change = active_gesture->gesture->commit(displacements);
     try {
         finish_commit(change);
     } catch (...) {  // no memory: the object as it was
         undo(change, *mesh);
-        follow_everything();
+        update_everything();
         take_outcome();
-        in_hand.reset();
+        active_gesture.reset();
         throw;
     }
     last.seconds.commit =
@@ -343,39 +358,46 @@ void Session::State::commit(std::span<const Vec3> displacements, bool is_nothing
 // Makes what the gesture in hand has done a step of the history. All that can fail for want of
 // memory comes first.
 void Session::State::finish_commit(MeshChange& change) {
-    const Gesture& gesture = *in_hand->gesture;
+    const Gesture& gesture = *active_gesture->gesture;
     // What frames have shown and the commit has taken back is shown anew, too.
-    show(in_hand->gesture->take_edited_faces());
+    mark_dirty(active_gesture->gesture->take_edited_faces());
     std::vector<Box> zones = gesture.warp().zones();
-    std::string told = remark_on_cuts(gesture.last_frame());
-    note(gesture.last_frame());
-    add_step(in_hand->is_control() ? Command{in_hand->control} : Command{in_hand->drag}, change);
+    std::string message = remark_on_self_intersections(gesture.last_frame());
+    record(gesture.last_frame());
+    add_step(active_gesture->is_control() ? Command{active_gesture->control}
+                                          : Command{active_gesture->drag},
+             change);
 
-    lattice_in_use = in_hand->lattice;
+    lattice_in_use = active_gesture->lattice;
     zones_in_use = std::move(zones);
     // Other parts reach into the zones, too, but were not refined there.
-    if (in_hand->drag.connected) zones_in_use.clear();
-    remark = std::move(told);
+    if (active_gesture->drag.connected) zones_in_use.clear();
+    remark = std::move(message);
     folded = gesture.folded_vertices();
-    in_hand.reset();
+    active_gesture.reset();
 }
 
 std::optional<command::Drag> Session::State::end_drag() {
-    assert(in_hand && in_hand->gesture && !in_hand->is_control());
-    const command::Drag drag = in_hand->drag;
-    const bool is_nothing = moves_nothing(drag);
-    commit(last_displacements(), is_nothing);
-    return is_nothing ? std::nullopt : std::optional(drag);
+    assert(active_gesture && active_gesture->gesture && !active_gesture->is_control());
+    // Copied before the step is done: a copy afterwards could fail.
+    std::optional<command::Drag> drag = active_gesture->drag;
+    const bool is_noop = has_no_effect(*drag);
+    commit(last_displacements(), is_noop);
+    if (is_noop) drag.reset();
+    return drag;
 }
 
 void Session::State::cancel_drag() noexcept {
-    assert(in_hand);
-    const std::unique_ptr<InHand> cancelled = std::move(in_hand);
-    if (!cancelled->gesture) return;
+    assert(active_gesture);
+    const std::unique_ptr<ActiveGesture> cancelled = std::move(active_gesture);
+    if (!cancelled->gesture) {  // rolled back where memory gave out, and nobody was told
+        update_everything();
+        return;
+    }
     if (const auto changed = cancelled->gesture->cancel()) {
-        follow(*changed);
+        update_faces(*changed);
     } else {
-        follow_everything();
+        update_everything();
     }
 }
 
@@ -384,7 +406,7 @@ Refusal Session::State::run(const command::Drag& drag) {
     try {
         end_drag();
     } catch (...) {
-        if (in_hand) cancel_drag();
+        if (active_gesture) cancel_drag();
         throw;
     }
     return std::nullopt;

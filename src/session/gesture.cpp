@@ -40,10 +40,10 @@ Gesture::~Gesture() {
 }
 
 const Frame& Gesture::frame(std::span<const Vec3> displacements) {
-    return show(displacements, pectin::adapt);
+    return apply(displacements, pectin::adapt);
 }
 
-const Frame& Gesture::show(std::span<const Vec3> displacements, Adapt adapt) {
+const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
     // A long drag makes and undoes more than it keeps; from the rest state it starts lean again.
     if (active_.edit_count() > kMostEdits * (active_.vertex_entries() + 1000)) roll_back();
     auto* const drag = std::get_if<DragStep>(&warp_.steps.back());
@@ -65,8 +65,8 @@ const Frame& Gesture::show(std::span<const Vec3> displacements, Adapt adapt) {
         last_.unsplits = adaptation.decimation.unsplits;
         last_.floor_hit = adaptation.refinement.floor_hit;
         last_.budget_hit = adaptation.refinement.budget_hit;
-        last_.cuts = adaptation.refinement.cuts;
-        last_.cut_limit = adaptation.refinement.cut_limit;
+        last_.self_intersections = adaptation.refinement.self_intersections;
+        last_.intersection_limit = adaptation.refinement.intersection_limit;
         last_.blocked = std::move(adaptation.refinement.blocked);
         last_.refine_seconds = adaptation.refine_seconds;
         last_.decimate_seconds = adaptation.decimate_seconds;
@@ -77,8 +77,9 @@ const Frame& Gesture::show(std::span<const Vec3> displacements, Adapt adapt) {
 
 MeshChange Gesture::commit(std::span<const Vec3> displacements) {
     if (has_frames_) roll_back();
-    show(displacements,
-         criteria_ && criteria_->limits().without_cuts ? adapt_without_cuts : pectin::adapt);
+    apply(displacements, criteria_ && criteria_->limits().without_self_intersections
+                             ? adapt_without_self_intersections
+                             : pectin::adapt);
     folded_ = embedding_.folded_vertices();
     return active_.finish();
 }

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "adapt/adapt.h"
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "ffd/warp.h"
 #include "mesh/active_set.h"
 #include "mesh/mesh_change.h"
@@ -19,8 +19,9 @@ struct Frame {
     std::uint64_t splits = 0, unsplits = 0;
     bool floor_hit = false, budget_hit = false;
     std::vector<EdgeId> blocked;  // see Refinement
-    std::uint64_t cuts = 0;       // left (Refinement::cuts); only a commit looks for them
-    CutLimit cut_limit = CutLimit::none;
+    std::uint64_t self_intersections =
+        0;  // left (Refinement::self_intersections); only a commit looks for them
+    IntersectionLimit intersection_limit = IntersectionLimit::none;
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 };
 
@@ -41,7 +42,8 @@ class Gesture {
     // moves, or for each control point.
     // Cost: O(active set).
     const Frame& frame(std::span<const Vec3> displacements);
-    // The same as a single frame from the rest state, for good. Cuts are looked for here alone.
+    // The same as a single frame from the rest state, for good. Self-intersections are looked for
+    // here alone.
     MeshChange commit(std::span<const Vec3> displacements);
     // Gives everything back, to the byte, and allocates nothing for it. Returns the faces that it
     // had changed, or nothing where there is no memory for them.
@@ -63,7 +65,7 @@ class Gesture {
   private:
     using Adapt = Adaptation (*)(ActiveSet&, Embedding&, const Criteria&);
 
-    const Frame& show(std::span<const Vec3> displacements, Adapt adapt);
+    const Frame& apply(std::span<const Vec3> displacements, Adapt adapt);
     void roll_back();
 
     ActiveSet& active_;

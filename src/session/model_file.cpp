@@ -58,14 +58,14 @@ void MaterialReport::add(const MaterialCopy& copy) {
 // folder: where they are copied to.
 SaveReport MaterialReport::take(const std::string& folder) const {
     SaveReport report;
-    const char* part_told = "";
+    const char* last_part = "";
     const auto tell = [&](const char* part, const std::string& name, const std::string& why) {
-        if (part == part_told) {
+        if (part == last_part) {
             report.text += ", ";
         } else {
             report.text += (report.text.empty() ? "" : "; ") + std::string(part) + ": ";
         }
-        part_told = part;
+        last_part = part;
         report.text += printable(name) + (why.empty() ? "" : " (" + printable(why) + ")");
     };
     const auto is_there = [&](const std::string& name) {

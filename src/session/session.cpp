@@ -31,7 +31,7 @@ void Session::State::adopt(LoadedModel model) {
 }
 
 // The folder in which all was put together last is the likeliest to have it.
-void Session::State::note_saved(const std::string& path) {
+void Session::State::record_saved(const std::string& path) {
     const std::string folder = material_folder(path);
     std::erase(material_folders, folder);
     material_folders.insert(material_folders.begin(), folder);
@@ -42,22 +42,22 @@ const FaceTree& Session::State::face_tree() {
     return *tree;
 }
 
-void Session::State::follow(std::span<const FaceId> faces) noexcept {
+void Session::State::update_faces(std::span<const FaceId> faces) noexcept {
     try {
         if (tree) tree->update(faces, *mesh);
-        show(faces);
+        mark_dirty(faces);
     } catch (const std::bad_alloc&) {
-        follow_everything();
+        update_everything();
     }
 }
 
-void Session::State::follow_everything() noexcept {
+void Session::State::update_everything() noexcept {
     tree.reset();  // made anew when it is asked for
     dirty = {};
     dirty.everything = true;
 }
 
-void Session::State::show(std::span<const FaceId> faces) {
+void Session::State::mark_dirty(std::span<const FaceId> faces) {
     // Nobody has looked for so long that a picture is better drawn from scratch.
     if (dirty.faces.size() > 2 * std::size_t{mesh->face_slots()}) {
         dirty = {};
@@ -73,7 +73,7 @@ void Session::State::show(std::span<const FaceId> faces) {
     }
 }
 
-void Session::State::note(const Frame& frame) {
+void Session::State::record(const Frame& frame) {
     last.splits = frame.splits;
     last.unsplits = frame.unsplits;
     last.seconds.deform = frame.deform_seconds;
@@ -116,7 +116,7 @@ const std::vector<std::string>& Session::material_folders() const {
     return state_->material_folders;
 }
 
-void Session::note_saved(const std::string& path) { state_->note_saved(path); }
+void Session::record_saved(const std::string& path) { state_->record_saved(path); }
 
 void Session::set_viewport(Viewport* viewport) { state_->viewport = viewport; }
 
@@ -131,13 +131,13 @@ std::optional<std::string> Session::begin_drag(std::span<const Vec3> points,
 }
 
 std::optional<std::string> Session::drag_to(std::span<const Vec3> targets) {
-    command::Drag drag = state_->in_hand->drag;
+    command::Drag drag = state_->active_gesture->drag;
     for (std::size_t i = 0; i < drag.moves.size(); ++i) drag.moves[i].to = targets[i];
     return state_->drag_to(drag);
 }
 
 std::optional<std::string> Session::drag_to(std::span<const DragTarget> targets) {
-    command::Drag drag = state_->in_hand->drag;
+    command::Drag drag = state_->active_gesture->drag;
     for (std::size_t i = 0; i < drag.moves.size(); ++i) {
         drag.moves[i].to = targets[i].to;
         drag.moves[i].twist = targets[i].twist;
@@ -146,7 +146,7 @@ std::optional<std::string> Session::drag_to(std::span<const DragTarget> targets)
     return state_->drag_to(drag);
 }
 
-const command::Drag& Session::drag_in_hand() const { return state_->in_hand->drag; }
+const command::Drag& Session::active_drag() const { return state_->active_gesture->drag; }
 
 std::optional<std::string> Session::begin_control(std::span<const IVec3> indices) {
     return state_->begin_control(indices);
@@ -162,7 +162,7 @@ std::optional<command::Control> Session::end_control() {
     return done;
 }
 
-const Frame& Session::last_frame() const { return state_->in_hand->gesture->last_frame(); }
+const Frame& Session::last_frame() const { return state_->active_gesture->gesture->last_frame(); }
 
 std::optional<command::Drag> Session::end_drag() {
     auto done = state_->end_drag();
@@ -172,18 +172,18 @@ std::optional<command::Drag> Session::end_drag() {
 
 void Session::cancel_drag() { state_->cancel_drag(); }
 
-bool Session::is_dragging() const { return state_->in_hand != nullptr; }
+bool Session::is_dragging() const { return state_->active_gesture != nullptr; }
 
 const TriMesh& Session::mesh() const { return *state_->mesh; }
 
 std::optional<Lattice> Session::lattice_in_use() const {
-    return is_dragging() ? state_->in_hand->lattice : state_->lattice_in_use;
+    return is_dragging() ? state_->active_gesture->lattice : state_->lattice_in_use;
 }
 
-std::vector<LatticeField> Session::lattices_in_hand() const {
+std::vector<LatticeField> Session::active_lattices() const {
     assert(is_dragging());
-    if (!state_->in_hand->gesture) return {};
-    return lattice_fields(state_->in_hand->gesture->warp().steps.back());
+    if (!state_->active_gesture->gesture) return {};
+    return lattice_fields(state_->active_gesture->gesture->warp().steps.back());
 }
 
 std::optional<Pick> Session::pick(const Ray& ray) {

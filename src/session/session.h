@@ -71,7 +71,7 @@ class Session {
     // Whether that is a failure, though the command is done: a model is saved, but a material file
     // could not be copied along.
     bool has_failed_partly() const;
-    void note_saved(const std::string& path);
+    void record_saved(const std::string& path);
 
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
     // executed meanwhile. Ending it does what the Drag command that it came to does, to the byte,
@@ -84,7 +84,7 @@ class Session {
     std::optional<std::string> drag_to(std::span<const Vec3> targets);
     std::optional<std::string> drag_to(std::span<const DragTarget> targets);
     // As it is now, with its waypoints so far.
-    const command::Drag& drag_in_hand() const;
+    const command::Drag& active_drag() const;
     const Frame& last_frame() const;
     // The command it came to; none if its targets are its points. It is a step in the history if it
     // has changed anything.
@@ -110,7 +110,7 @@ class Session {
     std::optional<Lattice> lattice_in_use() const;
     // What the last step of the drag in hand does, as displaced lattices whose fields add up: one,
     // or with symmetry that and its image where they are not the same. Cost: O(control points).
-    std::vector<LatticeField> lattices_in_hand() const;
+    std::vector<LatticeField> active_lattices() const;
     // What has changed since it was last asked. Cost: O(changed).
     DirtyElements take_dirty();
     Statistics statistics() const;  // O(n)

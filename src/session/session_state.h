@@ -41,7 +41,7 @@ class Stopwatch {
 
 struct Session::State {
     // A drag of points or of control points between begin and end.
-    struct InHand {
+    struct ActiveGesture {
         command::Drag drag{};                // `to` is where the last frame put it
         command::Control control{};          // the same of control points; empty in a drag
         Lattice lattice{};                   // of the last step
@@ -59,7 +59,7 @@ struct Session::State {
     std::unique_ptr<TriMesh> mesh = std::make_unique<TriMesh>();
     std::unique_ptr<ActiveSet> active = std::make_unique<ActiveSet>(*mesh);
     std::unique_ptr<FaceTree> tree;  // made when first asked for
-    std::unique_ptr<InHand> in_hand;
+    std::unique_ptr<ActiveGesture> active_gesture;
     History history;
     AdaptSettings adapt_settings;
     LatticeSettings lattice_settings;
@@ -87,15 +87,16 @@ struct Session::State {
         return limits;
     }
     void adopt(LoadedModel model);
-    void note_saved(const std::string& path);
+    void record_saved(const std::string& path);
     const FaceTree& face_tree();
-    void note(const Frame& frame);
+    void record(const Frame& frame);
     // The picture has to learn these faces and their corners anew.
-    void show(std::span<const FaceId> faces);
+    void mark_dirty(std::span<const FaceId> faces);
     // The same, and the tree has to follow.
-    void follow(std::span<const FaceId> faces) noexcept;
+    void update_faces(std::span<const FaceId> faces) noexcept;
     // The same for all faces. Allocates nothing.
-    void follow_everything() noexcept;
+    void update_everything() noexcept;
+    struct OutcomeOfReachedStep;
     // Of the step that led to the mesh as it is.
     void take_outcome() noexcept;
 
@@ -124,7 +125,7 @@ struct Session::State {
     // Refines and decimates the whole object once.
     Frame adapt_everything();
     // Adds to the remark how many steps the limit of the history has dropped, if any.
-    void report_dropped_steps();
+    void report_dropped_steps() noexcept;
     // Of a bake's step: the mesh on its one side for that on its other.
     void exchange(TriMesh& other);
 
@@ -135,7 +136,7 @@ struct Session::State {
     Refusal check_lattice(const Lattice& lattice) const;
     Refusal check_targets(const command::Drag& drag, double reach) const;
     DragPlan plan_of(const command::Drag& drag) const;
-    Refusal embed(InHand& begun);
+    Refusal embed(ActiveGesture& begun);
     std::variant<std::vector<FaceId>, std::string> faces_of(const command::Drag& drag,
                                                             std::span<const Box> zones);
     bool is_single_step(const command::Drag& drag, Refusal& refusal) const;
@@ -151,10 +152,10 @@ struct Session::State {
 
     // --- Both.
     std::vector<VertexId> vertices_at_handles(const command::Drag& drag);
-    void start_gesture(InHand& begun, std::span<const FaceId> faces, Warp warp);
-    void show_frame(std::span<const Vec3> displacements);
+    void start_gesture(ActiveGesture& begun, std::span<const FaceId> faces, Warp warp);
+    void update_frame(std::span<const Vec3> displacements);
     // Ends the gesture with these displacements of the last step; a step of the history.
-    void commit(std::span<const Vec3> displacements, bool moves_nothing);
+    void commit(std::span<const Vec3> displacements, bool is_noop);
     void finish_commit(MeshChange& change);
     void cancel_drag() noexcept;
 

@@ -19,9 +19,10 @@ Statistics Session::State::statistics() const {
     s.floor_hit = outcome.floor_hit;
     s.budget_hit = outcome.budget_hit;
     s.folded_vertices = folded;
-    s.memory_bytes = mesh->memory_bytes() + active->memory_bytes() + history.memory_bytes() +
-                     (tree ? tree->memory_bytes() : 0) +
-                     (in_hand && in_hand->gesture ? in_hand->gesture->memory_bytes() : 0);
+    s.memory_bytes =
+        mesh->memory_bytes() + active->memory_bytes() + history.memory_bytes() +
+        (tree ? tree->memory_bytes() : 0) +
+        (active_gesture && active_gesture->gesture ? active_gesture->gesture->memory_bytes() : 0);
     s.undo_steps = history.undo_count();
     s.undo_bytes = history.memory_bytes();
     return s;

@@ -32,7 +32,7 @@ std::string remark_on_dropped_steps(std::size_t count, std::size_t limit) {
 
 void Session::State::exchange(TriMesh& other) {
     std::swap(*mesh, other);
-    follow_everything();
+    update_everything();
 }
 
 void Session::State::take_outcome() noexcept {
@@ -43,8 +43,15 @@ void Session::State::take_outcome() noexcept {
     }
 }
 
+// Takes the outcome of the step that undo or redo has reached, also where it stopped before the
+// last one because memory ended.
+struct Session::State::OutcomeOfReachedStep {
+    State& state;
+    ~OutcomeOfReachedStep() { state.take_outcome(); }
+};
+
 void Session::State::add_step(Command command, MeshChange& change) {
-    follow(change.faces);
+    update_faces(change.faces);
     if (change.is_empty()) return;
     AdaptOutcome reached = outcome;
     History::Step step{std::move(command), std::move(change), std::move(reached)};
@@ -56,11 +63,15 @@ void Session::State::add_step(Command command, MeshChange& change) {
     }
 }
 
-void Session::State::report_dropped_steps() {
+void Session::State::report_dropped_steps() noexcept {
     const std::size_t count = history.take_dropped_count();
     if (count == 0 || !history.limit()) return;
-    if (!remark.empty()) remark += "; ";
-    remark += remark_on_dropped_steps(count, *history.limit());
+    try {
+        if (!remark.empty()) remark += "; ";
+        remark += remark_on_dropped_steps(count, *history.limit());
+    } catch (const std::bad_alloc&) {
+        // The step is done all the same.
+    }
 }
 
 Refusal Session::State::run(const command::Undo& undo_command) {
@@ -74,15 +85,15 @@ Refusal Session::State::run(const command::Undo& undo_command) {
         }
         return text;
     }
+    const OutcomeOfReachedStep outcome_of_reached_step{*this};
     history.undo(count, [this](History::Step& step) {
         if (step.exchanged) {
             exchange(*step.exchanged);
         } else {
             undo(step.change, *mesh);
-            follow(step.change.faces);
+            update_faces(step.change.faces);
         }
     });
-    take_outcome();
     return std::nullopt;
 }
 
@@ -91,15 +102,15 @@ Refusal Session::State::run(const command::Redo& redo_command) {
     if (count > history.redo_count()) {
         return too_few("redo", history.redo_count(), count);
     }
+    const OutcomeOfReachedStep outcome_of_reached_step{*this};
     history.redo(count, [this](History::Step& step) {
         if (step.exchanged) {
             exchange(*step.exchanged);
         } else {
             redo(step.change, *mesh);
-            follow(step.change.faces);
+            update_faces(step.change.faces);
         }
     });
-    take_outcome();
     return std::nullopt;
 }
 

@@ -83,7 +83,7 @@ BENCHMARK(unsplit)
     ->UseManualTime();
 
 // The paper's two steps on a coarse object: an extrusion, refined at pi/7, then one that flattens
-// it again, refined at pi/7 and thinned at pi/9.
+// it again, refined at pi/7 and decimated at pi/9.
 void extrude_then_flatten(benchmark::State& state) {
     const TriMesh mesh = sphere(2);
     const AdaptLimits at = limits(180.0 / 7.0, 180.0 / 9.0);
@@ -93,15 +93,15 @@ void extrude_then_flatten(benchmark::State& state) {
         extrude.refine(at);
         Scene flatten(extrude.finish(), {0, 0, 1.8}, {0, 0, -0.8}, 1.6);
         Refinement refined;
-        Decimation thinned;
+        Decimation decimated;
         const double passed = seconds([&] {
             refined = flatten.refine(at);
-            thinned = flatten.decimate(at);
+            decimated = flatten.decimate(at);
         });
         state.SetIterationTime(passed);
         total += passed;
         splits += static_cast<double>(refined.splits);
-        unsplits += static_cast<double>(thinned.unsplits);
+        unsplits += static_cast<double>(decimated.unsplits);
     }
     state.counters["splits"] = splits / static_cast<double>(state.iterations());
     report(state, "operation", splits + unsplits, total, kPaperEither);
@@ -129,7 +129,7 @@ void refine_to_half_mean(benchmark::State& state) {
     const TriMesh mesh = sphere(7);
     AdaptLimits half{.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6};
     if (state.range(0) != 0) half.symmetry = MirrorPlane{};
-    double count = 0.0, in_lanes = 0.0, taken = 0.0;
+    double count = 0.0, concurrent = 0.0, taken = 0.0;
     for (auto _ : state) {
         Scene scene(mesh, {0, 0, 1}, {0, 0, 1e-3}, 4.0);
         Refinement done;
@@ -137,10 +137,10 @@ void refine_to_half_mean(benchmark::State& state) {
         state.SetIterationTime(seconds([&] { done = scene.refine(half); }));
         taken += resident_bytes() - before;
         count += static_cast<double>(done.splits);
-        in_lanes += static_cast<double>(done.splits_in_lanes);
+        concurrent += static_cast<double>(done.concurrent_splits);
     }
     state.counters["new_bytes_per_split"] = taken / count;
-    state.counters["in_lanes"] = in_lanes / count;
+    state.counters["concurrent"] = concurrent / count;
     state.counters["M_per_s"] = benchmark::Counter(1e-6 * count, benchmark::Counter::kIsRate);
 }
 BENCHMARK(refine_to_half_mean)

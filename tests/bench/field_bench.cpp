@@ -23,7 +23,7 @@ struct Points {
         for (Vec3& d : moved) d = {number(engine), number(engine), number(engine)};
         field = std::make_unique<LatticeField>(lattice, moved);
         to.resize(positions.size());
-        turned.resize(positions.size());
+        transformed.resize(positions.size());
     }
     void report(benchmark::State& state) const {
         state.counters["M_per_s"] =
@@ -32,7 +32,7 @@ struct Points {
     }
     Lattice lattice;
     std::vector<Vec3> positions, to;
-    std::vector<Vec3f> normals, turned;
+    std::vector<Vec3f> normals, transformed;
     std::unique_ptr<LatticeField> field;
 };
 
@@ -48,7 +48,7 @@ void textbook_with_normals(benchmark::State& state) {
     Points points;
     const LatticeEvaluator evaluator(*points.field);
     for (auto _ : state) {
-        evaluator.transform(points.positions, points.normals, points.to, points.turned);
+        evaluator.transform(points.positions, points.normals, points.to, points.transformed);
     }
     points.report(state);
 }

@@ -23,7 +23,7 @@ void drag_frame(benchmark::State& state) {
         session.drag_to(std::array{from + far * kCell * direction});
         ++frame;
     }
-    state.counters["waypoints"] = static_cast<double>(session.drag_in_hand().via.size());
+    state.counters["waypoints"] = static_cast<double>(session.active_drag().via.size());
     session.cancel_drag();
 }
 BENCHMARK(drag_frame)->ArgsProduct({{4, 6, 7}, {0, 1}})->Unit(benchmark::kMicrosecond);

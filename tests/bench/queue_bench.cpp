@@ -25,7 +25,8 @@ class Octaves {
         if (queue_.is_empty()) return false;
         const RefinementQueue::Entries next = queue_.take();
         taken_.clear();  // the entries are valid until the next push
-        for (const auto& lane : next.lanes) taken_.insert(taken_.end(), lane.begin(), lane.end());
+        for (const auto& partition : next.partitions)
+            taken_.insert(taken_.end(), partition.begin(), partition.end());
         for (EdgeId e : taken_) visit(index(e));
         return true;
     }
@@ -60,7 +61,7 @@ class Edges {
 
     Edges() {
         edges_.reserve(16 * std::size_t{kFirst});
-        for (std::uint64_t e = 0; e < kFirst; ++e) edges_.push_back({1.0 + 0.3 * share(e), e});
+        for (std::uint64_t e = 0; e < kFirst; ++e) edges_.push_back({1.0 + 0.3 * fraction(e), e});
     }
     std::uint32_t count() const { return static_cast<std::uint32_t>(edges_.size()); }
     double squared(std::uint32_t e) const { return edges_[e].squared; }
@@ -71,7 +72,7 @@ class Edges {
         const Edge whole = edges_[e];
         for (std::uint64_t k = 0; k < 4; ++k) {
             const std::uint64_t seed = 4 * whole.seed + k + 1;
-            const double of_whole = k < 2 ? 0.25 : 0.4 + 0.35 * share(seed);
+            const double of_whole = k < 2 ? 0.25 : 0.4 + 0.35 * fraction(seed);
             edges_.push_back({of_whole * whole.squared, seed});
             visit(count() - 1);
         }
@@ -83,7 +84,7 @@ class Edges {
         std::uint64_t seed;
     };
     // In [0, 1), from the upper bits of a product (Knuth's multiplicative hash).
-    static double share(std::uint64_t seed) {
+    static double fraction(std::uint64_t seed) {
         return static_cast<double>((seed * 0x9e3779b97f4a7c15u) >> 11) * 0x1p-53;
     }
     std::vector<Edge> edges_;

@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "adapt/adapt.h"
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "ffd/drag_solver.h"
 #include "mesh/active_set.h"
 #include "mesh/tri_mesh.h"

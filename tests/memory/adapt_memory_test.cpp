@@ -13,7 +13,7 @@
 #include <vector>
 
 #include "adapt/adapt.h"
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "ffd/drag_solver.h"
 #include "memory/failing_new.h"
 #include "mesh/build_mesh.h"
@@ -65,7 +65,7 @@ class Refined {
     void refine(double l_max) {
         pectin::refine(active_, *embedding_, criteria({.l_max = l_max, .floor = 1e-6}));
     }
-    void thin(double l_max) { pectin::decimate(active_, criteria({.l_max = l_max})); }
+    void decimate(double l_max) { pectin::decimate(active_, criteria({.l_max = l_max})); }
     void roll_back() { active_.roll_back(); }
     const TriMesh& mesh() const { return mesh_; }
 
@@ -82,7 +82,7 @@ class Refined {
 // Refines and thins many at a time, on all threads; false where memory is short.
 bool adapt(Refined& refined) try {
     refined.refine(0.025);
-    refined.thin(0.06);
+    refined.decimate(0.06);
     refined.refine(0.02);
     return true;
 } catch (const std::bad_alloc&) {

@@ -31,12 +31,12 @@ AdaptLimits random_limits(const Warp& warp, double diagonal, Random& random) {
     if (random.chance(0.1)) settings.flatness = Setting::off();
     if (random.chance(0.3)) settings.propagation = random.uniform(1.0, 1.49);
     // Short lanes, so that small meshes have several.
-    const int lane_length = random.chance(0.6) ? random.integer(1, 8) : 512;
+    const int partition_batch = random.chance(0.6) ? random.integer(1, 8) : 512;
     // Small thresholds on large zones need millions of triangles; a floor keeps the cases small
     // and is itself part of what is tested.
     settings.floor = Setting::of(diagonal * random.scale(8e-3, 6e-2));
     AdaptLimits limits = settings.limits(warp.smallest_cell_extent(), diagonal);
-    limits.lane_length = static_cast<std::size_t>(lane_length);
+    limits.partition_batch = static_cast<std::size_t>(partition_batch);
     return limits;
 }
 
@@ -137,7 +137,7 @@ void expect_same_base(const TriMesh& mesh, const TriMesh& base) {
     }
 }
 
-void thin_to_base(TriMesh& mesh) {
+void decimate_to_base(TriMesh& mesh) {
     std::vector<FaceId> faces;
     for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
         if (mesh.is_live(FaceId{f})) faces.push_back(FaceId{f});
@@ -179,12 +179,12 @@ void run_case(std::uint64_t seed) {
         ASSERT_TRUE(dragged == before) << "undo after frames differs";
         if (testing::Test::HasFailure()) return;
     }
-    thin_to_base(mesh);
+    decimate_to_base(mesh);
     ASSERT_EQ(mesh.validate(), std::vector<std::string>{});
     expect_same_base(mesh, base);
 }
 
-TEST(Adapt, TerminatesIsFixedReversibleAndLeavesNothingToRefine) {
+TEST(Adapt, TerminatesAtAFixedPointIsReversibleAndLeavesNothingToRefine) {
     if (const char* seed = std::getenv("PECTIN_TEST_SEED")) return run_case(std::stoull(seed));
     const int cases = test::case_count(400);
     for (int i = 0; i < cases; ++i) {

@@ -46,7 +46,7 @@ void bend_and_straighten(Session& session, Random& random) {
     session.execute(command::Drag{.moves = {{to, from}}});
 }
 
-TEST(Handles, AreVerticesThatStayAndArriveAtTheirTargets) {
+TEST(Handles, AreVerticesThatReachTheirTargets) {
     const int cases = test::case_count(20);
     int dragged = 0, images = 0;
     for (int i = 0; i < cases; ++i) {

@@ -89,7 +89,7 @@ TEST(Unsplit, InReverseOrderGivesBackTheSameBytes) {
             ASSERT_EQ(mesh.unsplit(*star), made[i].first);
             expect_valid_while_small(mesh);
         }
-        mesh.truncate(base.slot_counts());
+        mesh.shrink(base.slot_counts());
         EXPECT_TRUE(mesh == base);
     });
 }
@@ -117,7 +117,7 @@ TEST(Unsplit, InAnyLegalOrderEndsInTheBaseMesh) {
     });
 }
 
-TEST(Split, AndUnsplitInAnyMixtureKeepTheMeshValidAndItsCharacteristic) {
+TEST(Split, MixedWithUnsplitKeepsTheMeshValidAndItsEulerCharacteristic) {
     for_each_case(8000, 200, [](TriMesh& mesh, Random& random) {
         const TriMesh base = mesh;
         const int characteristic = test::euler_characteristic(mesh);

@@ -205,27 +205,27 @@ TriMesh book(Random& random) {
             }
         }
     }
-    const auto add = [&](std::array<std::uint32_t, 4> corners, bool turned) {
-        if (turned) std::reverse(corners.begin(), corners.end());
+    const auto add = [&](std::array<std::uint32_t, 4> corners, bool flipped) {
+        if (flipped) std::reverse(corners.begin(), corners.end());
         for (std::uint32_t v : corners) set.corners.push_back({.position = v});
         set.polygon_end.push_back(static_cast<std::uint32_t>(set.corners.size()));
         set.polygon_part.push_back(0);
     };
     for (std::uint32_t page = 0; page < kPages; ++page) {
-        const bool turned = random.chance(0.5);
+        const bool flipped = random.chance(0.5);
         for (std::uint32_t i = 0; i < kSteps; ++i) {
             for (std::uint32_t j = 0; j < kSteps; ++j) {
                 const std::array corners = {vertex(page, i, j), vertex(page, i + 1, j),
                                             vertex(page, i + 1, j + 1), vertex(page, i, j + 1)};
-                add(corners, turned);
-                if (page == 2) add(corners, !turned);
+                add(corners, flipped);
+                if (page == 2) add(corners, !flipped);
             }
         }
     }
     return build_mesh(set).mesh;
 }
 
-TEST(ACut, StaysClosedOverAHundredRandomDrags) {
+TEST(NonManifoldCut, StaysClosedOverRandomDrags) {
     const ScratchFile file;
     for (std::uint64_t seed = 61'000; seed < 61'003; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));

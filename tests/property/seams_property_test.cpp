@@ -89,7 +89,7 @@ void drag_at_random(const IndexedFaceSet& shared, int drags, Random& random, Tot
     ASSERT_EQ(format_obj(session.mesh()), opened);
 }
 
-TEST(Seams, OfGeneratedFacetsNeverOpen) {
+TEST(UnsharedSeams, OfGeneratedFacetsNeverOpen) {
     Total total;
     const int cases = test::case_count(12);
     for (int i = 0; i < cases; ++i) {
@@ -108,7 +108,7 @@ TEST(Seams, OfGeneratedFacetsNeverOpen) {
     EXPECT_GT(total.inserted, 0u);
 }
 
-TEST(Seams, OfTheFacetsOfRealModelsNeverOpen) {
+TEST(UnsharedSeams, OfRealModelsNeverOpen) {
     const auto models = test::real_models();
     if (models.empty()) GTEST_SKIP() << "no models in " << PECTIN_MODELS;
     Total total;

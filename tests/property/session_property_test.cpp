@@ -238,7 +238,7 @@ void expect_all_named(Session& session, TriMesh& seen) {
     seen = mesh;
 }
 
-TEST(DirtyElements, NameEverythingAPictureHasToLearn) {
+TEST(DirtyElements, NameEverythingThatARendererMustUpdate) {
     const int cases = test::case_count(20);
     for (int i = 0; i < cases; ++i) {
         const auto seed = 4500 + static_cast<std::uint64_t>(i);

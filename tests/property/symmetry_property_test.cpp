@@ -143,9 +143,9 @@ IndexedFaceSet shuffled(const IndexedFaceSet& input, Random& random) {
     mesh.polygon_end.clear();
     for (const std::uint32_t p : order) {
         const std::uint32_t first = input.polygon_begin(p), count = input.polygon_end[p] - first;
-        const auto turn = static_cast<std::uint32_t>(random.integer(0, 2));
+        const auto shift = static_cast<std::uint32_t>(random.integer(0, 2));
         for (std::uint32_t c = 0; c < count; ++c) {
-            mesh.corners.push_back(input.corners[first + (c + turn) % count]);
+            mesh.corners.push_back(input.corners[first + (c + shift) % count]);
         }
         mesh.polygon_end.push_back(static_cast<std::uint32_t>(mesh.corners.size()));
     }
@@ -197,7 +197,7 @@ std::vector<Triangle> refined(const IndexedFaceSet& input, const std::vector<Vec
     return triangles(mesh);
 }
 
-TEST(RefinementByLMax, LeadsToTheSameFacesWhateverTheirOrder) {
+TEST(RefinementByLMax, GivesTheSameFacesForAnyOrderOfSplits) {
     const int cases = test::case_count(30);
     for (int i = 0; i < cases; ++i) {
         const std::uint64_t seed = 6300 + static_cast<std::uint64_t>(i);
@@ -212,7 +212,7 @@ TEST(RefinementByLMax, LeadsToTheSameFacesWhateverTheirOrder) {
         for (int k = random.integer(1, 3); k > 0; --k) points.push_back(random.direction());
         AdaptLimits limits{.l_max = random.scale(0.05, 0.2), .floor = 1e-4};
         if (random.chance(0.5)) limits.theta_max = 12.0;
-        limits.lane_length = random.chance(0.5) ? 4 : kLaneLength;
+        limits.partition_batch = random.chance(0.5) ? 4 : kPartitionBatch;
         const std::vector<Triangle> expected = refined(input, points, limits);
         for (int k = 0; k < 3; ++k) {
             const std::vector<Triangle> found = refined(shuffled(input, random), points, limits);

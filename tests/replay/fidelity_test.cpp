@@ -64,7 +64,7 @@ class Model : public testing::TestWithParam<std::string> {
     double size_ = 0.0;
 };
 
-TEST_P(Model, UntouchedIsSavedAsItWasRead) {
+TEST_P(Model, ThatIsUntouchedIsSavedAsItWasRead) {
     const IndexedFaceSet output = saved(session_);
     EXPECT_EQ(output.positions, input_.positions);
     EXPECT_EQ(output.material_libraries, input_.material_libraries);

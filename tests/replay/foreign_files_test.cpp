@@ -75,7 +75,7 @@ TEST(ForeignFiles, SaveDegeneratePolygonsWithoutZeroNormals) {
         << outcome.err;
 }
 
-TEST(ForeignFiles, ThatAreNoObjFilesAreToldAsWhatTheyAre) {
+TEST(ForeignFiles, ThatAreNoObjFilesAreReportedByTheirKind) {
     const std::vector<std::pair<std::string, std::string>> files = {
         {"\x1f\x8b\x08\0\0\0\0\0\0\x03"s, "is a gzip file"},
         {"\xff\xfe"s + "v\0 \0001\0"s, "is text in UTF-16"},

@@ -92,7 +92,7 @@ TEST_P(Sculpting, DragsExactlyRefinesAndUndoesToTheByte) {
 }
 
 // All thresholds off: whatever drags have refined goes again, and the base faces are as they were.
-TEST_P(Sculpting, ThinsBackToTheBaseMeshWithAllThresholdsOff) {
+TEST_P(Sculpting, DecimatesToTheBaseMeshWithAllThresholdsOff) {
     const TriMesh base = session_.mesh();
     expect_done(command::Adapt{.theta_max = Setting::of(10.0)});
     for (const Vec3& direction : {Vec3{0, 0, 1}, Vec3{1, 0, 0}, Vec3{0, -1, 0}}) {

@@ -52,7 +52,7 @@ TEST(Replay, GivesTheSameBytesAfterUndoAndAfterRedo) {
     EXPECT_NE(folder.read("1.obj"), folder.read("2.obj"));
 }
 
-TEST(Replay, NotesThatTheOldestStepsWereDropped) {
+TEST(Replay, ReportsThatTheOldestStepsWereDropped) {
     const ScratchFolder folder;
     const std::string script = folder.write_script(
         "s.jsonl", {kSphere, kDrag, R"({"cmd": "history", "megabytes": 0.001})",
@@ -118,7 +118,7 @@ TEST(Replay, OpensWhatItSaved) {
     EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
 }
 
-TEST(Replay, NotesWhatItFoundInTheInputAndGoesOn) {
+TEST(Replay, ReportsFindingsInTheInputAndContinues) {
     const ScratchFolder folder;
     // Three faces on the edge 1 2, and a vertex that has none.
     folder.write("fan.obj",

@@ -48,7 +48,7 @@ std::vector<FaceId> live_faces(const TriMesh& mesh) {
 
 int euler_characteristic(const TriMesh& mesh) {
     int edges = 0;
-    for (EdgeId e : live_edges(mesh)) edges += mesh.leader(e) == e ? 1 : 0;
+    for (EdgeId e : live_edges(mesh)) edges += mesh.representative(e) == e ? 1 : 0;
     const auto& representatives = mesh.input_form().seams.representatives;
     int joined = 0;
     for (std::uint32_t v = 0; v < representatives.size(); ++v) {
@@ -98,24 +98,25 @@ std::size_t crossings(const TriMesh& mesh) {
 
 double asymmetry(const TriMesh& mesh) {
     // Sorted along a direction in which few points of a regular mesh lie alike.
-    using Place = std::pair<double, Vec3>;
-    const auto place = [](const Vec3& p) {
-        return Place(glm::dot(p, Vec3{0.7390851, 0.4142135, 0.5671432}), p);
+    using SortKey = std::pair<double, Vec3>;
+    const auto sort_key = [](const Vec3& p) {
+        return SortKey(glm::dot(p, Vec3{0.7390851, 0.4142135, 0.5671432}), p);
     };
-    std::vector<Place> all;
+    std::vector<SortKey> all;
     for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
-        if (mesh.is_live(VertexId{v})) all.push_back(place(mesh.position(VertexId{v})));
+        if (mesh.is_live(VertexId{v})) all.push_back(sort_key(mesh.position(VertexId{v})));
     }
     for (EdgeId e : live_edges(mesh)) {
         const HalfEdgeId h = mesh.half_edge(e);
-        all.push_back(place(0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)))));
+        all.push_back(
+            sort_key(0.5 * (mesh.position(mesh.origin(h)) + mesh.position(mesh.target(h)))));
     }
-    std::ranges::sort(all, {}, &Place::first);
+    std::ranges::sort(all, {}, &SortKey::first);
     double worst = 0.0;
     for (const auto& [key, p] : all) {
-        const auto [at, image] = place({-p.x, p.y, p.z});
+        const auto [at, image] = sort_key({-p.x, p.y, p.z});
         double nearest = std::numeric_limits<double>::infinity();
-        const auto first = std::ranges::lower_bound(all, at - 1e-4, {}, &Place::first);
+        const auto first = std::ranges::lower_bound(all, at - 1e-4, {}, &SortKey::first);
         for (auto q = first; q != all.end() && q->first <= at + 1e-4; ++q) {
             nearest = std::min(nearest, glm::distance(q->second, image));
         }

@@ -104,13 +104,14 @@ bool execute(Session& session, const Command& command, Random& random,
     std::vector<Vec3> points, targets;
     for (const auto& move : drag->moves) points.push_back(move.from);
     const TriMesh before = session.mesh();
-    const bool turns = drag->moves[0].twist.has_value();
+    const bool rotates = drag->moves[0].twist.has_value();
     if (session.begin_drag(points, drag->pins, {drag->connected, drag->fold_free})) return false;
     const int frames = random.integer(0, 3);
     for (int i = 0; i < frames; ++i) {
-        const double share = random.uniform(-0.5, 1.5);
+        const double fraction = random.uniform(-0.5, 1.5);
         targets.clear();
-        for (const auto& move : drag->moves) targets.push_back(glm::mix(move.from, move.to, share));
+        for (const auto& move : drag->moves)
+            targets.push_back(glm::mix(move.from, move.to, fraction));
         session.drag_to(targets);
         EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
         if (each_frame) each_frame();
@@ -118,7 +119,7 @@ bool execute(Session& session, const Command& command, Random& random,
     targets.clear();
     for (const auto& move : drag->moves) targets.push_back(move.to);
     bool refused = session.drag_to(targets).has_value();
-    if (turns && !refused && drag->moves.size() == 1) {
+    if (rotates && !refused && drag->moves.size() == 1) {
         const DragTarget target{drag->moves[0].to, drag->moves[0].twist, drag->moves[0].scale};
         refused = session.drag_to(std::span(&target, 1)).has_value();
     }

@@ -158,10 +158,10 @@ int case_count(int count) {
     return count;
 }
 
-void unshare_vertices(IndexedFaceSet& set, Random& random, double share) {
+void unshare_vertices(IndexedFaceSet& set, Random& random, double fraction) {
     std::vector<bool> is_used(set.positions.size(), false);
     for (std::size_t p = 0; p < set.polygon_count(); ++p) {
-        const bool has_own = random.chance(share);
+        const bool has_own = random.chance(fraction);
         std::map<std::uint32_t, std::uint32_t> own;  // a polygon may name a vertex twice
         for (std::uint32_t c = set.polygon_begin(p); c < set.polygon_end[p]; ++c) {
             std::uint32_t& v = set.corners[c].position;

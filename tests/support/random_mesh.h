@@ -35,7 +35,7 @@ int case_count(int count);
 
 // The same surface whose polygons share no vertices with others, as in files of separate facets;
 // `share`: of the polygons, the others still share theirs.
-void unshare_vertices(IndexedFaceSet& set, Random& random, double share = 1.0);
+void unshare_vertices(IndexedFaceSet& set, Random& random, double fraction = 1.0);
 
 struct RandomMesh {
     TriMesh mesh;

@@ -22,7 +22,7 @@ const std::string kSmooth = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 3 2 
 const Box kEverywhere{.min = Vec3{-9.0}, .max = Vec3{9.0}};
 const Box kElsewhere{.min = Vec3{5.0}, .max = Vec3{9.0}};
 
-Vec3f turned(double degrees) {
+Vec3f rotated(double degrees) {
     const double a = degrees * std::numbers::pi / 180.0;
     return Vec3f{Vec3{std::sin(a), 0.0, std::cos(a)}};
 }
@@ -52,7 +52,7 @@ class TwoTriangles {
 
 TEST(NeedsRefinement, ComparesTheEndNormalsOfADeformedEdgeWithThetaMax) {
     TwoTriangles two(kSmooth);
-    two.mesh.set_normal(two.wedge(0, 1), turned(30.0));
+    two.mesh.set_normal(two.wedge(0, 1), rotated(30.0));
     EXPECT_FALSE(two.needs({.theta_max = 5.0})) << "not deformed";
     for (const VertexId end : {VertexId{1}, VertexId{2}}) {
         two.mesh.set_deformed(end, true);
@@ -65,16 +65,16 @@ TEST(NeedsRefinement, ComparesTheEndNormalsOfADeformedEdgeWithThetaMax) {
     EXPECT_FALSE(two.needs({.theta_max = 5.0})) << "no end of the edge";
 }
 
-TEST(NeedsRefinement, ComparesEachSideByItselfSoThatACreaseIsNoCurvature) {
+TEST(NeedsRefinement, ComparesNormalsPerSideSoThatCreasesAreNotRefined) {
     TwoTriangles two(kCrease);
     two.mesh.set_deformed(VertexId{1}, true);
-    for (std::uint32_t v : {1u, 2u}) two.mesh.set_normal(two.wedge(1, v), turned(90.0));
+    for (std::uint32_t v : {1u, 2u}) two.mesh.set_normal(two.wedge(1, v), rotated(90.0));
     EXPECT_FALSE(two.needs({.theta_max = 5.0})) << "flat on both sides of a right angle";
-    two.mesh.set_normal(two.wedge(1, 2), turned(120.0));
+    two.mesh.set_normal(two.wedge(1, 2), rotated(120.0));
     EXPECT_TRUE(two.needs({.theta_max = 29.99})) << "bent on the right";
     EXPECT_FALSE(two.needs({.theta_max = 30.01}));
-    two.mesh.set_normal(two.wedge(1, 2), turned(90.0));
-    two.mesh.set_normal(two.wedge(0, 1), turned(-30.0));
+    two.mesh.set_normal(two.wedge(1, 2), rotated(90.0));
+    two.mesh.set_normal(two.wedge(0, 1), rotated(-30.0));
     EXPECT_TRUE(two.needs({.theta_max = 29.99})) << "bent on the left";
     EXPECT_FALSE(two.needs({.theta_max = 30.01}));
 }
@@ -88,13 +88,13 @@ TEST(NeedsRefinement, DoesNotTestASideWithoutNormalsOrWhoseNormalsStayOpposed) {
     // the drag has opened it, since from then on it is 60 degrees at rest.
     for (const double rest : {119.0, 121.0}) {
         TwoTriangles spike(kCrease);
-        spike.mesh.set_normal(spike.wedge(0, 1), turned(rest));
+        spike.mesh.set_normal(spike.wedge(0, 1), rotated(rest));
         spike.active.begin(std::vector<FaceId>{FaceId{0}, FaceId{1}}, kEverywhere);
         spike.mesh.set_deformed(VertexId{1}, true);
-        spike.mesh.set_normal(spike.wedge(0, 1), turned(60.0));
+        spike.mesh.set_normal(spike.wedge(0, 1), rotated(60.0));
         EXPECT_TRUE(spike.needs({.theta_max = 20.0}));
         // What the drag itself turns so far counts.
-        spike.mesh.set_normal(spike.wedge(0, 1), turned(170.0));
+        spike.mesh.set_normal(spike.wedge(0, 1), rotated(170.0));
         EXPECT_EQ(spike.needs({.theta_max = 20.0}), rest < 120.0);
         spike.active.finish();
     }
@@ -124,7 +124,7 @@ TEST(NeedsRefinement, FindsLongEdgesOfFacesThatMeetTheZone) {
 }
 
 // So that refinement does not depend on which of its edges is looked at first.
-TEST(NeedsRefinement, AsksACoarseFaceToBeSplitAtItsLongestEdgeAtRestAlone) {
+TEST(NeedsRefinement, SplitsACoarseFaceOnlyAtItsLongestRestEdge) {
     TwoTriangles two(kSmooth);
     const EdgeId side = edge_between(two.mesh, 0, 1);
     const Criteria criteria({.l_max = 0.9, .floor = 0.1}, kEverywhere, std::nullopt);
@@ -142,6 +142,17 @@ TEST(NeedsRefinement, AsksACoarseFaceToBeSplitAtItsLongestEdgeAtRestAlone) {
     EXPECT_TRUE(criteria.needs_refinement(two.active, side) ||
                 criteria.needs_refinement(two.active, edge_between(two.mesh, 0, 2)));
     two.active.finish();
+}
+
+TEST(NeedsRefinement, AsksForOneOfEquallyLongEdgesWithoutSymmetry) {
+    // Edges 0-1 and 0-2 are equally long and the longest of the only face.
+    TriMesh mesh = mesh_of("v 0 2 0\nv -0.5 0 0\nv 0.5 0 0\nf 1 2 3\n");
+    ActiveSet active(mesh);
+    const Criteria criteria({.l_max = 0.4, .floor = 0.01}, kEverywhere, std::nullopt);
+    int needed = 0;
+    for (const EdgeId e : test::live_edges(mesh))
+        needed += criteria.needs_refinement(active, e) ? 1 : 0;
+    EXPECT_EQ(needed, 1);
 }
 
 TEST(Floor, ForbidsHalvesThatAreShorter) {
@@ -167,8 +178,8 @@ class Midpoint : public TwoTriangles {
         mesh.set_position(split.m, {0.5, 0.5, height});
         mesh.set_deformed(split.m, true);
     }
-    bool may_go(const AdaptLimits& limits, const std::optional<Box>& zone = std::nullopt,
-                const std::optional<Box>& scope = std::nullopt) {
+    bool may_unsplit(const AdaptLimits& limits, const std::optional<Box>& zone = std::nullopt,
+                     const std::optional<Box>& scope = std::nullopt) {
         return Criteria(limits, zone, scope).may_unsplit(active, *mesh.removable(split.m));
     }
     Split split;
@@ -176,29 +187,29 @@ class Midpoint : public TwoTriangles {
 
 const double kLength = std::sqrt(2.0);  // of the restored edge
 
-TEST(MayUnsplit, LetsEverythingGoWithAllLimitsOff) {
+TEST(MayUnsplit, AcceptsEveryVertexWithAllLimitsOff) {
     Midpoint m;
     m.lift(5.0);
-    m.mesh.set_normal(m.split.left.m, turned(170.0));
-    EXPECT_TRUE(m.may_go({}));
+    m.mesh.set_normal(m.split.left.m, rotated(170.0));
+    EXPECT_TRUE(m.may_unsplit({}));
 }
 
-TEST(MayUnsplit, AsksAllFourEdgesToDivergeByLessThanThetaMin) {
+TEST(MayUnsplit, RequiresAllFourEdgesToDivergeByLessThanThetaMin) {
     for (const std::uint32_t bent : {0u, 1u, 2u, 3u}) {
         Midpoint m;
         const WedgeId w = m.wedge(bent < 3 ? 0 : 1, bent);
         // Left and right pieces keep the wedges of the base corners.
-        m.mesh.set_normal(exists(w) ? w : m.split.left.c, turned(20.0));
-        EXPECT_TRUE(m.may_go({.theta_min = 20.001})) << bent;
-        EXPECT_FALSE(m.may_go({.theta_min = 19.999})) << bent;
+        m.mesh.set_normal(exists(w) ? w : m.split.left.c, rotated(20.0));
+        EXPECT_TRUE(m.may_unsplit({.theta_min = 20.001})) << bent;
+        EXPECT_FALSE(m.may_unsplit({.theta_min = 19.999})) << bent;
     }
 }
 
-TEST(MayUnsplit, AsksTheRightSideOfACreaseToo) {
+TEST(MayUnsplit, TestsBothSidesOfACrease) {
     Midpoint m(kCrease);
-    m.mesh.set_normal(m.split.right->m, turned(20.0));
-    EXPECT_TRUE(m.may_go({.theta_min = 20.001}));
-    EXPECT_FALSE(m.may_go({.theta_min = 19.999}));
+    m.mesh.set_normal(m.split.right->m, rotated(20.0));
+    EXPECT_TRUE(m.may_unsplit({.theta_min = 20.001}));
+    EXPECT_FALSE(m.may_unsplit({.theta_min = 19.999}));
 }
 
 TEST(MayUnsplit, KeepsVerticesThatLieTooFarFromTheRestoredFaces) {
@@ -206,12 +217,12 @@ TEST(MayUnsplit, KeepsVerticesThatLieTooFarFromTheRestoredFaces) {
     for (const double height : {0.05, -0.05}) {
         m.lift(height);
         // |f1.delta| + |f2.delta|: twice the height where both faces are flat.
-        EXPECT_TRUE(m.may_go({.flatness = 2.0 * 0.05 / kLength + 1e-9}));
-        EXPECT_FALSE(m.may_go({.flatness = 2.0 * 0.05 / kLength - 1e-9}));
+        EXPECT_TRUE(m.may_unsplit({.flatness = 2.0 * 0.05 / kLength + 1e-9}));
+        EXPECT_FALSE(m.may_unsplit({.flatness = 2.0 * 0.05 / kLength - 1e-9}));
     }
     // Within the plane of its faces it may have slid.
     m.mesh.set_position(m.split.m, {0.8, 0.1, 0.0});
-    EXPECT_TRUE(m.may_go({.flatness = 1e-9}));
+    EXPECT_TRUE(m.may_unsplit({.flatness = 1e-9}));
 }
 
 TEST(MayUnsplit, CountsAllOfTheDistanceWhereARestoredFaceHasNoArea) {
@@ -220,8 +231,8 @@ TEST(MayUnsplit, CountsAllOfTheDistanceWhereARestoredFaceHasNoArea) {
     m.mesh.set_position(VertexId{0}, {0.5, 0.5, 0.0});  // on the edge
     m.mesh.set_position(m.split.m, {0.6, 0.4, 0.0});
     const double away = std::sqrt(0.02) / kLength;
-    EXPECT_TRUE(m.may_go({.flatness = away + 1e-9}));
-    EXPECT_FALSE(m.may_go({.flatness = away - 1e-9}));
+    EXPECT_TRUE(m.may_unsplit({.flatness = away + 1e-9}));
+    EXPECT_FALSE(m.may_unsplit({.flatness = away - 1e-9}));
 }
 
 TEST(MayUnsplit, MeasuresABoundaryVertexFromItsEdge) {
@@ -229,54 +240,54 @@ TEST(MayUnsplit, MeasuresABoundaryVertexFromItsEdge) {
     const Split s = mesh.split(edge_between(mesh, 0, 1));
     mesh.set_position(s.m, {0.7, -0.03, 0.04});
     ActiveSet active(mesh);
-    const auto may_go = [&](double flatness) {
+    const auto may_unsplit = [&](double flatness) {
         return Criteria({.flatness = flatness}, std::nullopt, std::nullopt)
             .may_unsplit(active, *mesh.removable(s.m));
     };
-    EXPECT_TRUE(may_go(0.05 / 2.0 + 1e-9));
-    EXPECT_FALSE(may_go(0.05 / 2.0 - 1e-9));
+    EXPECT_TRUE(may_unsplit(0.05 / 2.0 + 1e-9));
+    EXPECT_FALSE(may_unsplit(0.05 / 2.0 - 1e-9));
     // An edge of no length has no line to be near to.
     mesh.set_position(VertexId{1}, Vec3{0.0});
-    EXPECT_FALSE(may_go(100.0));
+    EXPECT_FALSE(may_unsplit(100.0));
 }
 
-TEST(MayUnsplit, KeepsWhatWouldRestoreAnEdgeThatNeedsRefinement) {
+TEST(MayUnsplit, KeepsVerticesWhoseMergedEdgeWouldNeedRefinement) {
     Midpoint m;
-    m.mesh.set_normal(m.split.left.b, turned(-15.0));
-    m.mesh.set_normal(m.split.left.c, turned(15.0));
+    m.mesh.set_normal(m.split.left.b, rotated(-15.0));
+    m.mesh.set_normal(m.split.left.c, rotated(15.0));
     const AdaptLimits limits{.theta_max = 29.99, .theta_min = 20.0};
-    EXPECT_TRUE(m.may_go(limits)) << "nothing is deformed";
+    EXPECT_TRUE(m.may_unsplit(limits)) << "nothing is deformed";
     m.mesh.set_deformed(VertexId{1}, true);
-    EXPECT_FALSE(m.may_go(limits));
-    EXPECT_TRUE(m.may_go({.theta_max = 30.01, .theta_min = 20.0}));
+    EXPECT_FALSE(m.may_unsplit(limits));
+    EXPECT_TRUE(m.may_unsplit({.theta_max = 30.01, .theta_min = 20.0}));
     // Each half passes: only the edge they make up does not.
     m.mesh.set_deformed(VertexId{1}, false);
     m.mesh.set_deformed(VertexId{2}, true);
-    EXPECT_FALSE(m.may_go(limits));
+    EXPECT_FALSE(m.may_unsplit(limits));
 }
 
-TEST(MayUnsplit, LooksAtTheRightSideOfTheRestoredEdgeToo) {
+TEST(MayUnsplit, TestsBothSidesOfTheMergedEdge) {
     Midpoint m(kCrease);
     m.mesh.set_deformed(VertexId{1}, true);
-    m.mesh.set_normal(m.split.right->b, turned(-15.0));
-    m.mesh.set_normal(m.split.right->c, turned(15.0));
-    EXPECT_FALSE(m.may_go({.theta_max = 29.99, .theta_min = 20.0}));
-    EXPECT_TRUE(m.may_go({.theta_max = 30.01, .theta_min = 20.0}));
+    m.mesh.set_normal(m.split.right->b, rotated(-15.0));
+    m.mesh.set_normal(m.split.right->c, rotated(15.0));
+    EXPECT_FALSE(m.may_unsplit({.theta_max = 29.99, .theta_min = 20.0}));
+    EXPECT_TRUE(m.may_unsplit({.theta_max = 30.01, .theta_min = 20.0}));
 }
 
-TEST(MayUnsplit, AsksItsEdgesToBeShorterThanLMaxWhereverTheyAre) {
+TEST(MayUnsplit, RequiresItsEdgesToBeShorterThanLMaxInAndOutOfTheZone) {
     Midpoint m;
     const double half = 0.5 * kLength;
-    EXPECT_TRUE(m.may_go({.l_max = half + 1e-9}));
-    EXPECT_FALSE(m.may_go({.l_max = half - 1e-9}));
-    EXPECT_FALSE(m.may_go({.l_max = half - 1e-9}, kElsewhere));
+    EXPECT_TRUE(m.may_unsplit({.l_max = half + 1e-9}));
+    EXPECT_FALSE(m.may_unsplit({.l_max = half - 1e-9}));
+    EXPECT_FALSE(m.may_unsplit({.l_max = half - 1e-9}, kElsewhere));
 }
 
-TEST(MayUnsplit, KeepsLongEdgesOutOfFacesThatMeetTheZone) {
+TEST(MayUnsplit, KeepsVerticesWhoseRestoredFacesInTheZoneWouldHaveLongEdges) {
     Midpoint m;
-    EXPECT_FALSE(m.may_go({.l_max = kLength - 1e-9}, kEverywhere)) << "the restored edge";
-    EXPECT_TRUE(m.may_go({.l_max = kLength + 1e-9}, kEverywhere));
-    EXPECT_TRUE(m.may_go({.l_max = kLength - 1e-9}, kElsewhere));
+    EXPECT_FALSE(m.may_unsplit({.l_max = kLength - 1e-9}, kEverywhere)) << "the restored edge";
+    EXPECT_TRUE(m.may_unsplit({.l_max = kLength + 1e-9}, kEverywhere));
+    EXPECT_TRUE(m.may_unsplit({.l_max = kLength - 1e-9}, kElsewhere));
     // An outer edge is long, and the zone meets its face only once that is restored: the zone is
     // in the half of 0, m, 2 that the edge 0-1 does not belong to.
     Midpoint outer;
@@ -284,26 +295,26 @@ TEST(MayUnsplit, KeepsLongEdgesOutOfFacesThatMeetTheZone) {
     outer.mesh.set_position(outer.split.m, {0.75, 0.5, 0});
     const Box near_2{.min = {-0.1, 0.8, -0.1}, .max = {0.05, 1.1, 0.1}};
     const double half = std::hypot(0.75, 0.5);
-    EXPECT_FALSE(outer.may_go({.l_max = 1.2}, near_2));
+    EXPECT_FALSE(outer.may_unsplit({.l_max = 1.2}, near_2));
     EXPECT_GT(1.2, half);
-    EXPECT_TRUE(outer.may_go({.l_max = 1.2}, kElsewhere));
-    EXPECT_TRUE(outer.may_go({.l_max = 2.0}, near_2));
+    EXPECT_TRUE(outer.may_unsplit({.l_max = 1.2}, kElsewhere));
+    EXPECT_TRUE(outer.may_unsplit({.l_max = 2.0}, near_2));
     // The face beyond counts alike.
     const Box near_3{.min = {0.95, 0.95, -0.1}, .max = {1.1, 1.1, 0.1}};
-    EXPECT_FALSE(outer.may_go({.l_max = 1.2}, near_3));
+    EXPECT_FALSE(outer.may_unsplit({.l_max = 1.2}, near_3));
 }
 
-TEST(MayUnsplit, LetsOnlyStarsThatMeetTheScopeGo) {
+TEST(MayUnsplit, AcceptsOnlyStarsThatMeetTheScope) {
     Midpoint m;
-    EXPECT_TRUE(m.may_go({}, std::nullopt, kEverywhere));
-    EXPECT_FALSE(m.may_go({}, std::nullopt, kElsewhere));
+    EXPECT_TRUE(m.may_unsplit({}, std::nullopt, kEverywhere));
+    EXPECT_FALSE(m.may_unsplit({}, std::nullopt, kElsewhere));
     // One corner of each of its four faces in turn.
     for (std::uint32_t v = 0; v < 4; ++v) {
         const Vec3 p = m.mesh.position(VertexId{v});
-        EXPECT_TRUE(m.may_go({}, std::nullopt, Box{.min = p - 0.01, .max = p + 0.01}));
+        EXPECT_TRUE(m.may_unsplit({}, std::nullopt, Box{.min = p - 0.01, .max = p + 0.01}));
     }
     for (const Vec3& p : {Vec3{0.4, 0.1, 0}, {0.1, 0.4, 0}, {0.9, 0.6, 0}, {0.6, 0.9, 0}}) {
-        EXPECT_TRUE(m.may_go({}, std::nullopt, Box{.min = p - 0.01, .max = p + 0.01}));
+        EXPECT_TRUE(m.may_unsplit({}, std::nullopt, Box{.min = p - 0.01, .max = p + 0.01}));
     }
 }
 

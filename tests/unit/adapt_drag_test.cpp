@@ -155,7 +155,7 @@ TEST(Budget, IsKeptAndReportedAndRestsUntilTheDragChanges) {
     EXPECT_LE(frames.mesh.face_count(), 2000u);
 }
 
-TEST(Budget, OfWhatIsThereAlreadyAllowsNoSplit) {
+TEST(Budget, OfThePresentFaceCountAllowsNoSplit) {
     Frames frames({.theta_max = 0.5, .theta_min = 0.4, .floor = 1e-4, .budget = 10}, 0.8);
     const Frame frame = frames.drag({0, 0.3, 0});
     EXPECT_TRUE(frame.budget_hit);
@@ -209,7 +209,7 @@ TEST(Floor, IsNeverCrossedByASplit) {
     EXPECT_GT(crushed, 1000);
 }
 
-TEST(Gesture, ThinsWhatEarlierFramesRefinedAsTheDragComesHome) {
+TEST(Gesture, DecimatesWhatEarlierFramesRefinedWhenTheDragReturns) {
     Frames frames({.theta_max = 5.0, .theta_min = 4.0, .flatness = 0.02, .floor = 1e-3}, 0.8);
     const TriMesh before = frames.mesh;
     const Frame out = frames.drag({0, 0.4, 0});
@@ -220,7 +220,7 @@ TEST(Gesture, ThinsWhatEarlierFramesRefinedAsTheDragComesHome) {
     EXPECT_TRUE(frames.mesh == before);
 }
 
-TEST(Gesture, CancelsItselfWhereItIsDropped) {
+TEST(Gesture, IsCancelledByItsDestructor) {
     Frames frames({.theta_max = 5.0, .theta_min = 4.0, .floor = 1e-3}, 0.8);
     const TriMesh before = frames.mesh;
     frames.drag({0, 0.4, 0});

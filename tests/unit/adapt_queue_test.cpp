@@ -12,7 +12,7 @@ namespace {
 
 using Queue = RefinementQueue;
 
-TEST(RefinementQueue, GivesEveryEdgeOnceLongestOctaveFirst) {
+TEST(RefinementQueue, ReturnsEveryEdgeOnceLongestOctaveFirst) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         test::Random random(seed);
@@ -27,7 +27,8 @@ TEST(RefinementQueue, GivesEveryEdgeOnceLongestOctaveFirst) {
         while (!queue.is_empty()) {
             const Queue::Entries next = queue.take();
             std::vector<EdgeId> taken;
-            for (const auto& lane : next.lanes) taken.insert(taken.end(), lane.begin(), lane.end());
+            for (const auto& partition : next.partitions)
+                taken.insert(taken.end(), partition.begin(), partition.end());
             ASSERT_FALSE(taken.empty());
             for (EdgeId e : taken) {
                 EXPECT_EQ(next.octave, 1000 + index(e) % 3);
@@ -43,38 +44,38 @@ TEST(RefinementQueue, GivesEveryEdgeOnceLongestOctaveFirst) {
 }
 
 // Each lane goes on where it was, and has a part of the order to itself.
-TEST(RefinementQueue, ServesManyInLanesThatLieFarApart) {
+TEST(RefinementQueue, DividesManyEdgesIntoDistantPartitions) {
     Queue queue;
     const std::uint32_t count = 80'000;
     for (std::uint32_t e = 0; e < count; ++e) queue.push(EdgeId{e}, 1000);
     const Queue::Entries first = queue.take();
-    EXPECT_FALSE(first.is_one_lane);
+    EXPECT_FALSE(first.is_one_partition);
     std::vector<std::uint32_t> begins;
-    for (const auto& lane : first.lanes) {
-        ASSERT_EQ(lane.size(), kLaneLength);
-        begins.push_back(index(lane.front()));
-        for (std::size_t i = 0; i < lane.size(); ++i) {
-            EXPECT_EQ(index(lane[i]), begins.back() + i);
+    for (const auto& partition : first.partitions) {
+        ASSERT_EQ(partition.size(), kPartitionBatch);
+        begins.push_back(index(partition.front()));
+        for (std::size_t i = 0; i < partition.size(); ++i) {
+            EXPECT_EQ(index(partition[i]), begins.back() + i);
         }
     }
     const Queue::Entries second = queue.take();
-    for (std::size_t i = 0; i < kLanes; ++i) {
-        EXPECT_EQ(index(second.lanes[i].front()), begins[i] + kLaneLength);
+    for (std::size_t i = 0; i < kPartitions; ++i) {
+        EXPECT_EQ(index(second.partitions[i].front()), begins[i] + kPartitionBatch);
     }
     std::ranges::sort(begins);
     for (std::size_t i = 1; i < begins.size(); ++i) {
-        EXPECT_GE(begins[i] - begins[i - 1], count / (2 * kLanes));
+        EXPECT_GE(begins[i] - begins[i - 1], count / (2 * kPartitions));
     }
 }
 
-TEST(RefinementQueue, ServesFewInTheirOrder) {
+TEST(RefinementQueue, ReturnsFewEdgesInTheirOrder) {
     Queue queue;
     for (std::uint32_t e = 0; e < 1500; ++e) queue.push(EdgeId{e}, 1000);
     std::uint32_t expected = 0;
     while (!queue.is_empty()) {
         const Queue::Entries next = queue.take();
-        EXPECT_TRUE(next.is_one_lane);
-        for (EdgeId e : next.lanes.front()) EXPECT_EQ(index(e), expected++);
+        EXPECT_TRUE(next.is_one_partition);
+        for (EdgeId e : next.partitions.front()) EXPECT_EQ(index(e), expected++);
     }
     EXPECT_EQ(expected, 1500u);
 }

@@ -14,8 +14,8 @@
 #include <variant>
 #include <vector>
 
-#include "adapt/parallel.h"
 #include "ffd/drag_solver.h"
+#include "geometry/parallel.h"
 #include "session/session.h"
 
 namespace pectin {
@@ -69,7 +69,7 @@ TriMesh moved_by_a_cage(int threads, command::Shape::Kind kind, int resolution) 
     return session.mesh();
 }
 
-TEST(Threads, GiveControlPointsTheSameBytesHoweverMany) {
+TEST(Threads, DoNotChangeTheBytesOfAControlPointDrag) {
     for (const auto& [kind, resolution] :
          {std::pair{command::Shape::Kind::sphere, 6}, std::pair{command::Shape::Kind::cube, 80}}) {
         const TriMesh one = moved_by_a_cage(1, kind, resolution);
@@ -79,7 +79,7 @@ TEST(Threads, GiveControlPointsTheSameBytesHoweverMany) {
     }
 }
 
-TEST(Threads, GiveTheSameBytesHoweverMany) {
+TEST(Threads, DoNotChangeTheBytesOfADrag) {
     for (const bool has_two_moves : {false, true}) {
         const TriMesh one = dragged(1, has_two_moves);
         EXPECT_GT(one.vertex_count(), one.base_vertex_count() + 1000);

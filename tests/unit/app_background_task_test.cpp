@@ -20,14 +20,14 @@ int never_ending(const Progress& progress) {
     }
 }
 
-TEST(BackgroundTask, HandsBackWhatTheWorkCameTo) {
+TEST(BackgroundTask, ReturnsTheResult) {
     BackgroundTask<std::string> task([](const Progress&) { return std::string("done"); });
     EXPECT_TRUE(task.has_ended(1h));
     EXPECT_EQ(task.take(), "done");
     EXPECT_FALSE(task.is_cancelled());
 }
 
-TEST(BackgroundTask, GoesOnAsideAndSaysHowFarItIs) {
+TEST(BackgroundTask, RunsInTheBackgroundAndReportsProgress) {
     std::latch half_way(1), may_end(1);
     BackgroundTask<std::thread::id> task([&](const Progress& progress) {
         progress.advance(0.5);
@@ -46,7 +46,7 @@ TEST(BackgroundTask, GoesOnAsideAndSaysHowFarItIs) {
     EXPECT_NE(task.take(), std::this_thread::get_id());
 }
 
-TEST(BackgroundTask, ThrowsWhatTheWorkThrewWhereItIsTaken) {
+TEST(BackgroundTask, RethrowsTheExceptionOfTheWorkWhenItsResultIsTaken) {
     BackgroundTask<int> task([](const Progress&) -> int { throw std::runtime_error("no"); });
     EXPECT_TRUE(task.has_ended(1h));
     EXPECT_THROW(task.take(), std::runtime_error);
@@ -61,7 +61,7 @@ TEST(BackgroundTask, CancelReachesTheWork) {
     EXPECT_THROW(task.take(), Cancelled);
 }
 
-TEST(BackgroundTask, ItsEndStopsTheWorkAndWaitsForIt) {
+TEST(BackgroundTask, DestructorStopsTheWorkAndWaitsForIt) {
     std::atomic<bool> has_begun = false, has_ended = false;
     {
         BackgroundTask<int> task([&](const Progress& progress) {

@@ -32,7 +32,7 @@ TEST_F(EditorTest, GrabbedPointStaysUnderTheCursor) {
     EXPECT_NEAR(glm::distance(*seen, Vec2(700, 310)), 0.0, 1e-6);
 }
 
-TEST_F(EditorTest, DragBesideTheObjectTurnsTheCameraAndNothingElse) {
+TEST_F(EditorTest, DragBesideTheObjectOnlyOrbitsTheCamera) {
     Editor editor = this->editor();
     const Camera before = editor.camera();
     drag(editor, kBeside, kBeside + Vec2(200, -100));
@@ -88,7 +88,7 @@ TEST_F(EditorTest, UndoAndRedoByKeysGiveBackTheVeryMesh) {
     EXPECT_TRUE(editor.workspace().message().empty()) << "nothing to redo is no error";
 }
 
-TEST_F(EditorTest, StepsThatTheLimitLetsGoStayChangesAndAreTold) {
+TEST_F(EditorTest, DroppedStepsStillCountAsChangesAndAreReported) {
     Editor editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     editor.execute(command::Save{path("saved.obj")});

@@ -34,7 +34,7 @@ class EditorToolsTest : public EditorTest {
     }
 };
 
-TEST(CursorPath, KeepsBendsAndTheLastPlaceOnly) {
+TEST(CursorPath, KeepsOnlyBendsAndTheLastPosition) {
     EXPECT_TRUE(bends({0, 0}, {}, 2.0).empty());
     EXPECT_EQ(bends({0, 0}, {{10, 1}, {20, -1}, {30, 0}}, 2.0), (std::vector<Vec2>{{30, 0}}));
     EXPECT_EQ(bends({0, 0}, {{10, 0}, {20, 1}, {20, 10}, {20, 30}}, 2.0),
@@ -235,7 +235,7 @@ TEST_F(EditorToolsTest, AFoldFreeDragGoesTheWayOfTheCursorBetweenTwoFrames) {
     EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());
 }
 
-TEST_F(EditorToolsTest, WithoutFoldFreeFoldedVerticesAreCountedAndTold) {
+TEST_F(EditorToolsTest, WithoutFoldFreeFoldedVerticesAreReported) {
     Editor editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(0, -300));
     EXPECT_EQ(editor.figures().folded, 0u);

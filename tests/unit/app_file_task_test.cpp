@@ -191,7 +191,7 @@ TEST_F(FileTask, CancellingASaveLeavesTheOldFileAndTheChanges) {
         << "something half-written is left";
 }
 
-TEST_F(FileTask, WhatIsWrongWithAFileIsTold) {
+TEST_F(FileTask, ErrorsInAFileAreReported) {
     write("letter.obj", "v 0 0 0\nv Dear reader\n");
     Editor editor = this->editor();
     const TriMesh sphere = editor.session().mesh();
@@ -206,7 +206,7 @@ TEST_F(FileTask, WhatIsWrongWithAFileIsTold) {
     EXPECT_EQ(editor.workspace().path(), "");
 }
 
-TEST_F(FileTask, WhatWasFoundInTheInputIsTold) {
+TEST_F(FileTask, FindingsInTheInputAreReported) {
     write("loose.obj", std::string(kTetrahedron) + "v 5 5 5\nv 6 6 6\n");
     Editor editor = this->editor();
     editor.open(path("loose.obj"));

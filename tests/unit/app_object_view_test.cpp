@@ -20,9 +20,9 @@ TEST_F(ObjectViewTest, FramesOfADragUploadAsMuchAsTheyTouch) {
     editor.set_radius(0.02);
     ObjectView view(gl());
     Session& session = editor.workspace().session();
-    const std::size_t whole = view.follow(session).bytes;
+    const std::size_t whole = view.update(session).bytes;
     ASSERT_GT(whole, 30'000'000u);
-    EXPECT_EQ(view.follow(session).bytes, 0u) << "nothing has changed since";
+    EXPECT_EQ(view.update(session).bytes, 0u) << "nothing has changed since";
 
     editor.handle(event::Move{{640, 400}});
     editor.handle(event::Press{MouseButton::left, {640, 400}});
@@ -30,12 +30,12 @@ TEST_F(ObjectViewTest, FramesOfADragUploadAsMuchAsTheyTouch) {
     for (int i = 1; i <= 6; ++i) {
         editor.handle(event::Move{{640 + i, 400 - i}});
         editor.advance();
-        const std::size_t bytes = view.follow(session).bytes;
+        const std::size_t bytes = view.update(session).bytes;
         EXPECT_GT(bytes, 0u);
         EXPECT_LT(bytes, whole / 100) << "frame " << i;
     }
     editor.handle(event::Release{MouseButton::left, {646, 394}});
-    const std::size_t commit = view.follow(session).bytes;
+    const std::size_t commit = view.update(session).bytes;
     EXPECT_GT(commit, 0u);
     EXPECT_LT(commit, whole / 100);
 }
@@ -46,7 +46,7 @@ TEST_F(ObjectViewTest, PictureAfterADragAndUndoIsThePictureBefore) {
     editor.new_shape(command::Shape::Kind::sphere, 3);
     ObjectView view(gl());
     Session& session = editor.workspace().session();
-    view.follow(session);
+    view.update(session);
     const auto picture = [&] {
         return draw(gl(), view.mesh(), editor_scene(editor, 1.0f), {320, 240}).rgba;
     };
@@ -54,12 +54,12 @@ TEST_F(ObjectViewTest, PictureAfterADragAndUndoIsThePictureBefore) {
     editor.handle(event::Press{MouseButton::left, {160, 120}});
     editor.handle(event::Move{{190, 90}});
     editor.advance();
-    view.follow(session);
+    view.update(session);
     EXPECT_NE(picture(), before);
     editor.handle(event::Release{MouseButton::left, {190, 90}});
-    view.follow(session);
+    view.update(session);
     editor.perform(Action::undo);
-    view.follow(session);
+    view.update(session);
     EXPECT_EQ(picture(), before);
 }
 

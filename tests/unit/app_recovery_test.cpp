@@ -178,7 +178,7 @@ TEST_F(RecoveryTest, WhatIsToldAtTheStartStaysUntilItIsDismissed) {
     for (const std::string& model : {std::string(), path("letter.obj")}) {
         Editor editor({}, std::chrono::hours(1));
         editor.workspace().begin_recovery(folder());
-        editor.workspace().tell_lastingly("this record is in record-2.jsonl");
+        editor.workspace().add_notice("this record is in record-2.jsonl");
         editor.begin(model);
         const std::string message = editor.workspace().message();
         EXPECT_NE(message.find("recovery"), std::string::npos) << message;

@@ -160,10 +160,10 @@ TEST(Fit, TakesWhatHasNoSizeForSomethingOfSizeOne) {
 TEST(Orbit, KeepsThePivotWhereItIsSeenAndItsDistance) {
     const Camera camera{.eye = Vec3(1, 2, 4), .target = Vec3(0.2, 0, 0)};
     const Vec3 pivot{0.5, -0.3, 0.1};
-    const Camera turned = orbited(camera, 0.7, -0.3, pivot);
-    EXPECT_NEAR(glm::distance(turned.eye, pivot), glm::distance(camera.eye, pivot), 1e-12);
-    EXPECT_NEAR(glm::distance(turned.target, pivot), glm::distance(camera.target, pivot), 1e-12);
-    const Vec2 before = *camera.project(pivot, kSize), after = *turned.project(pivot, kSize);
+    const Camera rotated = orbited(camera, 0.7, -0.3, pivot);
+    EXPECT_NEAR(glm::distance(rotated.eye, pivot), glm::distance(camera.eye, pivot), 1e-12);
+    EXPECT_NEAR(glm::distance(rotated.target, pivot), glm::distance(camera.target, pivot), 1e-12);
+    const Vec2 before = *camera.project(pivot, kSize), after = *rotated.project(pivot, kSize);
     EXPECT_NEAR(before.x, after.x, 1e-6);
     EXPECT_NEAR(before.y, after.y, 1e-6);
 }
@@ -178,10 +178,10 @@ TEST(Orbit, StopsShortOfLookingAlongUp) {
     EXPECT_LT(camera.eye.y, -2.9);
 }
 
-TEST(Orbit, ComesBackAfterAFullTurn) {
+TEST(Orbit, ReturnsAfterAFullRotation) {
     const Camera camera{.eye = Vec3(1, 2, 4)};
-    const Camera turned = orbited(camera, 2.0 * std::numbers::pi, 0.0, camera.target);
-    expect_near(turned.eye, camera.eye, 1e-12);
+    const Camera rotated = orbited(camera, 2.0 * std::numbers::pi, 0.0, camera.target);
+    expect_near(rotated.eye, camera.eye, 1e-12);
 }
 
 TEST(Pan, MovesWhatIsAtTheTargetsDepthByThePixels) {

@@ -69,14 +69,14 @@ DragSolver solver_of(const Lattice& lattice, const std::vector<Vec3>& moves,
 
 const Lattice kCube{.origin = {0, 0, 0}, .cell = {1, 1, 1}, .deformable = {4, 4, 4}};
 
-TEST(Drag, MovesAndStretchesNoMoreThanItsBounds) {
+TEST(Drag, StaysWithinItsReachAndLipschitzBounds) {
     LatticeRandom random{31};
     SCOPED_TRACE("seed 31");
     double tightest = 0.0;
     for (int trial = 0; trial < 200; ++trial) {
         const Case drag = random_case(random);
         const double reach = drag.field().reach_bound(drag.d);
-        const double stretch = drag.field().stretch_bound(drag.d);
+        const double stretch = drag.field().lipschitz_bound(drag.d);
         for (int i = 0; i < 100; ++i) {
             const Vec3 x = random.point_in(drag.lattice, 0.0);
             const Vec3 y = x + 0.01 * drag.lattice.smallest_cell_extent() * random.vectors(1)[0];
@@ -149,8 +149,8 @@ std::vector<std::vector<double>> orthogonal_rows(const Lattice& lattice,
         std::vector<double> row = row_at(lattice, point);
         for (int pass = 0; pass < 2; ++pass) {
             for (const std::vector<double>& other : rows) {
-                const double share = dot(row, other) / dot(other, other);
-                for (std::size_t i = 0; i < row.size(); ++i) row[i] -= share * other[i];
+                const double fraction = dot(row, other) / dot(other, other);
+                for (std::size_t i = 0; i < row.size(); ++i) row[i] -= fraction * other[i];
             }
         }
         rows.push_back(row);
@@ -276,7 +276,7 @@ TEST(DragField, IsTheSameInABatchToTheBit) {
     }
 }
 
-TEST(DragField, SumsMoreMovesThanItTakesAtATime) {
+TEST(DragField, SumsMoreMovesThanOneBatch) {
     LatticeRandom random{19};
     SCOPED_TRACE("seed 19");
     const Lattice lattice{.cell = {1, 2, 3}, .deformable = {9, 9, 9}};
@@ -360,7 +360,7 @@ TEST(FrameKernel, SeveralDragsAgreeWithOneWhereTheOthersAreZero) {
     }
 }
 
-TEST(FrameKernel, LeavesNormalsAloneToTheBitWhereNothingBends) {
+TEST(FrameKernel, KeepsNormalsBitForBitWhereTheGradientIsZero) {
     const Vec3f unnormalised{0.3f, -0.0f, 7.0f};
     const auto same = [&](const Vec3f& n) { return std::memcmp(&n, &unnormalised, 12) == 0; };
     const DragWeight flat{1.0f, Vec3f{0.0f}};

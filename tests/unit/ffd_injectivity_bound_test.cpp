@@ -40,8 +40,8 @@ double least_sampled(const std::vector<LatticeField>& sum, const Box& box, int p
     for (int i = 0; i <= per_side; ++i) {
         for (int j = 0; j <= per_side; ++j) {
             for (int k = 0; k <= per_side; ++k) {
-                const Vec3 share = Vec3(i, j, k) / static_cast<double>(per_side);
-                least = std::min(least, least_eigenvalue(sum, box.min + share * box.extent()));
+                const Vec3 fraction = Vec3(i, j, k) / static_cast<double>(per_side);
+                least = std::min(least, least_eigenvalue(sum, box.min + fraction * box.extent()));
             }
         }
     }
@@ -89,7 +89,7 @@ TEST(SymmetricPartBound, AllowsNoBoxMoreThanItsSampledGradientDoes) {
     std::printf("%zu boxes, %zu of them tight\n", boxes, tight);
 }
 
-TEST(SymmetricPartBound, OfAllBoxesIsThatOfTheWhole) {
+TEST(SymmetricPartBound, OverAllBoxesEqualsThatOfTheWhole) {
     constexpr unsigned kSeed = 92;
     SCOPED_TRACE("seed " + std::to_string(kSeed));
     LatticeRandom random{kSeed};

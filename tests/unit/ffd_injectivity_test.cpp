@@ -35,9 +35,9 @@ Mat3 jacobian_at(const std::vector<LatticeField>& fields, const Vec3& x, double 
 
 DragStep brush_step(const Vec3& by, int span = 3) {
     const Lattice lattice = brush_lattice(Vec3{0.0}, kRadius, span);
-    const std::array<Grip, 1> grips{Grip{}};
-    const std::array<GripMotion, 1> motions{GripMotion{by}};
-    return std::get<DragSolver>(DragSolver::create(lattice, grips, {})).step(motions);
+    const std::array<Handle, 1> handles{Handle{}};
+    const std::array<HandleMotion, 1> motions{HandleMotion{by}};
+    return std::get<DragSolver>(DragSolver::create(lattice, handles, {})).step(motions);
 }
 
 // The displacement at which a brush truly folds, from the gradient of w on a dense grid.
@@ -72,13 +72,13 @@ TEST(InjectiveLimit, KeepsItsStretchAtEveryPointForRandomLatticesAndConstraints)
         const Lattice lattice = random.lattice(Vec3{0.0}, 1, 5);
         std::vector<Vec3> points;
         random.add_points(lattice, 1 + round % 3, points);
-        std::vector<Grip> grips;
-        std::vector<GripMotion> motions;
+        std::vector<Handle> handles;
+        std::vector<HandleMotion> motions;
         for (const Vec3& point : points) {
-            grips.push_back({point});
+            handles.push_back({point});
             motions.push_back({random.vector(-4.0, 4.0) * lattice.cell});
         }
-        const auto solved = DragSolver::create(lattice, grips, {});
+        const auto solved = DragSolver::create(lattice, handles, {});
         if (std::holds_alternative<DragRefusal>(solved)) continue;
         const auto fields = std::get<DragSolver>(solved).step(motions).lattice_fields();
         const double t = injective_limit(fields);
@@ -101,7 +101,7 @@ TEST(InjectiveLimit, IsHowFarTheSameDragMayGo) {
 }
 
 // Where numbers end, products of them prove nothing.
-TEST(InjectiveLimit, GrantsNothingBeyondNumbers) {
+TEST(InjectiveLimit, IsZeroForValuesThatAreNotFinite) {
     const DragStep step = brush_step({0.0, 0.0, 1.0});
     const std::vector<LatticeField> fields = step.lattice_fields();
     const auto limit = [&](const Vec3& first, const Vec3& second) {
@@ -117,10 +117,10 @@ TEST(InjectiveLimit, GrantsNothingBeyondNumbers) {
         EXPECT_EQ(limit({huge, 0, 0}, {0, huge, 0}), 0.0) << huge;
         EXPECT_EQ(limit({huge, 0, 0}, {huge, 0, 0}), 0.0) << huge;
     }
-    const auto solver = std::get<DragSolver>(
-        DragSolver::create(step.field.lattice(), std::array{Grip{.turns = true}}, {}));
+    const auto solver = std::get<DragSolver>(DragSolver::create(
+        step.field.lattice(), std::array{Handle{.prescribes_jacobian = true}}, {}));
     FoldGuard guard(solver);
-    const std::array<GripMotion, 1> motions{GripMotion{Vec3{0.0}, Mat3{1e300}}};
+    const std::array<HandleMotion, 1> motions{HandleMotion{Vec3{0.0}, Mat3{1e300}}};
     EXPECT_EQ(guard.limit(solver.step(motions)), 0.0);
 }
 
@@ -139,18 +139,18 @@ TEST(GradientBounds, BoundTheGradientEverywhere) {
 }
 
 // A hand's way: the guard agrees with the proof at every place, also where it spares it.
-TEST(FoldGuard, GrantsWhatTheProofGrantsAndNothingElse) {
+TEST(FoldGuard, AllowsExactlyWhatTheProofAllows) {
     test::Random random(77);
     for (int round = 0; round < test::case_count(20); ++round) {
         const Lattice lattice = brush_lattice(Vec3{0.0}, kRadius, 3);
-        const std::vector<Grip> grips(1, Grip{.turns = round % 2 == 1});
-        const auto solver = std::get<DragSolver>(DragSolver::create(lattice, grips, {}));
+        const std::vector<Handle> handles(1, Handle{.prescribes_jacobian = round % 2 == 1});
+        const auto solver = std::get<DragSolver>(DragSolver::create(lattice, handles, {}));
         FoldGuard guard(solver);
-        std::vector<GripMotion> motions(1);
+        std::vector<HandleMotion> motions(1);
         for (int frame = 0; frame < 40; ++frame) {
             motions[0].displacement += 0.05 * random.direction() + Vec3{0.0, 0.02, 0.0};
             motions[0].jacobian =
-                Turn{.axis = {1, 2, 3}, .degrees = 0.5 * round * frame}.jacobian();
+                Rotation{.axis = {1, 2, 3}, .degrees = 0.5 * round * frame}.jacobian();
             const DragStep step = solver.step(motions);
             EXPECT_EQ(guard.limit(step), injective_limit(step.lattice_fields()))
                 << "seed 77, round " << round << ", frame " << frame;
@@ -177,7 +177,7 @@ DragPlan brush_plan(const Vec3& from, const Vec3& to, double radius = kRadius) {
     return {.moves = {{from, to}},
             .fold_free = true,
             .lattice = brush_lattice(from, radius, 3),
-            .follows_point = true};
+            .is_centred_on_point = true};
 }
 
 Vec3 warped(const Warp& warp, Vec3 x) {
@@ -309,15 +309,15 @@ TEST(FoldFreeDrag, TellsOfTooManyWaypoints) {
 
 // --- Twist and scale
 
-TEST(Turn, HasJacobiansThatMultiplyOverItsShares) {
-    const Turn turn{.axis = {1, 2, 3}, .degrees = 200.0, .scale = 1.7};
-    const Mat3 third = turn.jacobian(1.0 / 3.0), whole = turn.jacobian();
+TEST(Rotation, HasFractionsWhoseJacobiansMultiplyToTheWhole) {
+    const Rotation rotation{.axis = {1, 2, 3}, .degrees = 200.0, .scale = 1.7};
+    const Mat3 third = rotation.jacobian(1.0 / 3.0), whole = rotation.jacobian();
     const Mat3 product = third * third * third;
     for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(product[c] - whole[c]), 1e-12);
     EXPECT_NEAR(glm::determinant(whole), 1.7 * 1.7 * 1.7, 1e-12);
     EXPECT_LT(glm::length(whole * Vec3(1, 2, 3) - 1.7 * Vec3(1, 2, 3)), 1e-12);
     // By the right hand about +z.
-    const Mat3 quarter = Turn{.axis = {0, 0, 5}, .degrees = 90.0}.jacobian();
+    const Mat3 quarter = Rotation{.axis = {0, 0, 5}, .degrees = 90.0}.jacobian();
     EXPECT_LT(glm::length(quarter * Vec3(1, 0, 0) - Vec3(0, 1, 0)), 1e-15);
 }
 
@@ -327,8 +327,8 @@ TEST(TwistedDrag, HasThePrescribedFrameAtThePoint) {
         const Vec3 from = 2.0 * random.direction();
         DragPlan plan = brush_plan(from, from + random.uniform(0.0, 2.0) * random.direction());
         plan.fold_free = round % 2 == 0;
-        plan.moves[0].turn = {random.direction(), random.uniform(-170.0, 170.0),
-                              random.scale(0.4, 2.5)};
+        plan.moves[0].rotation = {random.direction(), random.uniform(-170.0, 170.0),
+                                  random.scale(0.4, 2.5)};
         const Warp warp = planned(plan).warp;
         Mat3 frame{1.0};
         Vec3 x = from;
@@ -337,7 +337,7 @@ TEST(TwistedDrag, HasThePrescribedFrameAtThePoint) {
             frame = jacobian_at(drag.lattice_fields(), x) * frame;
             x += drag.lattice_fields().front().displacement(x);
         }
-        const Mat3 wanted = plan.moves[0].turn.jacobian();
+        const Mat3 wanted = plan.moves[0].rotation.jacobian();
         for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(frame[c] - wanted[c]), 1e-6);
         EXPECT_LT(glm::distance(x, plan.moves[0].to), 1e-6);
         // By finite differences of what a vertex does, which are in floats.
@@ -364,11 +364,11 @@ double degrees_about_z(const Warp& warp, Vec3 x) {
     return sum;
 }
 
-TEST(TwistedDrag, WithoutFoldingGoesAllTheWayRound) {
+TEST(TwistedDrag, WithoutFoldsMakesTheFullRotation) {
     test::Random random(79);
     for (const double degrees : {30.0, 179.0, 300.0, 360.0, -340.0, 725.0}) {
         DragPlan plan = brush_plan({0, 0, 0}, {0.1, 0, 0});
-        plan.moves[0].turn = {.axis = {0, 0, 1}, .degrees = degrees};
+        plan.moves[0].rotation = {.axis = {0, 0, 1}, .degrees = degrees};
         const Warp warp = planned(plan).warp;
         EXPECT_NEAR(degrees_about_z(warp, {0, 0, 0}), degrees, 1e-6);
         EXPECT_GT(least_determinant(warp, 1000, random), 0.0);
@@ -379,30 +379,30 @@ TEST(TwistedDrag, WithoutFoldingGoesAllTheWayRound) {
     }
 }
 
-TEST(TwistedDrag, TakesAnAxisOfAnyLengthAndRefusesTurnsThatAreSlips) {
+TEST(TwistedDrag, AcceptsAnAxisOfAnyLengthAndRefusesExtremeRotations) {
     DragPlan plan = brush_plan({0, 0, 0}, {0, 0, 0.1});
     plan.fold_free = false;
     for (const double length : {1e-300, 1.0, 1e300}) {
-        plan.moves[0].turn = {.axis = {0, 0, length}, .degrees = 40.0};
+        plan.moves[0].rotation = {.axis = {0, 0, length}, .degrees = 40.0};
         EXPECT_NEAR(degrees_about_z(planned(plan).warp, {0, 0, 0}), 40.0, 1e-6);
     }
     for (const double scale : {0.0, -1.0, 1e-4, 1001.0, 1e300}) {
-        plan.moves[0].turn = {.scale = scale};
+        plan.moves[0].rotation = {.scale = scale};
         EXPECT_NE(refusal(plan).find("scale from 0.001 to 1000"), std::string::npos) << scale;
     }
     for (const double degrees : {3601.0, -1e300}) {
-        plan.moves[0].turn = {.degrees = degrees};
+        plan.moves[0].rotation = {.degrees = degrees};
         EXPECT_NE(refusal(plan).find("3600 degrees"), std::string::npos) << degrees;
     }
 }
 
-TEST(TwistedDrag, RefusesWhereTheLatticeCannotTurn) {
+TEST(TwistedDrag, IsRefusedWhereTheLatticeCannotRotate) {
     DragPlan plan = brush_plan({0, 0, 0}, {0, 0, 0});
     plan.lattice = brush_lattice({0, 0, 0}, 1.0, 1);
-    plan.moves[0].turn.degrees = 10.0;
+    plan.moves[0].rotation.degrees = 10.0;
     EXPECT_NE(refusal(plan).find("larger span"), std::string::npos) << refusal(plan);
     plan = brush_plan({0, 0, 0}, {0, 0, 0});
-    plan.moves[0].turn = {.axis = {0, 0, 0}, .degrees = 10.0};
+    plan.moves[0].rotation = {.axis = {0, 0, 0}, .degrees = 10.0};
     EXPECT_NE(refusal(plan).find("axis"), std::string::npos);
 }
 

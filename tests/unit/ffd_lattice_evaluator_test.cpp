@@ -21,7 +21,7 @@ bool same(const T& x, const T& y) {
 
 struct Result {
     std::vector<Vec3> displaced, transformed;
-    std::vector<Vec3f> turned;
+    std::vector<Vec3f> to_normals;
 };
 
 Result result_at(const LatticeEvaluator& evaluator, std::span<const Vec3> points,
@@ -29,7 +29,7 @@ Result result_at(const LatticeEvaluator& evaluator, std::span<const Vec3> points
     const std::size_t count = points.size();
     Result result{std::vector<Vec3>(count), std::vector<Vec3>(count), std::vector<Vec3f>(count)};
     evaluator.displace(points, result.displaced);
-    evaluator.transform(points, normals, result.transformed, result.turned);
+    evaluator.transform(points, normals, result.transformed, result.to_normals);
     return result;
 }
 
@@ -77,7 +77,7 @@ TEST(LatticeEvaluator, AgreesWithThePlainSumToRounding) {
             // Sums of products of derivatives as large as 1/cell.
             const double largest = 1.0 + 3.0 / lattice.smallest_cell_extent();
             if (image < 1e-3 * largest * largest) continue;
-            ASSERT_LT(glm::distance(result.turned[p], covariant(jacobian, scene.normals[p])),
+            ASSERT_LT(glm::distance(result.to_normals[p], covariant(jacobian, scene.normals[p])),
                       2e-7 + 1e5 * rounding);
         }
     }
@@ -97,13 +97,13 @@ TEST(LatticeEvaluator, GivesTheSameBitsWithEveryWidthOfVector) {
             for (std::size_t p = 0; p < scene.points.size(); ++p) {
                 ASSERT_TRUE(same(wide.displaced[p], plain.displaced[p])) << p;
                 ASSERT_TRUE(same(wide.transformed[p], plain.transformed[p])) << p;
-                ASSERT_TRUE(same(wide.turned[p], plain.turned[p])) << p;
+                ASSERT_TRUE(same(wide.to_normals[p], plain.to_normals[p])) << p;
             }
         }
     }
 }
 
-TEST(LatticeEvaluator, GivesAPointTheSameBitsInAnyCompany) {
+TEST(LatticeEvaluator, GivesAPointTheSameBitsInAnyBatch) {
     const unsigned seed = 7400;
     SCOPED_TRACE("seed " + std::to_string(seed));
     LatticeRandom random(seed);
@@ -120,13 +120,13 @@ TEST(LatticeEvaluator, GivesAPointTheSameBitsInAnyCompany) {
             for (std::size_t p = 0; p < count; ++p) {
                 ASSERT_TRUE(same(some.displaced[p], all.displaced[first + p]));
                 ASSERT_TRUE(same(some.transformed[p], all.displaced[first + p]));
-                ASSERT_TRUE(same(some.turned[p], all.turned[first + p]));
+                ASSERT_TRUE(same(some.to_normals[p], all.to_normals[first + p]));
             }
         }
     }
 }
 
-TEST(LatticeEvaluator, TurnsNormalsAsTheDisplacedTangentsTurn) {
+TEST(LatticeEvaluator, TransformsNormalsPerpendicularToTheDisplacedTangents) {
     const unsigned seed = 7500;
     SCOPED_TRACE("seed " + std::to_string(seed));
     LatticeRandom random(seed);
@@ -142,18 +142,18 @@ TEST(LatticeEvaluator, TurnsNormalsAsTheDisplacedTangentsTurn) {
         const Vec3 s = unit_or_zero(glm::cross(n, random.vector(-1.0, 1.0))), t = glm::cross(n, s);
         const std::vector<Vec3> around{x - h * s, x + h * s, x - h * t, x + h * t};
         std::vector<Vec3> to(4), at(1);
-        std::vector<Vec3f> turned(1);
+        std::vector<Vec3f> to_normals(1);
         evaluator.displace(around, to);
-        evaluator.transform(std::vector{x}, std::vector{Vec3f{n}}, at, turned);
+        evaluator.transform(std::vector{x}, std::vector{Vec3f{n}}, at, to_normals);
         const Vec3 image = glm::cross(to[1] - to[0], to[3] - to[2]) / (4.0 * h * h);
         if (glm::length(image) < 0.1) continue;
-        ASSERT_LT(glm::distance(Vec3{turned[0]}, unit_or_zero(image)), 1e-6) << i;
+        ASSERT_LT(glm::distance(Vec3{to_normals[0]}, unit_or_zero(image)), 1e-6) << i;
         ++compared;
     }
     EXPECT_GT(compared, 300);
 }
 
-TEST(LatticeEvaluator, LeavesTheBorderAndWhatIsOutsideToTheBit) {
+TEST(LatticeEvaluator, KeepsTheBorderAndTheOutsideBitForBit) {
     const unsigned seed = 7600;
     SCOPED_TRACE("seed " + std::to_string(seed));
     LatticeRandom random(seed);
@@ -171,7 +171,7 @@ TEST(LatticeEvaluator, LeavesTheBorderAndWhatIsOutsideToTheBit) {
             for (std::size_t p = 0; p < points.size(); ++p) {
                 ASSERT_TRUE(same(result.displaced[p], points[p])) << p;
                 ASSERT_TRUE(same(result.transformed[p], points[p])) << p;
-                ASSERT_TRUE(same(result.turned[p], scene.normals[p])) << p;
+                ASSERT_TRUE(same(result.to_normals[p], scene.normals[p])) << p;
             }
         }
     }
@@ -190,7 +190,7 @@ TEST(LatticeEvaluator, TakesOverNewDisplacements) {
 }
 
 // cof(J)·n vanishes where a flat lattice is squeezed to a point; n stays where nothing bends.
-TEST(LatticeEvaluator, GivesZeroWhereANormalHasNoImageAndKeepsItWhereNothingBends) {
+TEST(LatticeEvaluator, GivesZeroForNormalsWithoutAnImageAndKeepsThoseAtZeroGradient) {
     const Lattice lattice{.origin = Vec3{0.0}, .cell = Vec3{1.0}, .deformable = IVec3{8}};
     std::vector<Vec3> squeezed(lattice.control_count()), shifted(lattice.control_count());
     for (int k = 0; k < 8; ++k) {
@@ -209,12 +209,12 @@ TEST(LatticeEvaluator, GivesZeroWhereANormalHasNoImageAndKeepsItWhereNothingBend
             LatticeEvaluator(LatticeField(lattice, std::vector(lattice.control_count(), Vec3{0.0})),
                              vectors),
             points, normals);
-        for (std::size_t p = 0; p < 2; ++p) EXPECT_TRUE(same(still.turned[p], normals[p]));
+        for (std::size_t p = 0; p < 2; ++p) EXPECT_TRUE(same(still.to_normals[p], normals[p]));
         const Result aside =
             result_at(LatticeEvaluator(LatticeField(lattice, shifted), vectors), points, normals);
         for (std::size_t p = 0; p < 2; ++p) {
             EXPECT_LT(glm::distance(aside.displaced[p], points[p] + Vec3(1, -2, 4)), 1e-14);
-            EXPECT_LT(glm::distance(aside.turned[p], normals[p]), 1e-6f);
+            EXPECT_LT(glm::distance(aside.to_normals[p], normals[p]), 1e-6f);
         }
     }
 }

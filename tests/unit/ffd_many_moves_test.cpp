@@ -18,26 +18,27 @@ namespace {
 
 const Lattice kLattice{.origin = Vec3{-1.0}, .cell = Vec3{0.4}, .deformable = {6, 6, 6}};
 
-DragSolver solver_of(std::span<const Grip> grips, std::span<const Vec3> pins,
+DragSolver solver_of(std::span<const Handle> handles, std::span<const Vec3> pins,
                      const std::optional<MirrorPlane>& plane = std::nullopt) {
-    auto solved = DragSolver::create(kLattice, grips, pins, plane);
+    auto solved = DragSolver::create(kLattice, handles, pins, plane);
     if (const auto* refusal = std::get_if<DragRefusal>(&solved)) ADD_FAILURE() << refusal->what;
     return std::get<DragSolver>(std::move(solved));
 }
 
 TEST(RepeatedMoves, AreOneMoveOfTheField) {
-    const Grip grip{{0.1, 0.2, 0.3}, true}, other{{-0.5, 0.2, 0.3}};
+    const Handle handle{{0.1, 0.2, 0.3}, true}, other{{-0.5, 0.2, 0.3}};
     const std::vector<Vec3> pins(5000, Vec3{0.4, -0.4, 0.0});
     for (const auto& plane : {std::optional<MirrorPlane>{}, std::optional(MirrorPlane{0, 0.0})}) {
-        const DragSolver once = solver_of(std::array{grip, other}, std::span(pins).first(1), plane);
-        std::vector<Grip> grips{grip, other};
-        std::vector<GripMotion> motions{{{0.1, 0, 0}, Mat3{1.1}}, {{0, 0.1, 0}}};
+        const DragSolver once =
+            solver_of(std::array{handle, other}, std::span(pins).first(1), plane);
+        std::vector<Handle> handles{handle, other};
+        std::vector<HandleMotion> motions{{{0.1, 0, 0}, Mat3{1.1}}, {{0, 0.1, 0}}};
         const std::vector<Vec3> expected = once.field_displacements(motions);
         for (int i = 0; i < 5000; ++i) {
-            grips.push_back(i % 2 == 0 ? grip : other);
+            handles.push_back(i % 2 == 0 ? handle : other);
             motions.push_back(motions[static_cast<std::size_t>(i % 2)]);
         }
-        const DragSolver many = solver_of(grips, pins, plane);
+        const DragSolver many = solver_of(handles, pins, plane);
         EXPECT_EQ(many.field().move_count(), once.field().move_count());
         EXPECT_FALSE(many.check(motions));
         EXPECT_EQ(many.field_displacements(motions), expected);
@@ -45,22 +46,33 @@ TEST(RepeatedMoves, AreOneMoveOfTheField) {
 }
 
 TEST(RepeatedMoves, MustAgreeAndArePinnedTogether) {
-    const std::vector<Grip> grips(3, Grip{{0.1, 0.2, 0.3}});
-    std::vector<GripMotion> motions(3, GripMotion{{0.1, 0, 0}});
-    EXPECT_FALSE(solver_of(grips, {}).check(motions));
+    const std::vector<Handle> handles(3, Handle{{0.1, 0.2, 0.3}});
+    std::vector<HandleMotion> motions(3, HandleMotion{{0.1, 0, 0}});
+    EXPECT_FALSE(solver_of(handles, {}).check(motions));
     motions[2].displacement.y = 0.1;
-    EXPECT_TRUE(solver_of(grips, {}).check(motions));
+    EXPECT_TRUE(solver_of(handles, {}).check(motions));
     motions[2].displacement.y = 0.0;
-    const auto refusal = solver_of(grips, std::array{Vec3{0.1, 0.2, 0.3}}).check(motions);
+    const auto refusal = solver_of(handles, std::array{Vec3{0.1, 0.2, 0.3}}).check(motions);
     ASSERT_TRUE(refusal);
     EXPECT_NE(refusal->what.find("is pinned"), std::string::npos);
+}
+
+TEST(RepeatedMoves, MustTurnAlikeAlsoWhereTheFirstDoesNotTurn) {
+    const Vec3 point{0.1, 0.2, 0.3};
+    const DragSolver solver =
+        solver_of(std::array{Handle{point}, Handle{point, true}, Handle{point, true}}, {});
+    std::array<HandleMotion, 3> motions;
+    motions[1].jacobian = motions[2].jacobian = Mat3{1.1};
+    EXPECT_FALSE(solver.check(motions));
+    motions[2].jacobian = Mat3{0.9};
+    EXPECT_TRUE(solver.check(motions));
 }
 
 TEST(DependentMoves, NameAPointThatIsGivenTwiceOnce) {
     // One control point cannot be moved and sheared at will.
     const Lattice small{.origin = Vec3{0.0}, .cell = Vec3{1.0}, .deformable = {1, 1, 1}};
     const auto solved =
-        DragSolver::create(small, std::array{Grip{{0.5, 0.5, 0.5}, true}}, {}, std::nullopt);
+        DragSolver::create(small, std::array{Handle{{0.5, 0.5, 0.5}, true}}, {}, std::nullopt);
     const auto* refusal = std::get_if<DragRefusal>(&solved);
     ASSERT_TRUE(refusal);
     const std::size_t first = refusal->what.find("(0.5, 0.5, 0.5)");
@@ -81,16 +93,16 @@ TEST(ManyMoves, BecomeTheirDisplacedLatticeWhichMovesSpaceAlike) {
     constexpr unsigned kSeed = 81;
     SCOPED_TRACE("seed " + std::to_string(kSeed));
     LatticeRandom random{kSeed};
-    std::vector<Grip> grips;
-    std::vector<GripMotion> motions;
+    std::vector<Handle> handles;
+    std::vector<HandleMotion> motions;
     for (const Vec3& point : grid_of_points(4)) {
-        grips.push_back({point});
+        handles.push_back({point});
         motions.push_back({random.vector(-0.05, 0.05)});
     }
     // A cage about the plane has itself as image.
     for (const auto& plane : {std::optional<MirrorPlane>{}, std::optional(MirrorPlane{0, 0.0})}) {
         const std::size_t count = plane ? 2 : 64;
-        const auto few = std::span(grips).first(count);
+        const auto few = std::span(handles).first(count);
         const DragSolver solver = solver_of(few, {}, plane);
         const DragStep step = solver.step(std::span(motions).first(count));
         const Warp::Step same = compact(step);

@@ -54,11 +54,11 @@ class LatticeRandom {
         const std::size_t wanted = points.size() + static_cast<std::size_t>(more);
         while (points.size() < wanted) {
             const Vec3 point = point_in(lattice, 1.2);
-            bool apart = true;
+            bool is_apart = true;
             for (const Vec3& other : points) {
-                apart = apart && glm::length((point - other) / lattice.cell) > 1.0;
+                is_apart = is_apart && glm::length((point - other) / lattice.cell) > 1.0;
             }
-            if (apart) points.push_back(point);
+            if (is_apart) points.push_back(point);
         }
     }
 

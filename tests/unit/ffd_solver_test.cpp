@@ -82,16 +82,16 @@ TEST(DragSolver, RefusesDistantPointsThatTheLatticeTiesTogether) {
 TEST(DragSolver, MeetsItsDragAtTheClosestPointsItAccepts) {
     const Vec3 move{1, 1, 1};
     int accepted = 0;
-    for (double apart = 1e-6; apart < 0.1; apart *= 1.1) {
-        const Vec3 pin{1, 1, 1 + apart};
+    for (double distance = 1e-6; distance < 0.1; distance *= 1.1) {
+        const Vec3 pin{1, 1, 1 + distance};
         const auto solver = DragSolver::create(kCube, {&move, 1}, {&pin, 1});
         if (!std::holds_alternative<DragSolver>(solver)) continue;
         ++accepted;
         DragWeight at_move, at_pin;
         std::get<DragSolver>(solver).field().weights(move, {&at_move, 1});
         std::get<DragSolver>(solver).field().weights(pin, {&at_pin, 1});
-        EXPECT_NEAR(at_move.w, 1.0f, 1e-6f) << apart;
-        EXPECT_NEAR(at_pin.w, 0.0f, 1e-6f) << apart;
+        EXPECT_NEAR(at_move.w, 1.0f, 1e-6f) << distance;
+        EXPECT_NEAR(at_pin.w, 0.0f, 1e-6f) << distance;
     }
     EXPECT_GT(accepted, 40);
 }
@@ -108,7 +108,7 @@ TEST(DragSolver, RefusesMoreConstraintsThanControlPoints) {
     EXPECT_NE(refusal(kCube, {{1, 1, 1}}, many).find("at most 1024"), std::string::npos);
 }
 
-TEST(DragSolver, IgnoresPinsThatAreHeldAnyway) {
+TEST(DragSolver, IgnoresPinsOutsideTheZone) {
     const std::vector<Vec3> outside{{9, 9, 9}, {-2, 1, 1}, {1, 1, 5}};
     const DragSolver with = solver_of(kCube, {{1, 1, 1}}, outside);
     const DragSolver without = solver_of(kCube, {{1, 1, 1}});
@@ -127,21 +127,22 @@ TEST(DragSolver, HoldsPinsNearTheBorderAsWellAsAnyOther) {
     EXPECT_EQ(weight.w, 1.0f);
 }
 
-TEST(DragSolver, CountsPinsAtOnePlaceOnce) {
+TEST(DragSolver, CountsPinsAtOnePointOnce) {
     const DragSolver twice = solver_of(kCube, {{1, 1, 1}}, {{3, 1, 1}, {3, 1, 1}});
     const DragSolver once = solver_of(kCube, {{1, 1, 1}}, {{3, 1, 1}});
     const std::array<Vec3, 1> d{Vec3{1, 2, 3}};
     EXPECT_EQ(twice.control_displacements(d), once.control_displacements(d));
 }
 
-TEST(DragSolver, CountsMovesAtOnePlaceOnceIfTheyAgree) {
+TEST(DragSolver, CountsMovesOfOnePointOnceIfTheyAgree) {
     const std::vector<Vec3> moves{{1, 1, 1}, {1, 1, 1}, {3, 2, 1}};
     const DragSolver solver = solver_of(kCube, moves);
     const Vec3 d{0.1, 0.2, 0.3};
     const std::vector<Vec3> drags{d, d, {1, 0, 0}};
     EXPECT_EQ(solver.check(drags), std::nullopt);
     ASSERT_EQ(solver.field().move_count(), 2u);
-    const std::array<GripMotion, 3> motions{GripMotion{d}, GripMotion{d}, GripMotion{drags[2]}};
+    const std::array<HandleMotion, 3> motions{HandleMotion{d}, HandleMotion{d},
+                                              HandleMotion{drags[2]}};
     const std::vector<Vec3> asked = solver.field_displacements(motions);
     std::array<DragWeight, 2> weights;
     for (std::size_t m = 0; m < moves.size(); ++m) {
@@ -155,7 +156,7 @@ TEST(DragSolver, CountsMovesAtOnePlaceOnceIfTheyAgree) {
     EXPECT_NE(refused->what.find("by (0.1, 0.2, 0.3) and by (0.1, 0.2, 0.4)"), std::string::npos);
 }
 
-TEST(DragSolver, RefusesToMoveAPinnedPointButLetsItRest) {
+TEST(DragSolver, RefusesToMoveAPinnedPointUnlessByZero) {
     const DragSolver solver = solver_of(kCube, {{1, 1, 1}, {3, 2, 1}}, {{1, 1, 1}});
     EXPECT_EQ(solver.check(std::vector<Vec3>{Vec3{0.0}, {1, 0, 0}}), std::nullopt);
     const auto refused = solver.check(std::vector<Vec3>{{0, 0, 1e-9}, {1, 0, 0}});

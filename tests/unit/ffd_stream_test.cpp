@@ -63,14 +63,14 @@ Elements wild(std::size_t count, const Vec3& d, Numbers& numbers) {
 void expect_plain_results(const Elements& all, const Vec3& d) {
     const std::size_t count = all.rest.size();
     std::vector<Vec3> to(count);
-    std::vector<Vec3f> turned(count);
+    std::vector<Vec3f> transformed(count);
     for (const Vectors vectors : all_vectors()) {
         const bool all_move = displace(all.rest, all.weights, d, to, vectors);
-        turn(all.normals, all.weights, d, turned, vectors);
+        transform_normals(all.normals, all.weights, d, transformed, vectors);
         for (std::size_t i = 0; i < count; ++i) {
             SCOPED_TRACE(std::to_string(i) + " of " + std::to_string(count));
             ASSERT_TRUE(same(to[i], displaced(all.rest[i], all.weights[i], d)));
-            ASSERT_TRUE(same(turned[i], covariant_normal(all.normals[i], all.weights[i], d)));
+            ASSERT_TRUE(same(transformed[i], covariant_normal(all.normals[i], all.weights[i], d)));
             ASSERT_TRUE(!all_move || to[i] != all.rest[i]);
         }
     }
@@ -88,7 +88,7 @@ TEST(DragStream, IsDisplacedAndCovariantNormalToTheBit) {
     }
 }
 
-TEST(DragStream, KnowsThatAllMoveWhereNoneIsNearRounding) {
+TEST(DragStream, ReportsThatAllPointsMoveWhereNoneIsNearRounding) {
     const unsigned seed = 7150;
     SCOPED_TRACE("seed " + std::to_string(seed));
     Numbers numbers(seed);

@@ -31,7 +31,7 @@ DragPlan plan(const Vec3& from, const Vec3& to, bool fold_free, double radius = 
             .fold_free = fold_free,
             .plane = kPlane,
             .lattice = brush_lattice(from, radius, 3),
-            .follows_point = true};
+            .is_centred_on_point = true};
 }
 
 Vec3 warped(const Warp& warp, Vec3 x) {
@@ -62,7 +62,7 @@ TEST(SymmetricDrag, MovesImagesToImagesAndThePlaneWithinItselfToTheBit) {
         const Vec3 from{side * random.uniform(0.02, 2.0), random.uniform(-1, 1), 0.0};
         DragPlan drag = plan(from, from + Vec3{side * 0.3, 0.4, 0.6}, round % 2 == 0);
         drag.pins = {from + Vec3{0.0, 0.5, 0.2}};
-        if (round % 3 == 0) drag.moves[0].turn = {{1, 2, 0.5}, 20.0, 1.2};
+        if (round % 3 == 0) drag.moves[0].rotation = {{1, 2, 0.5}, 20.0, 1.2};
         const Warp warp = planned(drag).warp;
         for (int i = 0; i < 200; ++i) {
             const Vec3 x = from + random.uniform(0.0, 1.5) * random.direction();
@@ -79,8 +79,8 @@ TEST(SymmetricDrag, IsTheSameFromEitherSide) {
     const Vec3 from{0.4, 0.1, 0.0}, to{0.7, 0.9, 0.3};
     DragPlan right = plan(from, to, true);
     DragPlan left = plan(kPlane.image(from), kPlane.image(to), true);
-    right.moves[0].turn = {{1, 1, 0}, 25.0, 0.9};
-    left.moves[0].turn = {kPlane.image_of_vector({-1, -1, 0}), 25.0, 0.9};
+    right.moves[0].rotation = {{1, 1, 0}, 25.0, 0.9};
+    left.moves[0].rotation = {kPlane.image_of_vector({-1, -1, 0}), 25.0, 0.9};
     const Warp a = planned(right).warp, b = planned(left).warp;
     test::Random random(82);
     for (int i = 0; i < 500; ++i) {
@@ -151,9 +151,9 @@ TEST(SymmetricDrag, RefusesToLeaveItsSideAndSaysHowFarItMayGo) {
     EXPECT_NE(refusal(plan({1e-5, 0, 0}, {0.2, 0.3, 0}, false)).find("tear"), std::string::npos);
     EXPECT_EQ(refusal(plan({1e-5, 0, 0}, {1e-5, 0.3, 0}, false)), "");
     DragPlan twist = plan({0, 0, 0}, {0, 0, 0}, false);
-    twist.moves[0].turn = {{0, 1, 0}, 20.0, 1.0};
+    twist.moves[0].rotation = {{0, 1, 0}, 20.0, 1.0};
     EXPECT_NE(refusal(twist).find("only be twisted about its normal, x"), std::string::npos);
-    twist.moves[0].turn = {{1, 0, 0}, 20.0, 1.3};
+    twist.moves[0].rotation = {{1, 0, 0}, 20.0, 1.3};
     EXPECT_EQ(refusal(twist), "");
 }
 

@@ -1,5 +1,5 @@
-// Who may include whom. Each room of src/ knows only the rooms below it, and each library is known
-// to one room: the whole table stands here and every #include line is read against it.
+// Who may include whom. Each module of src/ knows only the modules below it, and each library is
+// known to one module: the whole table stands here and every #include line is read against it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -16,21 +16,21 @@ namespace pectin {
 namespace {
 
 namespace fs = std::filesystem;
-using Rooms = std::set<std::string>;
+using Modules = std::set<std::string>;
 
-const std::map<std::string, Rooms>& rooms_known_to() {
-    static const std::map<std::string, Rooms> kTable{
+const std::map<std::string, Modules>& modules_known_to() {
+    static const std::map<std::string, Modules> kTable{
         {"geometry", {}},
         {"mesh", {"geometry"}},
         {"ffd", {"geometry"}},
         {"command", {"geometry"}},
-        {"adapt", {"geometry", "mesh", "ffd"}},
+        {"embedding", {"geometry", "mesh", "ffd"}},
+        {"adapt", {"geometry", "mesh", "ffd", "embedding"}},
         {"io", {"geometry", "mesh"}},
-        {"document", {"geometry", "mesh", "command", "io"}},
-        {"session", {"geometry", "mesh", "ffd", "command", "adapt", "io", "document"}},
+        {"session", {"geometry", "mesh", "ffd", "command", "embedding", "adapt", "io"}},
         {"render", {"geometry", "mesh", "ffd"}},
         {"app",
-         {"geometry", "mesh", "ffd", "command", "adapt", "io", "document", "session", "render"}}};
+         {"geometry", "mesh", "ffd", "command", "embedding", "adapt", "io", "session", "render"}}};
     return kTable;
 }
 
@@ -47,7 +47,6 @@ const std::vector<Restricted>& restricted_headers() {
         {"CLI/", {"app/"}},
         {"Eigen/", {"ffd/"}},
         {"eigen3/", {"ffd/"}},
-        {"sqlite3", {"document/"}},
         {"GLFW/", {"app/"}},
         {"GL/", {"render/", "app/"}},
         {"EGL/", {"render/", "app/"}},
@@ -55,8 +54,8 @@ const std::vector<Restricted>& restricted_headers() {
         {"glad/", {"render/", "app/"}},
         {"KHR/", {"render/", "app/"}},
         {"imgui", {"render/", "app/"}},
-        {"thread", {"app/", "adapt/parallel.cpp", "io/open_file.cpp"}},
-        {"tbb/", {"adapt/parallel.cpp"}},
+        {"thread", {"app/", "geometry/parallel.cpp", "io/open_file.cpp"}},
+        {"tbb/", {"geometry/parallel.cpp"}},
         {"future", {"app/", "io/open_file.cpp"}}};
     return kTable;
 }
@@ -67,10 +66,10 @@ std::optional<std::string> complaint(const std::string& path, const std::string&
     std::smatch match;
     if (!std::regex_match(line, match, kInclude)) return std::nullopt;
     const std::string target = match[2];
-    const std::string room = path.substr(0, path.find('/'));
-    const auto known = rooms_known_to().find(room);
-    if (known == rooms_known_to().end())
-        return path + ": the room " + room + " is not in the table";
+    const std::string module = path.substr(0, path.find('/'));
+    const auto known = modules_known_to().find(module);
+    if (known == modules_known_to().end())
+        return path + ": the module " + module + " is not in the table";
     for (const Restricted& restricted : restricted_headers())
         if (target.starts_with(restricted.header) &&
             std::none_of(restricted.users.begin(), restricted.users.end(),
@@ -78,21 +77,21 @@ std::optional<std::string> complaint(const std::string& path, const std::string&
             return path + ": <" + target + "> is not for this file";
     const std::string other = target.substr(0, target.find('/'));
     if (match[1] == "<") {
-        if (rooms_known_to().contains(other))
+        if (modules_known_to().contains(other))
             return path + ": \"" + target + "\" is the project's own and takes quotes";
         return std::nullopt;
     }
-    // A library's header in quotes would get round the table of rooms.
-    if (target.find('/') == target.npos || !rooms_known_to().contains(other))
-        return path + ": \"" + target + "\" does not begin with a room of the table";
+    // A library's header in quotes would get round the table of modules.
+    if (target.find('/') == target.npos || !modules_known_to().contains(other))
+        return path + ": \"" + target + "\" does not begin with a module of the table";
     if (target.find("..") != target.npos) return path + ": \"" + target + "\" climbs out";
-    if (other != room && !known->second.contains(other))
-        return path + ": " + room + " may not include " + other + " (" + target + ")";
+    if (other != module && !known->second.contains(other))
+        return path + ": " + module + " may not include " + other + " (" + target + ")";
     return std::nullopt;
 }
 
 bool is_source(const fs::path& path) {
-    static const Rooms kExtensions{".h", ".cpp", ".hpp", ".cc", ".c", ".inl", ".ipp"};
+    static const Modules kExtensions{".h", ".cpp", ".hpp", ".cc", ".c", ".inl", ".ipp"};
     return kExtensions.contains(path.extension().string());
 }
 
@@ -103,7 +102,7 @@ TEST(Includes, PointOnlyWhereTheTableAllows) {
         if (!entry.is_regular_file() || !is_source(entry.path())) continue;
         ++files;
         const std::string path = entry.path().lexically_relative(root).generic_string();
-        EXPECT_NE(path.find('/'), path.npos) << path << " is in no room";
+        EXPECT_NE(path.find('/'), path.npos) << path << " is in no module";
         std::ifstream text(entry.path());
         ASSERT_TRUE(text) << path;
         for (std::string line; std::getline(text, line);) {

@@ -83,7 +83,7 @@ TEST(MaterialLibrary, TakesLittleMemoryForManyMaterials) {
     EXPECT_EQ(parse_materials(text).size(), 20000u);
 }
 
-TEST(MaterialLibrary, IsToldFromOtherText) {
+TEST(MaterialLibrary, IsDistinguishedFromOtherText) {
     for (const std::string& text : {""s, "# nothing yet\n"s, "newmtl a\nanything goes\n"s,
                                     "map_Kd a.png\nKd 1 1 1\nillum 2\n"s}) {
         EXPECT_TRUE(may_be_material_library(text)) << text;

@@ -18,8 +18,8 @@ inline const std::vector<std::string> kValid;
 
 inline Box random_zone(const TriMesh& mesh, Random& random) {
     const Box all = mesh.bounding_box();
-    const Vec3 share{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
-    const Vec3 centre = all.min + share * all.extent();
+    const Vec3 fraction{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
+    const Vec3 centre = all.min + fraction * all.extent();
     const double half = all.diagonal() * random.scale(0.05, 0.7);
     return {.min = centre - half, .max = centre + half};
 }
@@ -87,7 +87,7 @@ inline void expect_same(ActiveSet& x, ActiveSet& y) {
         EXPECT_EQ(x.wedge_owner(i), y.wedge_owner(i));
     }
     EXPECT_TRUE(std::ranges::equal(x.edges(), y.edges()));
-    EXPECT_TRUE(std::ranges::equal(x.one_look_edges(), y.one_look_edges()));
+    EXPECT_TRUE(std::ranges::equal(x.smooth_edges(), y.smooth_edges()));
     for (std::uint32_t v = 0; v < x.mesh().vertex_slots(); ++v) {
         EXPECT_EQ(x.rest_position(VertexId{v}), y.rest_position(VertexId{v}));
     }

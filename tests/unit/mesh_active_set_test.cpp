@@ -54,7 +54,7 @@ TEST(ActiveSet, RollsBackUndoesAndRedoesAnyEditsToTheByte) {
     }
 }
 
-TEST(ActiveSet, KnowsWhichEdgesOneLookTellsAllOfAndHowLongTheyAre) {
+TEST(ActiveSet, KnowsSmoothEdgesAndTheLongestRestLength) {
     for (unsigned seed = 4700; seed < 4760; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
@@ -62,27 +62,27 @@ TEST(ActiveSet, KnowsWhichEdgesOneLookTellsAllOfAndHowLongTheyAre) {
         ActiveSet active(mesh);
         begin(active, random_zone(mesh, random));
         edit_at_random(active, random, 60);
-        std::set<EdgeId> to_look_at_closely;
+        std::set<EdgeId> with_discontinuity;
         EXPECT_EQ(std::set(active.edges().begin(), active.edges().end()).size(),
                   active.edges().size());
         for (std::size_t i = 0; i < active.edges().size(); ++i) {
-            if (active.one_look_edges()[i] == 0) to_look_at_closely.insert(active.edges()[i]);
+            if (active.smooth_edges()[i] == 0) with_discontinuity.insert(active.edges()[i]);
         }
         for (EdgeId e : active.edges()) {
             if (!mesh.is_live(e)) continue;
             // Rounded to float.
-            EXPECT_LE(active.rest_length(e), (1.0 + 1e-6) * active.longest_at_rest());
+            EXPECT_LE(active.rest_length(e), (1.0 + 1e-6) * active.longest_rest_length());
             std::set<std::pair<WedgeId, WedgeId>> sides;
             mesh.for_each_side(e, [&](HalfEdgeId h) {
                 const WedgeId x = mesh.wedge(h), y = mesh.wedge(TriMesh::next(h));
                 sides.insert({std::min(x, y), std::max(x, y)});
             });
-            EXPECT_TRUE(sides.size() == 1 || to_look_at_closely.count(e) == 1);
+            EXPECT_TRUE(sides.size() == 1 || with_discontinuity.count(e) == 1);
         }
     }
 }
 
-TEST(ActiveSet, IsAfterAGestureAsIfItHadNeverBegun) {
+TEST(ActiveSet, AfterAGestureEqualsANewOne) {
     const int cases = test::case_count(150);
     for (int i = 0; i < cases; ++i) {
         const auto seed = 900 + static_cast<std::uint64_t>(i);
@@ -114,7 +114,7 @@ TEST(ActiveSet, IsAfterAGestureAsIfItHadNeverBegun) {
     }
 }
 
-TEST(ActiveSet, IsAfterRollingBackAsItBegan) {
+TEST(ActiveSet, AfterRollBackEqualsItsBeginning) {
     for (std::uint64_t seed = 1200; seed < 1260; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
@@ -225,7 +225,7 @@ TEST(ActiveSet, PutsInsertedVerticesAtTheMidpointOfTheRestState) {
     active.finish();
 }
 
-TEST(ActiveSet, RestsInsertedNormalsOnTheFaceWhereEndNormalsCancel) {
+TEST(ActiveSet, UsesTheFaceNormalForInsertedRestNormalsWhereEndNormalsCancel) {
     TriMesh mesh = test::mesh_of(
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 0.5 -1\nvn 0 1 0\nvn 0 -1 0\nvt 0 0\nvt 1 1\n"
         "f 1/1/1 2/1/1 3/1/2\nf 3/2/2 2/2/1 4/2/1\n");
@@ -242,7 +242,7 @@ TEST(ActiveSet, RestsInsertedNormalsOnTheFaceWhereEndNormalsCancel) {
     active.finish();
 }
 
-TEST(ActiveSet, HasRoomForSplits) {
+TEST(ActiveSet, ReservesCapacityForSplits) {
     for (std::uint64_t seed = 100; seed < 150; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
@@ -274,7 +274,7 @@ TEST(ActiveSet, HasRoomForSplits) {
     }
 }
 
-TEST(ActiveSet, UsesTheEntriesOfRemovedVerticesAgain) {
+TEST(ActiveSet, ReusesTheEntriesOfRemovedVertices) {
     TriMesh mesh = test::mesh_of(
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 3/2 2/2 4/2\n");
     ActiveSet active(mesh);
@@ -293,7 +293,7 @@ TEST(ActiveSet, UsesTheEntriesOfRemovedVerticesAgain) {
 }
 
 // A seam ends in wedges that only the far side of the zone's border sees.
-TEST(ActiveSet, GivesBackWedgesOnTheSideWhereNoFaceIsActive) {
+TEST(ActiveSet, RestoresWedgesOnTheSideWithoutActiveFaces) {
     TriMesh mesh = test::mesh_of(
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 5 5\nvt 6 5\nvt 6 7\n"
         "f 1/1 2/2 3/3\nf 3/4 2/5 4/6\n");
@@ -340,13 +340,13 @@ TEST(MeshChange, IsEmptyOnlyWhereNothingChangedAtAll) {
     EXPECT_FALSE(change_by([&] { active.split(EdgeId{5}); }).is_empty());
     // A pinned vertex may turn where it stands.
     const TriMesh before = mesh;
-    const MeshChange turned = change_by([&] { mesh.set_normal(WedgeId{5}, {0, 0, 1}); });
-    EXPECT_FALSE(turned.is_empty());
-    undo(turned, mesh);
+    const MeshChange changed = change_by([&] { mesh.set_normal(WedgeId{5}, {0, 0, 1}); });
+    EXPECT_FALSE(changed.is_empty());
+    undo(changed, mesh);
     EXPECT_TRUE(mesh == before);
 }
 
-TEST(MeshChange, NamesEveryFaceThatMovedCameOrWent) {
+TEST(MeshChange, ListsEveryFaceThatMovedAppearedOrDisappeared) {
     for (std::uint64_t seed = 1500; seed < 1550; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);

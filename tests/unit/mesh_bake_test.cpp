@@ -68,7 +68,7 @@ TEST(Bake, MakesEverythingBaseWithoutHoles) {
     });
 }
 
-TEST(Bake, TellsWhatEdgesBecame) {
+TEST(Bake, MapsOldEdgesToNewOnes) {
     for_each_refined_mesh(800, [](const TriMesh& mesh) {
         const Baked baked = mesh.baked();
         ASSERT_EQ(baked.edges.size(), mesh.edge_slots());
@@ -95,7 +95,7 @@ TEST(Bake, KeepsDeformedMarks) {
     EXPECT_TRUE(baked.is_deformed(VertexId{4}));
 }
 
-TEST(Bake, OfAMeshWithoutSplitsIsTheMesh) {
+TEST(Bake, OfAMeshWithoutSplitsChangesNothing) {
     for (std::uint64_t seed = 900; seed < 920; ++seed) {
         Random random(seed);
         const TriMesh mesh = test::random_mesh(random).mesh;

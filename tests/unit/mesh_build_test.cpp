@@ -146,7 +146,7 @@ TEST(BuildMesh, GivesACubeANormalASideAtEveryVertexWhileItsEdgesAreCreases) {
     }
 }
 
-TEST(BuildMesh, SmoothsACubeWhereTheCreaseAngleLetsIt) {
+TEST(BuildMesh, SmoothsACubeIfTheCreaseAngleAllowsIt) {
     const TriMesh cube = mesh_of(kCube, 90.1);
     for (std::uint32_t v = 0; v < 8; ++v) EXPECT_EQ(wedges_at(cube, v), 1u);
     for (FaceId f : live_faces(cube)) {
@@ -199,7 +199,7 @@ TEST(BuildMesh, LeavesNormalsUndefinedAtFacesWithoutArea) {
 
 // --- Wedges
 
-TEST(BuildMesh, SharesAWedgeBetweenCornersOfEqualValuesWhateverTheirIndices) {
+TEST(BuildMesh, MergesCornersOfEqualValuesIntoOneWedge) {
     const TriMesh mesh = mesh_of(kSquare +
                                  "vt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nvt 1 0\nvt 0 1\n"
                                  "vn 0 0 1\nvn 0 0 1\n"
@@ -208,7 +208,7 @@ TEST(BuildMesh, SharesAWedgeBetweenCornersOfEqualValuesWhateverTheirIndices) {
     EXPECT_EQ(wedges_at(mesh, 1), 1u);
 }
 
-TEST(BuildMesh, CutsWedgesAlongASeamOfTextureCoordinates) {
+TEST(BuildMesh, SeparatesWedgesAlongUvSeams) {
     const TriMesh mesh = mesh_of(kSquare +
                                  "vt 0 0\nvt 1 0\nvt 0 1\nvt 1 1\nvt 5 5\n"
                                  "f 1/1 2/2 3/3\nf 3/5 2/2 4/4\n");
@@ -370,7 +370,7 @@ TEST(BuildMesh, KeepsPartsPolygonsAndMaterialLibraries) {
     EXPECT_EQ(mesh.polygon(FaceId{2}), 1u);
 }
 
-TEST(BuildMesh, HandsBackEveryValueOfEveryCorner) {
+TEST(BuildMesh, PreservesEveryValueOfEveryCorner) {
     for (std::uint64_t seed = 40; seed < 60; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         test::Random random(seed);
@@ -452,9 +452,9 @@ TEST(Validate, NamesFreeSlotsThatWereWrittenTo) {
     TriMesh marked = mesh;
     marked.set_deformed(s.m, true);
     EXPECT_EQ(marked.validate(), std::vector<std::string>{"1: not cleared at dead vertex 4"});
-    TriMesh turned = mesh;
-    turned.set_normal(s.left.m, {1, 0, 0});
-    EXPECT_EQ(turned.validate(), std::vector<std::string>{"1: not cleared at dead wedge 4"});
+    TriMesh changed = mesh;
+    changed.set_normal(s.left.m, {1, 0, 0});
+    EXPECT_EQ(changed.validate(), std::vector<std::string>{"1: not cleared at dead wedge 4"});
 }
 
 }  // namespace

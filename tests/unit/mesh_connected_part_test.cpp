@@ -63,7 +63,7 @@ TEST(ConnectedPart, OfATubeCutByTheZoneIsTheSideOfTheSeed) {
     for (const FaceId f : part) EXPECT_EQ(side(f), side(seed));
 }
 
-TEST(FaceTree, FindsTheNearestFaceAsLookingAtAllDoes) {
+TEST(FaceTree, FindsTheNearestFaceAsBruteForceDoes) {
     test::Random random(111);
     for (int round = 0; round < test::case_count(20); ++round) {
         const TriMesh mesh = test::random_mesh(random).mesh;

@@ -22,7 +22,7 @@ std::optional<FaceHit> first_hit_by_scan(const Ray& ray, const TriMesh& mesh) {
     return first;
 }
 
-TEST(FaceTreePick, FindsWhatAScanFinds) {
+TEST(FaceTreePick, MatchesBruteForce) {
     for (int i = 0; i < test::case_count(60); ++i) {
         const std::uint64_t seed = 7000 + static_cast<std::uint64_t>(i);
         test::Random random(seed);
@@ -49,7 +49,7 @@ TEST(FaceTreePick, FindsWhatAScanFinds) {
 }
 
 // Rays through the vertices of a closed sphere from inside: no crack lets one through.
-TEST(FaceTreePick, LetsNoRayThroughAClosedMesh) {
+TEST(FaceTreePick, HitsAClosedMeshWithEveryRay) {
     test::Random random(1);
     const auto mesh = build_mesh(make_shape(ShapeKind::sphere, 3)).mesh;
     const FaceTree tree(mesh);

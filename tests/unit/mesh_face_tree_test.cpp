@@ -32,9 +32,9 @@ std::vector<FaceId> faces_meeting_by_scan(const Box& box, const TriMesh& mesh) {
 
 Box random_query(const TriMesh& mesh, Random& random) {
     const Box all = mesh.bounding_box();
-    const Vec3 share{random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2),
-                     random.uniform(-0.2, 1.2)};
-    const Vec3 centre = all.min + share * all.extent();
+    const Vec3 fraction{random.uniform(-0.2, 1.2), random.uniform(-0.2, 1.2),
+                        random.uniform(-0.2, 1.2)};
+    const Vec3 centre = all.min + fraction * all.extent();
     const Vec3 half = all.diagonal() * random.scale(0.001, 1.0) *
                       Vec3{random.uniform(0, 1), random.uniform(0, 1), random.uniform(0, 1)};
     return {.min = centre - half, .max = centre + half};
@@ -55,7 +55,7 @@ Box box_of(const TriMesh& mesh, FaceId f) {
     return box;
 }
 
-TEST(FaceTree, PairsTheFacesItWasMadeOfWhereTheirBoxesMeet) {
+TEST(FaceTree, PairsFacesWhoseBoxesMeet) {
     for (std::uint64_t seed = 7500; seed < 7530; ++seed) {
         Random random(seed);
         const TriMesh mesh = test::random_mesh(random).mesh;
@@ -102,7 +102,7 @@ MeshChange random_gesture(TriMesh& mesh, const FaceTree& tree, Random& random) {
     return gesture.commit(std::get<DragStep>(warp.steps.back()).displacements);
 }
 
-TEST(FaceTree, FindsWhatAScanFindsThroughGesturesUndoAndRedo) {
+TEST(FaceTree, MatchesBruteForceThroughGesturesUndoAndRedo) {
     const int cases = test::case_count(60);
     for (int i = 0; i < cases; ++i) {
         const auto seed = 3000 + static_cast<std::uint64_t>(i);
@@ -131,7 +131,7 @@ TEST(FaceTree, FindsWhatAScanFindsThroughGesturesUndoAndRedo) {
     }
 }
 
-TEST(FaceTree, KeepsUpWithSplitsOneByOneFarBeyondWhatItWasBuiltFor) {
+TEST(FaceTree, StaysCorrectAfterFarMoreSplitsThanItsInitialFaces) {
     Random random(4);
     TriMesh mesh = build_mesh(make_shape(ShapeKind::sphere, 1)).mesh;
     FaceTree tree(mesh);
@@ -149,7 +149,7 @@ TEST(FaceTree, KeepsUpWithSplitsOneByOneFarBeyondWhatItWasBuiltFor) {
     expect_agreement(tree, mesh, random);
 }
 
-TEST(FaceTree, FollowsFacesThatMoveWithoutEdits) {
+TEST(FaceTree, IsUpdatedForFacesThatMoveWithoutEdits) {
     Random random(5);
     TriMesh mesh = build_mesh(make_shape(ShapeKind::torus, 6)).mesh;
     FaceTree tree(mesh);

@@ -36,7 +36,7 @@ TEST(GrowingArray, FillsOnlyWhatAResizeAdds) {
     EXPECT_EQ(std::vector<int>(array.begin(), array.end()), (std::vector{0, 9, 9}));
 }
 
-TEST(GrowingArray, ACopyIsAsLargeAsItHasToBeAndItsOwn) {
+TEST(GrowingArray, ACopyIsIndependentAndHasNoSpareCapacity) {
     GrowingArray<int> array = counted(5);
     array.reserve(100);
     GrowingArray<int> copy = array;
@@ -115,14 +115,14 @@ TEST(GrowingArray, GrowsToTheEndOfAHugePage) {
     array.reserve(100'000);
     EXPECT_EQ(array.capacity(), 100'000u);
     for (std::size_t times = 0; times < 5; ++times) {
-        array.make_room(array.capacity() + 1);
+        array.reserve_additional(array.capacity() + 1);
         EXPECT_LT(~(array.capacity() * sizeof(Wide) - 1) % kHugePage, sizeof(Wide));
         EXPECT_EQ(reinterpret_cast<std::uintptr_t>(array.data()) % kHugePage, 0u);
         array.grow(array.capacity());
     }
 }
 
-TEST(GrowingArray, GrowsByWhatIsThenWritten) {
+TEST(GrowingArray, GrowsByElementsThatAreWrittenLater) {
     GrowingArray<int> array = counted(10);
     array.grow(1000);
     ASSERT_EQ(array.size(), 1010u);

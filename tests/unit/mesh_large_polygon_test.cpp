@@ -77,7 +77,7 @@ Ring comb(int teeth, double angle) {
     return ring;
 }
 
-Ring turned(Ring ring, std::size_t by) {
+Ring rotated(Ring ring, std::size_t by) {
     std::rotate(ring.begin(), ring.begin() + static_cast<std::ptrdiff_t>(by), ring.end());
     return ring;
 }
@@ -86,7 +86,7 @@ TEST(LargePolygon, SpiralOfFourThousandCornersIsCoveredExactly) {
     const Ring ring = spiral(4000, 0.05 * std::numbers::pi, 0.0005, 0.002);
     EXPECT_NEAR(area_of(ring), 0.375, 0.01);
     expect_covered(ring);
-    expect_covered(turned(ring, 1234));
+    expect_covered(rotated(ring, 1234));
 }
 
 TEST(LargePolygon, CombsSpiralsAndStarsAreCoveredExactly) {
@@ -120,7 +120,7 @@ TEST(LargePolygon, BridgesToHolesAreCoveredExactly) {
     ring.pop_back();
     ring.insert(ring.end(), back.rbegin(), back.rend());
     ring.push_back({0, 0.5, 0});
-    for (std::size_t by = 0; by < ring.size(); by += 37) expect_covered(turned(ring, by));
+    for (std::size_t by = 0; by < ring.size(); by += 37) expect_covered(rotated(ring, by));
 }
 
 TEST(LargePolygon, CornersOnGridsWithManyOnOneLineAreCoveredExactly) {
@@ -138,7 +138,7 @@ TEST(LargePolygon, CornersOnGridsWithManyOnOneLineAreCoveredExactly) {
         }
         ring.erase(std::unique(ring.begin(), ring.end()), ring.end());
         SCOPED_TRACE("case " + std::to_string(i));
-        expect_covered(turned(ring, ring.size() / 3));
+        expect_covered(rotated(ring, ring.size() / 3));
         if (testing::Test::HasFailure()) return;
     }
 }
@@ -167,7 +167,7 @@ TEST(LargePolygon, TrianglesAreMirroredAndDoNotDependOnTheFirstCorner) {
             ring.push_back(at + r * Vec3{std::cos(a), std::sin(a), 0});
         }
         const auto expected = triangles_of(ring);
-        ASSERT_EQ(triangles_of(turned(ring, static_cast<std::size_t>(n / 2))), expected)
+        ASSERT_EQ(triangles_of(rotated(ring, static_cast<std::size_t>(n / 2))), expected)
             << "case " << i << (is_regular ? ", regular, of " : ", of ") << n;
         for (Vec3& p : ring) p.x = -p.x;
         std::reverse(ring.begin(), ring.end());

@@ -43,7 +43,7 @@ bool same_ends(const std::pair<Vec3, Vec3>& x, const std::pair<Vec3, Vec3>& y) {
     return x == y || (x.first == y.second && x.second == y.first);
 }
 
-Quad turned(Quad q, std::size_t by, bool reversed) {
+Quad rotated(Quad q, std::size_t by, bool reversed) {
     std::rotate(q.begin(), q.begin() + static_cast<std::ptrdiff_t>(by), q.end());
     if (reversed) std::reverse(q.begin(), q.end());
     return q;
@@ -80,7 +80,7 @@ TEST(QuadDiagonal, DoesNotDependOnTheFirstCornerOrTheOrientation) {
         const auto diagonal = inner_edge_of(q);
         for (std::size_t by = 0; by < 4; ++by) {
             for (const bool reversed : {false, true}) {
-                ASSERT_TRUE(same_ends(inner_edge_of(turned(q, by, reversed)), diagonal))
+                ASSERT_TRUE(same_ends(inner_edge_of(rotated(q, by, reversed)), diagonal))
                     << "case " << i << ", turned by " << by << ", reversed " << reversed;
             }
         }
@@ -100,7 +100,7 @@ TEST(QuadDiagonal, IsMirroredWhereTheQuadIs) {
                 [&](const Vec3& x, const Vec3& y) { return x[axis] < y[axis]; });
             if ((*lowest)[axis] < 0.0 && (*highest)[axis] > 0.0) continue;  // it may be its own
             const auto by = static_cast<std::size_t>(random.integer(0, 3));
-            ASSERT_TRUE(same_ends(inner_edge_of(turned(image, by, random.chance(0.5))),
+            ASSERT_TRUE(same_ends(inner_edge_of(rotated(image, by, random.chance(0.5))),
                                   {mirrored(from, axis, Vec3{0.0}), mirrored(to, axis, Vec3{0.0})}))
                 << "case " << i << ", axis " << axis;
         }

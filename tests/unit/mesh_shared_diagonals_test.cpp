@@ -51,7 +51,7 @@ TEST(SharedDiagonals, AQuadGetsTheOtherOneWhereAnEdgeRunsAlongTheFirst) {
     EXPECT_EQ(test::edge_between(built.mesh, 0, 2), test::edge_between(built.mesh, 2, 0));
 }
 
-TEST(SharedDiagonals, LargerPolygonsGiveWayToo) {
+TEST(SharedDiagonals, LargerPolygonsChangeTheirTriangulationToo) {
     // A hexagon whose triangles would use the side of the triangle that stands on it.
     const std::string hexagon =
         "v 2 0 0\nv 1 1.2 0\nv -1 1.2 0\nv -2 0 0\nv -1 -1.2 0\nv 1 -1.2 0\nv 0 0 3\n"
@@ -69,7 +69,7 @@ TEST(SharedDiagonals, LargerPolygonsGiveWayToo) {
     EXPECT_EQ(tried, 3);
 }
 
-TEST(SharedDiagonals, StayWhereTheOtherOneWouldFoldTheQuad) {
+TEST(SharedDiagonals, AreKeptWhereTheOtherOneWouldFoldTheQuad) {
     // The arrowhead is only covered along 2-4, which the triangle's side shares.
     const BuiltMesh built =
         build("v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nv 1 1 2\nf 1 2 3 4\nf 2 4 5\n");
@@ -77,7 +77,7 @@ TEST(SharedDiagonals, StayWhereTheOtherOneWouldFoldTheQuad) {
     EXPECT_EQ(built.report.nonmanifold_edges, 1u);
 }
 
-TEST(SharedDiagonals, BothGiveWayWhereTwoQuadsMirrorEachOther) {
+TEST(SharedDiagonals, BothQuadsExchangeWhereTheyMirrorEachOther) {
     // Each other's image at y = 0; the shorter diagonal of both lies there.
     const BuiltMesh built =
         build("v -1 0 0\nv 0 -1 1\nv 1 0 0\nv 0 4 2\nv 0 1 1\nv 0 -4 2\nf 1 2 3 4\nf 3 5 1 6\n");

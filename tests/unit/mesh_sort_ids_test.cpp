@@ -11,7 +11,7 @@ namespace {
 
 // Around the number from which on it counts digits, and of one, two and three digits; some ids
 // more than once.
-TEST(SortIds, OrdersAsComparingThemDoes) {
+TEST(SortIds, MatchesAComparisonSort) {
     constexpr unsigned kSeed = 7;
     std::mt19937 engine(kSeed);
     for (const std::size_t count : {0u, 1u, 2u, 511u, 512u, 513u, 20'000u}) {

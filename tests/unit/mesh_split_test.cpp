@@ -101,22 +101,22 @@ class SplitOf : public testing::TestWithParam<Literal> {
         const TriMesh whole = mesh();
         for (EdgeId e : live_edges(whole)) {
             SCOPED_TRACE("edge " + std::to_string(index(e)));
-            TriMesh cut = whole;
-            const Split s = cut.split(e);
-            visit(whole, cut, s, whole.leader(e));
+            TriMesh split_mesh = whole;
+            const Split s = split_mesh.split(e);
+            visit(whole, split_mesh, s, whole.representative(e));
         }
     }
 };
 
 TEST_P(SplitOf, EveryEdgeIsUndoneToTheByte) {
-    for_each_split([](const TriMesh& whole, TriMesh& cut, const Split& s, EdgeId e) {
-        EXPECT_EQ(cut.validate(), kValid);
-        EXPECT_FALSE(cut == whole);
-        undo_split(cut, s.m, e);
-        EXPECT_EQ(cut.validate(), kValid);
-        EXPECT_TRUE(test::has_the_faces_of(cut, whole));
-        cut.truncate(whole.slot_counts());
-        EXPECT_TRUE(cut == whole);
+    for_each_split([](const TriMesh& whole, TriMesh& split_mesh, const Split& s, EdgeId e) {
+        EXPECT_EQ(split_mesh.validate(), kValid);
+        EXPECT_FALSE(split_mesh == whole);
+        undo_split(split_mesh, s.m, e);
+        EXPECT_EQ(split_mesh.validate(), kValid);
+        EXPECT_TRUE(test::has_the_faces_of(split_mesh, whole));
+        split_mesh.shrink(whole.slot_counts());
+        EXPECT_TRUE(split_mesh == whole);
     });
 }
 
@@ -127,17 +127,17 @@ TEST_P(SplitOf, EveryTwoEdgesAreUndoneToTheByte) {
             TriMesh twice = once;
             const Split t = twice.split(second);
             EXPECT_EQ(twice.validate(), kValid);
-            undo_split(twice, t.m, once.leader(second));
+            undo_split(twice, t.m, once.representative(second));
             EXPECT_EQ(twice.validate(), kValid);
             undo_split(twice, s.m, e);
-            twice.truncate(whole.slot_counts());
+            twice.shrink(whole.slot_counts());
             EXPECT_TRUE(twice == whole);
         }
     });
 }
 
 TEST_P(SplitOf, AnEdgeReplacesItsFacesByTheirHalves) {
-    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId e) {
+    for_each_split([](const TriMesh& whole, const TriMesh& split_mesh, const Split& s, EdgeId e) {
         std::multiset<Corners> expected = faces_of(whole);
         whole.for_each_side(e, [&](HalfEdgeId h) {
             const VertexId b = whole.origin(h), c = whole.target(h);
@@ -146,20 +146,21 @@ TEST_P(SplitOf, AnEdgeReplacesItsFacesByTheirHalves) {
             expected.insert(canonical(a, b, s.m));
             expected.insert(canonical(a, s.m, c));
         });
-        EXPECT_EQ(faces_of(cut), expected);
-        EXPECT_EQ(euler_characteristic(cut), euler_characteristic(whole));
-        EXPECT_NEAR(test::area(cut), test::area(whole), 1e-14);
-        EXPECT_EQ(cut.position(s.m), 0.5 * whole.position(s.b) + 0.5 * whole.position(s.c));
-        EXPECT_EQ(cut.position(s.a), whole.position(s.a));
+        EXPECT_EQ(faces_of(split_mesh), expected);
+        EXPECT_EQ(euler_characteristic(split_mesh), euler_characteristic(whole));
+        EXPECT_NEAR(test::area(split_mesh), test::area(whole), 1e-14);
+        EXPECT_EQ(split_mesh.position(s.m), 0.5 * whole.position(s.b) + 0.5 * whole.position(s.c));
+        EXPECT_EQ(split_mesh.position(s.a), whole.position(s.a));
     });
 }
 
-TEST_P(SplitOf, AnEdgeKeepsPartsAndCornersOfTheFacesItCuts) {
-    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId e) {
+TEST_P(SplitOf, AnEdgeKeepsPartsAndCornersOfTheFacesItSplits) {
+    for_each_split([](const TriMesh& whole, const TriMesh& split_mesh, const Split& s, EdgeId e) {
         const HalfEdgeId bc = whole.half_edge(e);
-        EXPECT_EQ(cut.base_face(s.face3), whole.base_face(TriMesh::face(bc)));
+        EXPECT_EQ(split_mesh.base_face(s.face3), whole.base_face(TriMesh::face(bc)));
         if (s.right) {
-            EXPECT_EQ(cut.base_face(s.face4), whole.base_face(TriMesh::face(whole.twin(bc))));
+            EXPECT_EQ(split_mesh.base_face(s.face4),
+                      whole.base_face(TriMesh::face(whole.twin(bc))));
         }
         // Every old wedge is seen by the pieces of the base faces that saw it before.
         std::map<std::uint32_t, std::set<std::uint32_t>> before, after;
@@ -172,7 +173,7 @@ TEST_P(SplitOf, AnEdgeKeepsPartsAndCornersOfTheFacesItCuts) {
             }
         };
         collect(whole, before);
-        collect(cut, after);
+        collect(split_mesh, after);
         for (const auto& [wedge, faces] : before) EXPECT_EQ(after[wedge], faces);
     });
 }
@@ -193,7 +194,7 @@ TEST_P(SplitOf, AnEdgeSetsLevelsOneAboveThoseAround) {
             if (t.right) {
                 EXPECT_EQ(twice.level(t.dm), highest + 1);
             }
-            EXPECT_EQ(t.bm, once.leader(second));
+            EXPECT_EQ(t.bm, once.representative(second));
             EXPECT_EQ(twice.level(t.bm), level);
             EXPECT_EQ(twice.level(t.mc), level);
         }
@@ -202,37 +203,37 @@ TEST_P(SplitOf, AnEdgeSetsLevelsOneAboveThoseAround) {
 }
 
 TEST_P(SplitOf, AnEdgeNamesTheHalfEdgesThatUnsplitStartsFrom) {
-    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId e) {
-        const auto star = cut.removable(s.m);
+    for_each_split([](const TriMesh& whole, const TriMesh& split_mesh, const Split& s, EdgeId e) {
+        const auto star = split_mesh.removable(s.m);
         ASSERT_TRUE(star.has_value());
         EXPECT_EQ(star->mc, TriMesh::half_edge(s.face3, 0));
         EXPECT_EQ(star->bm, whole.half_edge(e));
-        EXPECT_EQ(cut.target(star->mc), s.c);
-        EXPECT_EQ(cut.origin(star->bm), s.b);
+        EXPECT_EQ(split_mesh.target(star->mc), s.c);
+        EXPECT_EQ(split_mesh.origin(star->bm), s.b);
         EXPECT_EQ(star->a, s.a);
         EXPECT_EQ(star->d, s.d);
         EXPECT_EQ(star->on_boundary(), !s.right.has_value());
-        EXPECT_EQ(inserted_vertex(cut, e), s.m);
+        EXPECT_EQ(inserted_vertex(split_mesh, e), s.m);
     });
 }
 
 TEST_P(SplitOf, AnEdgeMakesOneWedgeWhereTheSidesAgreeAndTwoWhereNot) {
-    for_each_split([](const TriMesh& whole, const TriMesh& cut, const Split& s, EdgeId e) {
+    for_each_split([](const TriMesh& whole, const TriMesh& split_mesh, const Split& s, EdgeId e) {
         const HalfEdgeId bc = whole.half_edge(e), cb = whole.twin(bc);
         const bool smooth = !exists(cb) || (whole.wedge(bc) == whole.wedge(TriMesh::next(cb)) &&
                                             whole.wedge(cb) == whole.wedge(TriMesh::next(bc)));
         std::uint32_t sides = 0;
         whole.for_each_side(e, [&](HalfEdgeId) { ++sides; });
-        EXPECT_EQ(cut.wedge_slots() - whole.wedge_slots(), s.right && smooth ? 1u : sides);
+        EXPECT_EQ(split_mesh.wedge_slots() - whole.wedge_slots(), s.right && smooth ? 1u : sides);
         if (s.right) {
             EXPECT_EQ(s.right->m == s.left.m, smooth);
         }
         const auto expect_mean = [&](const Split::Side& side) {
             const Vec3 sum = Vec3{whole.normal(side.b)} + Vec3{whole.normal(side.c)};
             if (glm::length(sum) < 0.1) return;
-            EXPECT_EQ(cut.normal(side.m), Vec3f{glm::normalize(sum)});
-            if (!cut.has_uvs() || std::isnan(whole.uv(side.b).x)) return;
-            EXPECT_EQ(cut.uv(side.m), 0.5f * (whole.uv(side.b) + whole.uv(side.c)));
+            EXPECT_EQ(split_mesh.normal(side.m), Vec3f{glm::normalize(sum)});
+            if (!split_mesh.has_uvs() || std::isnan(whole.uv(side.b).x)) return;
+            EXPECT_EQ(split_mesh.uv(side.m), 0.5f * (whole.uv(side.b) + whole.uv(side.c)));
         };
         expect_mean(s.left);
         EXPECT_EQ(s.left.b, whole.wedge(bc));
@@ -244,7 +245,7 @@ TEST_P(SplitOf, AnEdgeMakesOneWedgeWhereTheSidesAgreeAndTwoWhereNot) {
     });
 }
 
-TEST_P(SplitOf, AnEdgeCutsItsSiblingsAtTheSameVertexAndNowhereElse) {
+TEST_P(SplitOf, AnEdgeSplitsItsSiblingsAtTheSameVertexAndNowhereElse) {
     for_each_split([](const TriMesh&, TriMesh& once, const Split&, EdgeId) {
         for (EdgeId second : live_edges(once)) {
             TriMesh twice = once;
@@ -362,7 +363,7 @@ TEST(Split, IsRefusedWhereTheLevelWouldNotFitSixteenBits) {
     }
 }
 
-TEST(Unsplit, IsRefusedToBaseVerticesAndWhereSplitsHaveCutTheStarFurther) {
+TEST(Unsplit, IsRefusedForBaseVerticesAndStarsThatWereSplitFurther) {
     TriMesh mesh = mesh_of(kTwoTriangles.obj);
     for (std::uint32_t v = 0; v < 4; ++v) EXPECT_FALSE(mesh.removable(VertexId{v}).has_value());
     const Split s = mesh.split(edge_between(mesh, 1, 2));
@@ -407,12 +408,12 @@ TEST(MidpointNormal, TakesTheFaceNormalWhereTheEndsOpposeEachOther) {
     EXPECT_EQ(midpoint_normal({}, {}, {0, 3, 0}), Vec3f(0, 1, 0));
     EXPECT_EQ(midpoint_normal({}, up, {0, 3, 0}), up);
     // Ends that turn by `angle` have a sum of 2 cos(angle / 2): shorter than 0.1 beyond 174.27.
-    const auto turned = [](double degrees) {
+    const auto rotated = [](double degrees) {
         const double a = degrees * 3.14159265358979 / 180.0;
         return Vec3f{Vec3{std::sin(a), 0.0, std::cos(a)}};
     };
-    EXPECT_EQ(midpoint_normal(up, turned(174.2), {0, 1, 0}).y, 0.0f);
-    const Vec3f helped = midpoint_normal(up, turned(174.3), {0, 1, 0});
+    EXPECT_EQ(midpoint_normal(up, rotated(174.2), {0, 1, 0}).y, 0.0f);
+    const Vec3f helped = midpoint_normal(up, rotated(174.3), {0, 1, 0});
     EXPECT_NEAR(helped.y, 1.0 / std::hypot(1.0, 2.0 * std::cos(87.15 * 3.14159265 / 180)), 1e-5);
 }
 

@@ -17,7 +17,7 @@ namespace {
 using test::Random;
 using Triangles = std::vector<std::array<std::uint32_t, 3>>;
 
-Triangles cut(const std::vector<Vec3>& polygon) {
+Triangles triangles_of(const std::vector<Vec3>& polygon) {
     Triangles triangles;
     triangulate(polygon, triangles);
     return triangles;
@@ -67,7 +67,7 @@ void expect_none_flips(const std::vector<Vec3>& polygon, const Triangles& triang
     EXPECT_NEAR(sum, glm::length(whole), 1e-9 * glm::length(whole));
 }
 
-std::vector<Vec3> turned(std::vector<Vec3> polygon, std::size_t by) {
+std::vector<Vec3> rotated(std::vector<Vec3> polygon, std::size_t by) {
     std::rotate(polygon.begin(), polygon.begin() + static_cast<std::ptrdiff_t>(by), polygon.end());
     return polygon;
 }
@@ -86,23 +86,23 @@ std::vector<Vec3> star_shaped(const Vec3& normal, const std::vector<double>& rad
 }
 
 TEST(Triangulate, LeavesTrianglesAsTheyAre) {
-    EXPECT_EQ(cut({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (Triangles{{0, 1, 2}}));
+    EXPECT_EQ(triangles_of({{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}), (Triangles{{0, 1, 2}}));
 }
 
-TEST(Triangulate, CutsArrowheadsInside) {
+TEST(Triangulate, CoversArrowheads) {
     // Its reflex corner is each of the four in turn.
     const std::vector<Vec3> arrow{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}};
     for (std::size_t by = 0; by < 4; ++by) {
-        const auto polygon = turned(arrow, by);
-        expect_cover(polygon, cut(polygon));
-        expect_none_flips(polygon, cut(polygon));
+        const auto polygon = rotated(arrow, by);
+        expect_cover(polygon, triangles_of(polygon));
+        expect_none_flips(polygon, triangles_of(polygon));
     }
 }
 
-TEST(Triangulate, GivesNoCornerOfARoundPolygonManyTriangles) {
+TEST(Triangulate, GivesNoCornerOfARegularPolygonManyTriangles) {
     for (std::size_t n : {5u, 6u, 9u, 40u, 4096u}) {
         const auto polygon = star_shaped({0.36, 0.48, 0.8}, std::vector<double>(n, 2.0));
-        const Triangles triangles = cut(polygon);
+        const Triangles triangles = triangles_of(polygon);
         expect_cover(polygon, triangles);
         expect_none_flips(polygon, triangles);
         std::vector<std::size_t> uses(n, 0);
@@ -113,7 +113,7 @@ TEST(Triangulate, GivesNoCornerOfARoundPolygonManyTriangles) {
     }
 }
 
-TEST(Triangulate, CutsConcavePolygonsWithoutFlips) {
+TEST(Triangulate, CoversConcavePolygonsWithoutFlips) {
     Random random(50);
     for (int i = 0; i < 2000; ++i) {
         SCOPED_TRACE("case " + std::to_string(i));
@@ -121,14 +121,14 @@ TEST(Triangulate, CutsConcavePolygonsWithoutFlips) {
         for (double& r : radii) r = random.uniform(0.1, 2.0);
         const auto polygon = star_shaped(random.direction(), radii);
         if (radii.size() == 4 && glm::length(area_vector(polygon)) < 0.1) continue;
-        const Triangles triangles = cut(polygon);
+        const Triangles triangles = triangles_of(polygon);
         expect_cover(polygon, triangles);
         expect_none_flips(polygon, triangles);
         if (HasFailure()) return;
     }
 }
 
-TEST(Triangulate, CutsCombsAndSpiralsWithoutFlips) {
+TEST(Triangulate, CoversCombsAndSpiralsWithoutFlips) {
     std::vector<Vec3> comb;  // teeth as thin as a tenth of their gaps
     for (int i = 0; i < 6; ++i) {
         comb.push_back({i, 0.1, 0});
@@ -149,14 +149,14 @@ TEST(Triangulate, CutsCombsAndSpiralsWithoutFlips) {
     }
     for (const auto& polygon : {comb, spiral}) {
         for (std::size_t by = 0; by < polygon.size(); by += 3) {
-            const auto ring = turned(polygon, by);
-            expect_cover(ring, cut(ring));
-            expect_none_flips(ring, cut(ring));
+            const auto ring = rotated(polygon, by);
+            expect_cover(ring, triangles_of(ring));
+            expect_none_flips(ring, triangles_of(ring));
         }
     }
 }
 
-TEST(Triangulate, CutsPolygonsWithCornersInALine) {
+TEST(Triangulate, CoversPolygonsWithCollinearCorners) {
     // A square with all its sides divided, as modelling programs leave behind.
     std::vector<Vec3> ring;
     const Vec3 corners[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
@@ -166,38 +166,38 @@ TEST(Triangulate, CutsPolygonsWithCornersInALine) {
         }
     }
     for (std::size_t by = 0; by < ring.size(); ++by) {
-        const auto polygon = turned(ring, by);
-        expect_cover(polygon, cut(polygon));
-        expect_none_flips(polygon, cut(polygon));
+        const auto polygon = rotated(ring, by);
+        expect_cover(polygon, triangles_of(polygon));
+        expect_none_flips(polygon, triangles_of(polygon));
     }
 }
 
-TEST(Triangulate, CutsWhatHasNoInsideIntoTheSameNumber) {
+TEST(Triangulate, GivesPolygonsWithoutInteriorTheSameNumberOfTriangles) {
     // A bow tie, a star that crosses itself, all corners in one place.
     const std::vector<Vec3> tie{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
-    EXPECT_EQ(cut(tie).size(), 2u);
+    EXPECT_EQ(triangles_of(tie).size(), 2u);
     const auto pentagon = star_shaped({0, 0, 1}, std::vector<double>(5, 1.0));
     const std::vector<Vec3> star{pentagon[0], pentagon[2], pentagon[4], pentagon[1], pentagon[3]};
-    expect_cover(star, cut(star));
+    expect_cover(star, triangles_of(star));
     const std::vector<Vec3> point(7, Vec3{1.0});
-    expect_cover(point, cut(point));
+    expect_cover(point, triangles_of(point));
 }
 
 // Minutes each, if every ear were held against every corner.
-TEST(Triangulate, TakesLargePolygonsInItsStride) {
+TEST(Triangulate, HandlesLargePolygons) {
     Random random(77);
     std::vector<double> radii(20'000);
     for (double& r : radii) r = random.uniform(0.5, 1.0);
     const auto star = star_shaped({0, 0, 1}, radii);
-    const Triangles of_star = cut(star);
+    const Triangles of_star = triangles_of(star);
     expect_cover(star, of_star);
     expect_none_flips(star, of_star);
     std::vector<Vec3> tangle(20'000);
     for (Vec3& p : tangle) p = random.direction();
-    EXPECT_EQ(cut(tangle).size(), tangle.size() - 2);
+    EXPECT_EQ(triangles_of(tangle).size(), tangle.size() - 2);
     std::vector<Vec3> huge = star;
     for (Vec3& p : huge) p *= 1e307;
-    EXPECT_EQ(cut(huge).size(), huge.size() - 2);
+    EXPECT_EQ(triangles_of(huge).size(), huge.size() - 2);
 }
 
 TEST(Triangulate, AppendsToWhatIsThere) {

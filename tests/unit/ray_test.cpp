@@ -57,7 +57,7 @@ TEST(RayTriangle, AgreesWithThePointItWasAimedAt) {
 }
 
 // A fan about a point: rays through its spokes and its middle must not slip between the triangles.
-TEST(RayTriangle, LetsNoRayThroughASharedEdgeOrVertex) {
+TEST(RayTriangle, HitsSharedEdgesAndVerticesWithEveryRay) {
     std::mt19937 bits(6);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     const auto vector = [&] { return Vec3{unit(bits), unit(bits), unit(bits)}; };
@@ -78,7 +78,7 @@ TEST(RayTriangle, LetsNoRayThroughASharedEdgeOrVertex) {
     }
 }
 
-TEST(RayBox, GivesTheStretchInside) {
+TEST(RayBox, ReturnsTheIntervalInside) {
     const Box box{.min = Vec3(-1), .max = Vec3(1)};
     const auto through = intersect(Ray{Vec3(0, 0, 5), Vec3(0, 0, -2)}, box);
     ASSERT_TRUE(through);

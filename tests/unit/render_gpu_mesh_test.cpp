@@ -77,7 +77,7 @@ TEST_F(GpuMeshTest, UploadsAsMuchForASplitHoweverLargeTheMesh) {
     EXPECT_NEAR(static_cast<double>(bytes[0]), static_cast<double>(bytes[1]), 1100.0);
 }
 
-TEST_F(GpuMeshTest, FollowsADragFrameByFrame) {
+TEST_F(GpuMeshTest, IsUpdatedByEveryFrameOfADrag) {
     Session session;
     execute(session,
             {R"({"cmd": "shape", "kind": "sphere", "resolution": 4})",

@@ -78,7 +78,7 @@ TEST(FoldFreeSession, FoldsNoVertexAndHitsItsTargetInAllDirections) {
     EXPECT_EQ(session.statistics().last.steps, 1u);
 }
 
-TEST(FoldFreeSession, LeavesNoTrianglesThatCutThroughEachOther) {
+TEST(FoldFreeSession, LeavesNoSelfIntersections) {
     for (const int resolution : {2, 3, 4}) {
         for (const Vec3& direction : {Vec3{0, 0, 1}, Vec3{0, 0, -0.6}, Vec3{1, 0, 0.3}}) {
             Session session = sphere(resolution, 0.5);
@@ -92,7 +92,7 @@ TEST(FoldFreeSession, LeavesNoTrianglesThatCutThroughEachOther) {
 
 // The cap of a cylinder, a fan of large flat triangles, pulled sideways and home again. It ends
 // nearly flat: only where it is refined by what happens in between does it follow.
-TEST(FoldFreeSession, CutsNoFlatTrianglesThatWereLongBetweenItsSteps) {
+TEST(FoldFreeSession, DoesNotIntersectTrianglesThatWereLongBetweenItsSteps) {
     for (const double radius : {0.65, 0.8}) {
         Session session;
         expect_done(session, Shape{Shape::Kind::cylinder, 8});
@@ -140,7 +140,7 @@ Drag wandering_drag(test::Random& random, int waypoints, bool goes_home) {
 }
 
 // Refined by angle and length alone most of them end with triangles that cut.
-TEST(FoldFreeSession, LeavesNoTrianglesThatCutThroughEachOtherAfterAWanderingDrag) {
+TEST(FoldFreeSession, LeavesNoSelfIntersectionsAfterAWanderingDrag) {
     const std::uint64_t count = static_cast<std::uint64_t>(test::case_count(4));
     for (const int waypoints : {0, 1, 2}) {
         for (std::uint64_t seed = 1; seed <= count; ++seed) {
@@ -162,7 +162,7 @@ TEST(FoldFreeSession, LeavesNoTrianglesThatCutThroughEachOtherAfterAWanderingDra
     }
 }
 
-TEST(FoldFreeSession, SaysWhereTheFloorLeavesTrianglesThatCut) {
+TEST(FoldFreeSession, ReportsSelfIntersectionsThatTheFloorLeaves) {
     test::Random random(4);
     Session session = sphere(3, 0.4);
     expect_done(session, Adapt{.floor = Setting::of(0.05)});
@@ -181,7 +181,7 @@ TEST(FoldFreeSession, SaysWhereTheFloorLeavesTrianglesThatCut) {
     EXPECT_EQ(session.remark().empty(), test::crossings(session.mesh()) == 0);
 }
 
-TEST(FoldFreeSession, RecordsTheWayOfTheHandSoThatAScriptGivesTheSameBytes) {
+TEST(FoldFreeSession, RecordsWaypointsSoThatAScriptGivesTheSameBytes) {
     test::Random random(91);
     for (int round = 0; round < test::case_count(10); ++round) {
         const bool is_cage = round % 4 == 3;
@@ -208,8 +208,8 @@ TEST(FoldFreeSession, RecordsTheWayOfTheHandSoThatAScriptGivesTheSameBytes) {
             hand.drag_to(std::vector{at});
             EXPECT_EQ(hand.mesh().validate(), std::vector<std::string>{});
             if (frame == 20) {
-                const DragTarget turned{at, Drag::Twist{{0, 0, 1}, 15.0}, 1.1};
-                hand.drag_to(std::span(&turned, 1));
+                const DragTarget rotated{at, Drag::Twist{{0, 0, 1}, 15.0}, 1.1};
+                hand.drag_to(std::span(&rotated, 1));
             }
         }
         const auto drag = hand.end_drag();
@@ -235,7 +235,7 @@ TEST(FoldFreeSession, GivesEverythingBackWhereALongDragIsCancelled) {
     for (double z = 1.0; z < 2.5; z += 0.1) {
         ASSERT_FALSE(session.drag_to(std::vector<Vec3>{{0, 0, z}}));
     }
-    EXPECT_GT(session.drag_in_hand().via.size(), 3u);
+    EXPECT_GT(session.active_drag().via.size(), 3u);
     session.cancel_drag();
     EXPECT_TRUE(session.mesh() == before);
     expect_done(session, fold_free({0, 0, 1.3}));

@@ -54,7 +54,7 @@ struct FourDrags {
         }
     }
     // A limit that the last so many steps just keep.
-    command::History room_for(std::size_t steps) const {
+    command::History history_limit_for(std::size_t steps) const {
         const std::size_t gone = steps < 4 ? bytes[3 - steps] : 0;
         return megabytes(1e-6 * static_cast<double>(bytes[3] - gone) + 1e-9);
     }
@@ -71,11 +71,11 @@ TEST(HistoryLimit, IsAThousandMegabytesAtStart) {
 TEST(HistoryLimit, DropsTheOldestStepsAtOnceAndNoMoreThanItMust) {
     FourDrags drags;
     const History& history = drags.session.history();
-    expect_done(drags.session, drags.room_for(4));
+    expect_done(drags.session, drags.history_limit_for(4));
     EXPECT_EQ(history.undo_count(), 4u);
-    expect_done(drags.session, drags.room_for(3));
+    expect_done(drags.session, drags.history_limit_for(3));
     EXPECT_EQ(history.undo_count(), 3u);
-    expect_done(drags.session, drags.room_for(2));
+    expect_done(drags.session, drags.history_limit_for(2));
     EXPECT_EQ(history.undo_count(), 2u);
     EXPECT_EQ(history.lost_undo_count(), 2u);
     EXPECT_EQ(history.step_number(), 4u);
@@ -101,7 +101,7 @@ TEST(HistoryLimit, KeepsTheNewestStepHoweverLargeItIs) {
 TEST(HistoryLimit, IsASettingThatTakesNoStepAndKeepsRedo) {
     FourDrags drags;
     expect_done(drags.session, Undo{.count = 2});
-    expect_done(drags.session, drags.room_for(3));
+    expect_done(drags.session, drags.history_limit_for(3));
     EXPECT_EQ(drags.session.history().undo_count(), 1u);
     EXPECT_EQ(drags.session.history().redo_count(), 2u);
     expect_done(drags.session, command::History{});  // leaves it as it is
@@ -135,7 +135,7 @@ TEST(HistoryLimit, KeepsEveryStepThatCanBeRedone) {
 TEST(HistoryLimit, ReportsWhenItDropsStepsAndHowMany) {
     FourDrags drags;
     EXPECT_EQ(drags.session.remark(), "");
-    expect_done(drags.session, drags.room_for(2));
+    expect_done(drags.session, drags.history_limit_for(2));
     EXPECT_TRUE(contains(drags.session.remark(), "the 2 oldest steps can no longer be undone"))
         << drags.session.remark();
     expect_done(drags.session, command::Brush{.radius = 0.5});

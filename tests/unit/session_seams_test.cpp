@@ -59,7 +59,7 @@ std::vector<std::uint32_t> seam_vertices(const IndexedFaceSet& set, bool left) {
     return vertices;
 }
 
-TEST(SessionSeams, AHingeDoesNotCrackAndIsSavedApart) {
+TEST(SessionSeams, AHingeDoesNotCrackAndIsSavedUnshared) {
     Session session;
     open_text(session, kHinge);
     EXPECT_EQ(input_summary("hinge.obj", session.input_report()),
@@ -93,7 +93,7 @@ TEST(SessionSeams, ConnectedDragsReachAcross) {
     })) << "the other sheet has not moved";
 }
 
-TEST(SessionSeams, ThinningUndoAndBakeKeepThemTogether) {
+TEST(SessionSeams, DecimationUndoAndBakeKeepThemClosed) {
     Session session;
     open_text(session, kHinge);
     const std::string opened = format_obj(session.mesh());
@@ -103,9 +103,9 @@ TEST(SessionSeams, ThinningUndoAndBakeKeepThemTogether) {
     expect_done(session, Drag{.moves = {{{0, 0, 0.5}, {0, 0, 0.05}}}});
     EXPECT_LT(session.mesh().face_count(), fine);
     EXPECT_EQ(test::open_sides(saved(session)), test::open_edges(session.mesh()));
-    const std::string thinned = format_obj(session.mesh());
+    const std::string decimated = format_obj(session.mesh());
     expect_done(session, command::Bake{});
-    EXPECT_EQ(format_obj(session.mesh()), thinned);
+    EXPECT_EQ(format_obj(session.mesh()), decimated);
     expect_done(session, Drag{.moves = {{{0, 0, 0.05}, {0, 0.1, 0.7}}}});
     EXPECT_EQ(test::open_sides(saved(session)), test::open_edges(session.mesh()));
     EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
@@ -113,7 +113,7 @@ TEST(SessionSeams, ThinningUndoAndBakeKeepThemTogether) {
     EXPECT_EQ(format_obj(session.mesh()), opened);
 }
 
-TEST(SessionSeams, LinesOnThemFollow) {
+TEST(SessionSeams, LineElementsOnThemAreDeformed) {
     Session session;
     open_text(session, kHinge + "l 5 8\n");
     expect_done(session, command::Brush{.radius = 3.0});

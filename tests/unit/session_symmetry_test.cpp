@@ -163,7 +163,7 @@ std::string two_sheets_path() {
     return path.string();
 }
 
-TEST(ConnectedDrag, LeavesASecondSheetThatIsNearerThanTheRadius) {
+TEST(ConnectedDrag, DoesNotMoveADisconnectedSheetWithinTheRadius) {
     for (const bool fold_free : {false, true}) {
         Session session;
         expect_done(session, command::Open{two_sheets_path()});
@@ -204,7 +204,7 @@ TEST(ConnectedDrag, LeavesASecondSheetThatIsNearerThanTheRadius) {
     }
 }
 
-TEST(ConnectedDrag, FollowsEveryMovedPointAndWithSymmetryItsImage) {
+TEST(ConnectedDrag, MovesThePartOfEveryHandleAndOfItsMirrorImage) {
     Session session;
     expect_done(session, command::Open{two_sheets_path()});
     expect_done(session, Brush{.radius = 0.6});
@@ -221,7 +221,7 @@ TEST(ConnectedDrag, FollowsEveryMovedPointAndWithSymmetryItsImage) {
 
 // --- Twist and scale
 
-TEST(TwistedSession, TurnsAndGrowsWhatIsRightAtThePoint) {
+TEST(TwistedSession, RotatesAndScalesTheSurfaceAtThePoint) {
     Session session = session_with(Shape::Kind::plane, 200, 0.5);
     expect_done(session, Adapt{.enabled = false});
     const std::vector<Vec3> before = positions(session.mesh());
@@ -235,16 +235,16 @@ TEST(TwistedSession, TurnsAndGrowsWhatIsRightAtThePoint) {
     const double c = -std::sqrt(0.75), s = 0.5;
     for (std::size_t i = 0; i < before.size(); ++i) {
         if (glm::length(before[i]) > 0.0105) continue;
-        const Vec3 turned =
+        const Vec3 rotated =
             1.5 * Vec3{c * before[i].x + s * before[i].z, 0.0, -s * before[i].x + c * before[i].z};
-        EXPECT_LT(glm::distance(after[i], turned + Vec3(0, 0.1, 0)), 1.5e-3);
+        EXPECT_LT(glm::distance(after[i], rotated + Vec3(0, 0.1, 0)), 1.5e-3);
     }
 }
 
 // --- What is shown of a drag
 
 // The lattices that the window draws are those that move the object: turned, and on both sides.
-TEST(LatticesInHand, MoveTheSurfaceAsTheFrameHas) {
+TEST(ActiveLattices, MoveTheSurfaceAsTheFrameDid) {
     for (const double x : {0.0, 0.1, 0.9}) {
         Session session = session_with(Shape::Kind::sphere, 4, 0.6);
         expect_done(session, Adapt{.enabled = false});
@@ -256,7 +256,7 @@ TEST(LatticesInHand, MoveTheSurfaceAsTheFrameHas) {
         const Vec3 axis = x == 0.0 ? Vec3{1, 0, 0} : Vec3{1, 2, 3};
         const DragTarget target{from + Vec3{0, 0.1, 0.2}, Drag::Twist{axis, 40.0}, 1.2};
         ASSERT_FALSE(session.drag_to(std::array{target}));
-        const std::vector<LatticeField> fields = session.lattices_in_hand();
+        const std::vector<LatticeField> fields = session.active_lattices();
         EXPECT_EQ(fields.size(), x == 0.1 ? 2u : 1u) << x;
         const std::vector<Vec3> after = positions(session.mesh());
         double farthest = 0.0;
@@ -271,12 +271,12 @@ TEST(LatticesInHand, MoveTheSurfaceAsTheFrameHas) {
     }
 }
 
-TEST(LatticesInHand, OfControlPointsAreTheCage) {
+TEST(ActiveLattices, OfAControlPointDragAreTheCage) {
     Session session = session_with(Shape::Kind::sphere, 2, 0.6);
     expect_done(session, Cage{Cage::Fit{{3, 3, 3}}});
     ASSERT_FALSE(session.begin_control(std::array{IVec3{1, 1, 2}}));
     ASSERT_FALSE(session.control_to(std::array{Vec3{0, 0, 1.5}}));
-    const std::vector<LatticeField> fields = session.lattices_in_hand();
+    const std::vector<LatticeField> fields = session.active_lattices();
     ASSERT_EQ(fields.size(), 1u);
     const std::size_t at = fields[0].lattice().control_index({2, 2, 3});
     EXPECT_LT(glm::distance(fields[0].displacements()[at], Vec3(0, 0, 0.5)), 1e-12);
@@ -318,8 +318,8 @@ TEST(ControlPoints, RefineAdaptivelyAndEndFramesWithTheBytesOfTheCommand) {
     }
     const std::vector<IVec3> indices{{2, 1, 1}, {1, 1, 2}};
     ASSERT_FALSE(hand.begin_control(indices));
-    for (const double share : {0.5, 1.6, 1.0}) {
-        ASSERT_FALSE(hand.control_to(std::vector<Vec3>{{1.0 + share, 0, 0}, {0, share, 1}}));
+    for (const double fraction : {0.5, 1.6, 1.0}) {
+        ASSERT_FALSE(hand.control_to(std::vector<Vec3>{{1.0 + fraction, 0, 0}, {0, fraction, 1}}));
         EXPECT_EQ(hand.mesh().validate(), std::vector<std::string>{});
     }
     const auto control = hand.end_control();

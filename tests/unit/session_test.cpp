@@ -131,7 +131,7 @@ TEST(Session, TakesNoStepForADragThatMovesNothing) {
     EXPECT_FALSE(refusal_of(session, Undo{}).empty());
 }
 
-TEST(Session, TakesAStepForADragThatOnlyTurnsNormals) {
+TEST(Session, TakesAStepForADragThatOnlyChangesNormals) {
     Session session;
     expect_done(session, shape(Shape::Kind::plane, 1));
     expect_done(session, Adapt{.enabled = false});
@@ -386,8 +386,8 @@ TEST(Session, EndsADragOfFramesWithTheBytesOfOneCommand) {
     const Drag whole = drag(kTop, {0.2, 0.4, 0});
     expect_done(script, whole);
     ASSERT_FALSE(hand.begin_drag(std::vector<Vec3>{kTop}, {}).has_value());
-    for (double share : {0.3, 1.4, -0.2, 1.0}) {
-        ASSERT_FALSE(hand.drag_to(std::vector<Vec3>{kTop + share * Vec3(0.2, 0.4, 0)}));
+    for (double fraction : {0.3, 1.4, -0.2, 1.0}) {
+        ASSERT_FALSE(hand.drag_to(std::vector<Vec3>{kTop + fraction * Vec3(0.2, 0.4, 0)}));
         EXPECT_TRUE(hand.is_dragging());
         EXPECT_EQ(hand.mesh().validate(), std::vector<std::string>{});
     }

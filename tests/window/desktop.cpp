@@ -84,7 +84,7 @@ void Desktop::press(int button) const { xdotool({"mousedown", std::to_string(but
 void Desktop::release(int button) const { xdotool({"mouseup", std::to_string(button)}); }
 void Desktop::key(const std::string& name) const { xdotool({"key", name}); }
 void Desktop::hold(const std::string& name) const { xdotool({"keydown", name}); }
-void Desktop::let_go(const std::string& name) const { xdotool({"keyup", name}); }
+void Desktop::release_key(const std::string& name) const { xdotool({"keyup", name}); }
 void Desktop::type(const std::string& text) const { xdotool({"type", "--delay", "30", text}); }
 
 void Desktop::drag(int from_x, int from_y, int to_x, int to_y) const {

@@ -26,7 +26,7 @@ class Desktop {
     void release(int button = 1) const;
     void key(const std::string& name) const;  // as xdotool calls it: "ctrl+z"
     void hold(const std::string& name) const;
-    void let_go(const std::string& name) const;
+    void release_key(const std::string& name) const;
     void type(const std::string& text) const;
     void drag(int from_x, int from_y, int to_x, int to_y) const;
     bool drop(const std::string& path) const;  // a file on the window; whether it was taken

@@ -134,7 +134,7 @@ TEST_F(WindowTest, PinsSymmetryAndTheWheelAreInTheRecordAndReplayToTheBytesThatT
     desktop().hold("shift");
     desktop().press(4);
     desktop().release(4);
-    desktop().let_go("shift");
+    desktop().release_key("shift");
     desktop().release();
     ASSERT_TRUE(records("\"drag\""));
     EXPECT_EQ(recorded("\"pins\": [["), 1u) << record();
@@ -191,7 +191,7 @@ TEST_F(WindowTest, AltDragsAlongTheNormal) {
     desktop().move(kMiddleX, kMiddleY - 30);
     desktop().move(kMiddleX, kMiddleY - 60);
     desktop().release();
-    desktop().let_go("alt");
+    desktop().release_key("alt");
     ASSERT_TRUE(records("\"drag\""));
     // From the front the sphere's foremost point goes along z and keeps x and y.
     const std::string text = record();
@@ -204,7 +204,7 @@ TEST_F(WindowTest, AltDragsAlongTheNormal) {
 }
 
 // Wherever the panel has its slider: a press and a pull on every row, from the top down.
-TEST_F(WindowTest, LettingGoOfASliderReadaptsTheObject) {
+TEST_F(WindowTest, ReleasingASliderReadaptsTheObject) {
     open_window();
     desktop().drag(kMiddleX, kMiddleY, 760, 290);
     ASSERT_TRUE(records("\"drag\""));

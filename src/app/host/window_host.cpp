@@ -130,12 +130,12 @@ std::optional<MouseButton> button_of(int button) {
 IVec2 fitting(const IVec2& wanted) {
     GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
     if (!monitor) return wanted;
-    IVec2 at{0}, room{0};
+    IVec2 at{0}, workarea{0};
     float x = 1.0f, y = 1.0f;
-    glfwGetMonitorWorkarea(monitor, &at.x, &at.y, &room.x, &room.y);
+    glfwGetMonitorWorkarea(monitor, &at.x, &at.y, &workarea.x, &workarea.y);
     glfwGetMonitorContentScale(monitor, &x, &y);
-    if (room.x <= 0 || room.y <= 0) return wanted;
-    return glm::min(wanted, IVec2(Vec2(room) / Vec2(std::max(x, 1.0f), std::max(y, 1.0f))));
+    if (workarea.x <= 0 || workarea.y <= 0) return wanted;
+    return glm::min(wanted, IVec2(Vec2(workarea) / Vec2(std::max(x, 1.0f), std::max(y, 1.0f))));
 }
 
 GLFWwindow* make_window(const std::string& title, const IVec2& wanted) {

@@ -98,7 +98,7 @@ void set_button(MouseButton button, bool is_down) {
 #endif
 }
 
-void turn_wheel(double amount) {
+void scroll_wheel(double amount) {
 #if PECTIN_IMGUI_HAS_EVENTS
     ImGui::GetIO().AddMouseWheelEvent(0.0f, static_cast<float>(amount));
 #else
@@ -127,7 +127,7 @@ struct Feed {
     }
     void operator()(const event::Scroll& scroll) const {
         set_mouse(scroll.at);
-        turn_wheel(scroll.amount);
+        scroll_wheel(scroll.amount);
     }
     void operator()(const event::KeyDown& down) const {
         set_modifiers(down.modifiers);

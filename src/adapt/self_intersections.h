@@ -18,31 +18,31 @@
 #include <vector>
 
 #include "adapt/criteria.h"
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "mesh/active_set.h"
 #include "mesh/face_tree.h"
 
 namespace pectin {
 
-struct Cut {
+struct SelfIntersection {
     EdgeId edge = kNone<EdgeId>;
     FaceId face = kNone<FaceId>;
-    auto operator<=>(const Cut&) const = default;
+    auto operator<=>(const SelfIntersection&) const = default;
 };
 
 // The active faces where they are now, to ask which cut. Holds a reference to the set.
-class Cuts {
+class SelfIntersections {
   public:
-    explicit Cuts(const ActiveSet& active) : active_(active) {}
+    explicit SelfIntersections(const ActiveSet& active) : active_(active) {}
 
     // Every cut between active faces, in order, or those found until it is exhausted. Cost: the
     // first time O(n log n) and what is near; then only what was edited since, or was cut before,
     // is looked at again.
-    const std::vector<Cut>& find();
+    const std::vector<SelfIntersection>& find();
 
     // Whether the faces that would take the place of the star cut others, or those them.
     // Cost: O(log n) and what is near, once more for each edit since; the first time O(n log n).
-    bool would_cut(const Star& star);
+    bool would_intersect(const Star& star);
 
     // Whether find() has looked at as many pairs of faces as it may, over all its calls. Where all
     // is pressed into one sheet nearly every face is near nearly every other.
@@ -54,20 +54,21 @@ class Cuts {
     FaceTree& tree();  // of the faces as they are now
     std::vector<FaceId> changed_faces() const;
     void add_pair(FaceId f, FaceId g);
-    bool face_would_cut(VertexId b, VertexId c, VertexId a, VertexId m);
+    bool face_would_intersect(VertexId b, VertexId c, VertexId a, VertexId m);
 
     const ActiveSet& active_;
     std::optional<FaceTree> tree_;
-    std::size_t told_ = 0;  // how many of the active set's edited faces the tree knows
-    std::vector<Cut> cuts_;
-    bool has_looked_ = false;
+    std::size_t synced_upto_ = 0;  // how many of the active set's edited faces the tree knows
+    std::vector<SelfIntersection> found_;
+    bool has_searched_ = false;
     std::uint64_t pairs_ = 0;
     std::vector<FaceId> near_;
 };
 
 // What to split so that the cuts go: of the edge and the face's edges the one whose midpoint is
 // farthest from where the warp takes it, those below the floor last. Each once, in order.
-std::vector<EdgeId> edges_to_mend(const ActiveSet& active, const Embedding& embedding,
-                                  const Criteria& criteria, std::span<const Cut> cuts);
+std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& embedding,
+                                     const Criteria& criteria,
+                                     std::span<const SelfIntersection> intersections);
 
 }  // namespace pectin

@@ -1,17 +1,17 @@
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 
 #include <algorithm>
 #include <limits>
 
-#include "adapt/deform_pass.h"
-#include "adapt/lattice_pass.h"
-#include "adapt/parallel.h"
+#include "embedding/deform_pass.h"
+#include "embedding/lattice_pass.h"
+#include "geometry/parallel.h"
 
 namespace pectin {
 namespace {
 
 // What rounding of the two ends adds to the length of an edge: of weights to float, of positions.
-constexpr double kShareRounding = 2.0 * std::numeric_limits<float>::epsilon();
+constexpr double kWeightRounding = 2.0 * std::numeric_limits<float>::epsilon();
 constexpr double kCoordinateRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
 // visit(each wedge entry of the sheets).
@@ -55,7 +55,7 @@ void Embedding::embed() {
             advance(step, i, of_entry(i));
         }
         for (std::uint32_t w = 0; w < active_.influenced_wedges_at_begin(); ++w) {
-            turn(step, w, of_entry(active_.wedge_owner(w)));
+            transform_normal(step, w, of_entry(active_.wedge_owner(w)));
         }
     }
     for_pieces(0, active_.influenced_at_begin(), [&](std::uint32_t first, std::uint32_t end) {
@@ -79,7 +79,7 @@ void Embedding::fit_to_entries() {
 void Embedding::reserve_splits(std::uint32_t count) {
     if (stages_.empty()) return;
     const auto reserve = [](auto& values, std::size_t size) {
-        if (size > values.size()) values.make_room(size - values.size());
+        if (size > values.size()) values.reserve_additional(size - values.size());
     };
     const std::size_t vertices = active_.vertex_entries() + std::size_t{count};
     reserve(weights_, vertices * moves());
@@ -136,7 +136,8 @@ void Embedding::advance(std::size_t step, std::uint32_t entry, std::span<const D
     has_folded_[entry] = folds || (step > 0 && has_folded_[entry] != 0) ? 1 : 0;
 }
 
-void Embedding::turn(std::size_t step, std::uint32_t wedge, std::span<const DragWeight> w) {
+void Embedding::transform_normal(std::size_t step, std::uint32_t wedge,
+                                 std::span<const DragWeight> w) {
     Vec3f& normal = normals_[wedge];
     if (const auto* drag = std::get_if<DragStep>(&warp_.steps[step])) {
         normal = covariant_normal(normal, w, drag->displacements);
@@ -230,21 +231,21 @@ std::size_t Embedding::scratch_size() const {
     return size;
 }
 
-void Embedding::place(std::span<const ActiveSet::Inserted> inserted,
-                      std::span<DragWeight> scratch) {
+void Embedding::embed_inserted(std::span<const ActiveSet::Inserted> inserted,
+                               std::span<DragWeight> scratch) {
     if (stages_.empty()) return;
     for (std::size_t i = 0, next = 0; i < inserted.size(); i = next) {
         next = i + 1;
         while (next < inserted.size() && !inserted[next].is_first_sheet) ++next;
-        place_vertex(inserted.subspan(i, next - i), scratch);
+        embed_vertex(inserted.subspan(i, next - i), scratch);
     }
 }
 
-void Embedding::place_vertex(std::span<const ActiveSet::Inserted> sheets,
+void Embedding::embed_vertex(std::span<const ActiveSet::Inserted> sheets,
                              std::span<DragWeight> scratch) {
     const std::uint32_t entry = sheets.front().vertex_entry;
     const bool is_influenced = active_.is_influenced_at(entry);
-    if (is_influenced && stages_.size() == 1 && moves() == 1) return place_by_one_drag(sheets);
+    if (is_influenced && stages_.size() == 1 && moves() == 1) return embed_by_one_drag(sheets);
     if (stages_.size() > 1) bring_to_last_step(sheets, scratch);
     if (!is_influenced) {
         std::ranges::fill(weights_of(entry), DragWeight{});
@@ -256,7 +257,7 @@ void Embedding::place_vertex(std::span<const ActiveSet::Inserted> sheets,
 }
 
 // The usual case, all at once.
-void Embedding::place_by_one_drag(std::span<const ActiveSet::Inserted> sheets) {
+void Embedding::embed_by_one_drag(std::span<const ActiveSet::Inserted> sheets) {
     const std::uint32_t entry = sheets.front().vertex_entry;
     const DragStep& drag = *last_drag();
     const Vec3& rest = active_.rest_position_at(entry);
@@ -282,7 +283,7 @@ void Embedding::bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
         const std::span<DragWeight> weights = scratch.first(moves_of(step));
         if (is_influenced) {
             weigh(step, entry, weights);
-            for_each_wedge(sheets, [&](std::uint32_t w) { turn(step, w, weights); });
+            for_each_wedge(sheets, [&](std::uint32_t w) { transform_normal(step, w, weights); });
         }
         advance(step, entry, weights);
     }
@@ -317,13 +318,13 @@ std::uint64_t Embedding::folded_vertices() const {
 }
 
 double Embedding::longest_edge_bound() const {
-    if (stages_.empty()) return active_.longest_at_rest();
+    if (stages_.empty()) return active_.longest_rest_length();
     const DragStep* drag = last_drag();
     if (stages_.size() > 1 || !drag) return std::numeric_limits<double>::infinity();
     const Box& zone = active_.zone();
     const Vec3 farthest = glm::max(glm::abs(zone.min), glm::abs(zone.max));
     const double reach = drag->reach_bound();
-    return active_.longest_at_rest() * drag->stretch_bound() + kShareRounding * reach +
+    return active_.longest_rest_length() * drag->lipschitz_bound() + kWeightRounding * reach +
            kCoordinateRounding * std::max({farthest.x, farthest.y, farthest.z, reach});
 }
 

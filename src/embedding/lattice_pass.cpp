@@ -1,9 +1,9 @@
-#include "adapt/lattice_pass.h"
+#include "embedding/lattice_pass.h"
 
 #include <algorithm>
 #include <array>
 
-#include "adapt/parallel.h"
+#include "geometry/parallel.h"
 
 namespace pectin {
 namespace {
@@ -56,11 +56,11 @@ void deform(ActiveSet& active, const LatticeEvaluator& field, std::span<const Ve
     const std::uint32_t alike = entries_alike(active);
     for_blocks(0, alike, [&](std::uint32_t first, std::uint32_t count) {
         std::array<Vec3, kBlock> to;
-        std::array<Vec3f, kBlock> turned;
+        std::array<Vec3f, kBlock> transformed;
         field.transform(starts.subspan(first, count), normals.subspan(first, count),
-                        std::span(to).first(count), std::span(turned).first(count));
+                        std::span(to).first(count), std::span(transformed).first(count));
         set_vertices(active, std::span(to).first(count), first);
-        set_wedges(active, std::span(turned).first(count), first);
+        set_wedges(active, std::span(transformed).first(count), first);
     });
     deform_vertices(active, field, starts, alike, active.vertex_entries());
     deform_wedges(active, field, starts, normals, alike, active.wedge_entries());
@@ -79,11 +79,11 @@ void deform_wedges(ActiveSet& active, const LatticeEvaluator& field, std::span<c
                    std::span<const Vec3f> normals, std::uint32_t first, std::uint32_t end) {
     for_blocks(first, end, [&](std::uint32_t from, std::uint32_t count) {
         std::array<Vec3, kBlock> at, to;
-        std::array<Vec3f, kBlock> turned;
+        std::array<Vec3f, kBlock> transformed;
         for (std::uint32_t k = 0; k < count; ++k) at[k] = starts[active.wedge_owner(from + k)];
         field.transform(std::span(at).first(count), normals.subspan(from, count),
-                        std::span(to).first(count), std::span(turned).first(count));
-        set_wedges(active, std::span(turned).first(count), from);
+                        std::span(to).first(count), std::span(transformed).first(count));
+        set_wedges(active, std::span(transformed).first(count), from);
     });
 }
 

@@ -34,7 +34,7 @@ void for_pieces(std::uint32_t first, std::uint32_t end, const Work& work,
 // this is short, the calling thread does what is not done yet; so work that does not throw is done,
 // and work that throws std::bad_alloc is tried once more.
 template <typename Item, std::size_t count, typename Work>
-void for_each_of(std::array<Item, count>& items, const Work& work) {
+void for_each_concurrently(std::array<Item, count>& items, const Work& work) {
     std::array<bool, count> done{};
     const auto some = [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t i = first; i < end; ++i) {

@@ -7,9 +7,9 @@
 #include <span>
 #include <vector>
 
-#include "adapt/corner_claims.h"
+#include "adapt/concurrent/corner_claims.h"
+#include "adapt/concurrent/partitions.h"
 #include "adapt/criteria.h"
-#include "adapt/lanes.h"
 #include "mesh/active_set.h"
 
 namespace pectin {
@@ -21,9 +21,9 @@ namespace pectin {
 // has a corner of another lane's is removed after these; which they are depends on the threads, but
 // where each is logged does not. What lies on a crease, a boundary, or outside the active set goes
 // last, one by one.
-class LaneUnsplits {
+class ConcurrentUnsplits {
   public:
-    LaneUnsplits(ActiveSet& active, const Criteria& criteria)
+    ConcurrentUnsplits(ActiveSet& active, const Criteria& criteria)
         : active_(active), criteria_(criteria) {}
 
     // Removes those of one level that may go; how many these were. Throws std::bad_alloc where
@@ -32,26 +32,26 @@ class LaneUnsplits {
     std::uint64_t unsplit(std::span<const VertexId> level);
 
   private:
-    struct Lane {
-        CornerClaims::Lane number = 0;
+    struct Partition {
+        CornerClaims::PartitionIndex number = 0;
         std::vector<VertexId> vertices;
         std::vector<ActiveSet::Unsplit> unsplits;
         ActiveSet::UnsplitCount count;
-        ActiveSet::UnsplitPlaces places;
-        std::vector<std::size_t> waiting;  // which of these have yet to be done
+        ActiveSet::ReservedLogSlots slots;
+        std::vector<std::size_t> deferred;  // which of these have yet to be done
         std::vector<VertexId> last;
     };
 
-    void part(std::span<const VertexId> level);
-    static void reserve(Lane& lane);
+    void distribute(std::span<const VertexId> level);
+    static void reserve(Partition& partition);
     std::optional<CornerClaims::Corners> corners_of(const Star& star) const;
-    void unsplit(Lane& lane);
-    void unsplit_waiting(Lane& lane);
+    void unsplit(Partition& partition);
+    void unsplit_deferred(Partition& partition);
     void log();
 
     ActiveSet& active_;
     const Criteria& criteria_;
-    std::array<Lane, kLanes> lanes_;
+    std::array<Partition, kPartitions> partitions_;
     CornerClaims claims_;
 };
 

@@ -13,8 +13,8 @@
 #include <vector>
 
 #include "adapt/adapt.h"
-#include "adapt/corner_claims.h"
-#include "adapt/lane_splits.h"
+#include "adapt/concurrent/corner_claims.h"
+#include "adapt/concurrent/splits.h"
 #include "ffd/drag_solver.h"
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
@@ -77,7 +77,7 @@ std::optional<MirrorPlane> symmetry_of(const Scene& scene) {
     return scene.is_mirrored ? std::optional(MirrorPlane{}) : std::nullopt;
 }
 
-// The scene's mesh in its warp, all of it or what lies in the zone active, refined and thinned by
+// The scene's mesh in its warp, all of it or what lies in the zone active, refined and decimated by
 // length.
 class Refined {
   public:
@@ -112,14 +112,14 @@ class Refined {
 
 AdaptLimits half_of(const TriMesh& mesh) { return {.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6}; }
 
-TEST(Lanes, SplitAndRemoveAsOneAfterAnother) {
+TEST(Partitions, GiveTheSameMeshAsSerialEdits) {
     for (const Scene& scene : kScenes) {
         SCOPED_TRACE(scene.name);
         const TriMesh before = mesh_of(scene);
         Refined refined(scene);
         const AdaptLimits half = half_of(before);
         const Refinement halved = refined.refine(half);
-        EXPECT_GT(halved.splits_in_lanes, halved.splits / 2);
+        EXPECT_GT(halved.concurrent_splits, halved.splits / 2);
         EXPECT_EQ(refined.mesh().validate(), kValid);
         for (EdgeId e : refined.active().edges()) {
             const auto in_zone = [&](HalfEdgeId h) {
@@ -133,15 +133,15 @@ TEST(Lanes, SplitAndRemoveAsOneAfterAnother) {
         refined.decimate({.l_max = 1.5 * half.l_max});
         EXPECT_EQ(refined.mesh().validate(), kValid);
         // In slots that are free now.
-        EXPECT_GT(refined.refine({.l_max = half_again, .floor = 1e-6}).splits_in_lanes, 10'000u);
+        EXPECT_GT(refined.refine({.l_max = half_again, .floor = 1e-6}).concurrent_splits, 10'000u);
         EXPECT_EQ(refined.mesh().validate(), kValid);
-        EXPECT_GT(refined.decimate({.l_max = half.l_max}).unsplits_in_lanes, 4096u);
+        EXPECT_GT(refined.decimate({.l_max = half.l_max}).concurrent_unsplits, 4096u);
         EXPECT_EQ(refined.mesh().validate(), kValid);
 
         // What it has placed lies where the whole would be taken.
-        const TriMesh placed = refined.mesh();
+        const TriMesh embedded = refined.mesh();
         refined.deform();
-        EXPECT_TRUE(refined.mesh() == placed);
+        EXPECT_TRUE(refined.mesh() == embedded);
 
         // Its log does all that again, one after another, and takes it back.
         const MeshChange change = refined.finish();
@@ -154,17 +154,17 @@ TEST(Lanes, SplitAndRemoveAsOneAfterAnother) {
 }
 
 // Also where lanes are short, and so border on each other in many places.
-TEST(Lanes, KeepAMirroredMeshMirrored) {
+TEST(Partitions, KeepAMirroredMeshMirrored) {
     for (const Scene& scene : kScenes) {
         if (!scene.is_mirrored) continue;
-        for (const std::size_t lane_length : {kLaneLength, std::size_t{60}}) {
-            SCOPED_TRACE(scene.name + (", " + std::to_string(lane_length)));
+        for (const std::size_t partition_batch : {kPartitionBatch, std::size_t{60}}) {
+            SCOPED_TRACE(scene.name + (", " + std::to_string(partition_batch)));
             Refined refined(scene);
             AdaptLimits half = half_of(refined.mesh());
-            half.lane_length = lane_length;
+            half.partition_batch = partition_batch;
             ASSERT_LT(test::asymmetry(refined.mesh()), 1e-9);
             const Refinement halved = refined.refine(half);
-            EXPECT_GT(halved.splits_in_lanes, halved.splits / 2);
+            EXPECT_GT(halved.concurrent_splits, halved.splits / 2);
             EXPECT_LT(test::asymmetry(refined.mesh()), 1e-9);
             half.l_max *= 0.7;
             refined.refine(half);
@@ -174,7 +174,7 @@ TEST(Lanes, KeepAMirroredMeshMirrored) {
     }
 }
 
-TEST(Lanes, RemoveAllThatWasInserted) {
+TEST(Partitions, UndoAllSplitsWithAllLimitsOff) {
     for (const Scene& scene : kScenes) {
         if (!scene.is_all_active) continue;  // what propagates past the zone stays there
         if (scene.steps > 0) continue;       // all else has moved
@@ -186,14 +186,14 @@ TEST(Lanes, RemoveAllThatWasInserted) {
         EXPECT_EQ(refined.mesh().vertex_count(), before.vertex_count());
         EXPECT_EQ(refined.mesh().face_count(), before.face_count());
         EXPECT_EQ(refined.mesh().validate(), kValid);
-        refined.mesh().truncate(before.slot_counts());
+        refined.mesh().shrink(before.slot_counts());
         EXPECT_TRUE(refined.mesh() == before);
         refined.active().finish();
     }
 }
 
 // Free lists and logs, too.
-TEST(Lanes, GiveTheSameBytesOnAnyNumberOfThreads) {
+TEST(Partitions, GiveTheSameBytesOnAnyNumberOfThreads) {
     const auto refined_on = [](const Scene& scene, int threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                           static_cast<std::size_t>(threads));
@@ -223,7 +223,7 @@ TEST(Lanes, GiveTheSameBytesOnAnyNumberOfThreads) {
     }
 }
 
-TEST(Lanes, StayWithinTheBudget) {
+TEST(Partitions, StayWithinTheBudget) {
     for (const Scene& scene : kScenes) {
         SCOPED_TRACE(scene.name);
         const TriMesh before = mesh_of(scene);
@@ -240,7 +240,7 @@ TEST(Lanes, StayWithinTheBudget) {
 
 // What goes is longest in its faces when its turn comes, and comes from a lane that owns its
 // corners; the rest is left over.
-TEST(LaneSplits, SplitTheLongestOfTheirFacesAndLeaveTheOthers) {
+TEST(ConcurrentSplits, SplitTheLongestEdgesOfTheirFacesAndDeferTheOthers) {
     for (const Scene& scene : kScenes) {
         if (scene.steps > 0) continue;  // at rest, lengths are those of the mesh
         SCOPED_TRACE(scene.name);
@@ -249,30 +249,32 @@ TEST(LaneSplits, SplitTheLongestOfTheirFacesAndLeaveTheOthers) {
         AdaptLimits limits = half_of(refined.mesh());
         limits.symmetry = symmetry_of(scene);
         const Criteria criteria(limits, scene.zone, scene.zone);
-        const EdgeLooks looks(refined.active(), criteria);
+        const EdgeClassifier classifier(refined.active(), criteria);
         RefinementQueue queue;
         for (EdgeId e : refined.active().edges()) {
-            if (criteria.needs_refinement(refined.active(), e)) queue.push(e, looks.octave_of(e));
+            if (criteria.needs_refinement(refined.active(), e))
+                queue.push(e, classifier.octave_of(e));
         }
         const RefinementQueue::Entries next = queue.take();
-        ASSERT_FALSE(next.is_one_lane);
+        ASSERT_FALSE(next.is_one_partition);
         std::size_t needed = 0;
-        for (const auto& lane : next.lanes) {
-            for (EdgeId e : lane) needed += looks.still_needs_split(e, next.octave) ? 1 : 0;
+        for (const auto& partition : next.partitions) {
+            for (EdgeId e : partition)
+                needed += classifier.still_needs_split(e, next.octave) ? 1 : 0;
         }
-        LaneSplits lanes(refined.active(), refined.embedding(), looks, limits);
-        lanes.split(next);
+        ConcurrentSplits concurrent(refined.active(), refined.embedding(), classifier, limits);
+        concurrent.split(next);
         std::size_t left = 0;
-        lanes.for_each_left([&](std::size_t, EdgeId e, VertexId end) {
+        concurrent.for_each_deferred([&](std::size_t, EdgeId e, VertexId end) {
             EXPECT_TRUE(refined.mesh().is_live(e) && refined.mesh().is_live(end));
             ++left;
         });
-        EXPECT_EQ(lanes.split_count() + left, needed);
-        EXPECT_GT(lanes.split_count(), needed / 4);
+        EXPECT_EQ(concurrent.split_count() + left, needed);
+        EXPECT_GT(concurrent.split_count(), needed / 4);
         EXPECT_EQ(refined.mesh().validate(), kValid);
 
         const MeshChange change = refined.finish();
-        ASSERT_EQ(change.edits.size(), lanes.split_count());
+        ASSERT_EQ(change.edits.size(), concurrent.split_count());
         for (const TopologyEdit edit : change.edits) {
             in_turn.for_each_side(edit.edge(), [&](HalfEdgeId h) {
                 const double longest = (1.0 + 1e-6) * in_turn.length(edit.edge());
@@ -285,7 +287,7 @@ TEST(LaneSplits, SplitTheLongestOfTheirFacesAndLeaveTheOthers) {
     }
 }
 
-TEST(CornerClaims, GiveACornerToTheLowestLaneOrToTheFirst) {
+TEST(CornerClaims, GiveACornerToTheLowestPartitionOrToTheFirst) {
     const auto corners = [](std::uint32_t a, std::uint32_t b) {
         return CornerClaims::Corners{a, b, a, b};
     };
@@ -294,17 +296,17 @@ TEST(CornerClaims, GiveACornerToTheLowestLaneOrToTheFirst) {
     claims.claim(corners(0, 1), 2);
     claims.claim(corners(1, 2), 0);
     claims.claim(corners(2, 3), 1);
-    EXPECT_FALSE(claims.are_of(corners(0, 1), 2));
-    EXPECT_TRUE(claims.are_of(corners(0, 0), 2));
-    EXPECT_TRUE(claims.are_of(corners(1, 2), 0));
-    EXPECT_FALSE(claims.are_of(corners(2, 3), 1));
-    claims.give_up(corners(1, 2));
-    EXPECT_TRUE(claims.take(corners(1, 4), 3));
-    EXPECT_TRUE(claims.take(corners(4, 1), 3));
-    EXPECT_FALSE(claims.take(corners(5, 4), 0));
-    EXPECT_TRUE(claims.take(corners(5, 5), 0));
+    EXPECT_FALSE(claims.are_owned_by(corners(0, 1), 2));
+    EXPECT_TRUE(claims.are_owned_by(corners(0, 0), 2));
+    EXPECT_TRUE(claims.are_owned_by(corners(1, 2), 0));
+    EXPECT_FALSE(claims.are_owned_by(corners(2, 3), 1));
+    claims.release(corners(1, 2));
+    EXPECT_TRUE(claims.try_claim(corners(1, 4), 3));
+    EXPECT_TRUE(claims.try_claim(corners(4, 1), 3));
+    EXPECT_FALSE(claims.try_claim(corners(5, 4), 0));
+    EXPECT_TRUE(claims.try_claim(corners(5, 5), 0));
     claims.begin(8);
-    EXPECT_TRUE(claims.take(corners(4, 5), 1));
+    EXPECT_TRUE(claims.try_claim(corners(4, 5), 1));
 }
 
 }  // namespace

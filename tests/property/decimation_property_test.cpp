@@ -44,18 +44,18 @@ double distance_to_line(const Vec3& p, const Vec3& b, const Vec3& c) {
 }
 
 // The thinning of one gesture, and what the mesh was before it.
-struct Thinning {
+struct DecimationRun {
     AdaptLimits limits;
     Box zone;
     TriMesh refined;
     std::vector<Vec3> rest_positions;  // by vertex id
     std::vector<Vec3f> rest_normals;   // by wedge id
     std::vector<TopologyEdit> unsplits;
-    TriMesh thinned;
+    TriMesh decimated;
 };
 
-Thinning thin(TriMesh& mesh, const Warp& warp, const AdaptLimits& limits) {
-    Thinning result{limits, warp.zone(), {}, {}, {}, {}, {}};
+DecimationRun deform_and_decimate(TriMesh& mesh, const Warp& warp, const AdaptLimits& limits) {
+    DecimationRun result{limits, warp.zone(), {}, {}, {}, {}, {}};
     ActiveSet active(mesh);
     active.begin(FaceTree(mesh).faces_meeting(result.zone, mesh), result.zone);
     Embedding embedding(active, warp);
@@ -74,7 +74,7 @@ Thinning thin(TriMesh& mesh, const Warp& warp, const AdaptLimits& limits) {
     decimate(active, criteria);
     const MeshChange change = active.finish();
     result.unsplits.assign(change.edits.begin() + refining, change.edits.end());
-    result.thinned = mesh;
+    result.decimated = mesh;
     return result;
 }
 
@@ -93,7 +93,7 @@ double bend_deg(const TriMesh& mesh, EdgeId e, const std::vector<Vec3f>& rest_no
     return greatest;
 }
 
-bool meets_zone_at_rest(const Thinning& t, const TriMesh& mesh, FaceId f) {
+bool meets_zone_at_rest(const DecimationRun& t, const TriMesh& mesh, FaceId f) {
     Vec3 p[3];
     for (int c = 0; c < 3; ++c) {
         p[c] = t.rest_positions[index(mesh.origin(TriMesh::half_edge(f, c)))];
@@ -101,7 +101,7 @@ bool meets_zone_at_rest(const Thinning& t, const TriMesh& mesh, FaceId f) {
     return triangle_meets_box(p[0], p[1], p[2], t.zone);
 }
 
-void expect_edges_of_star_pass(const Thinning& t, const TriMesh& mesh, VertexId m) {
+void expect_edges_of_star_pass(const DecimationRun& t, const TriMesh& mesh, VertexId m) {
     for (EdgeId e : test::live_edges(mesh)) {
         const HalfEdgeId h = mesh.half_edge(e);
         if (mesh.origin(h) != m && mesh.target(h) != m) continue;
@@ -112,7 +112,8 @@ void expect_edges_of_star_pass(const Thinning& t, const TriMesh& mesh, VertexId 
     }
 }
 
-void expect_near_restored_faces(const Thinning& t, const TriMesh& mesh, EdgeId bc, const Vec3& m) {
+void expect_near_restored_faces(const DecimationRun& t, const TriMesh& mesh, EdgeId bc,
+                                const Vec3& m) {
     if (t.limits.flatness == kOff) return;
     const HalfEdgeId h = mesh.half_edge(bc), twin = mesh.twin(h);
     const Vec3 &b = mesh.position(mesh.origin(h)), &c = mesh.position(mesh.target(h));
@@ -128,7 +129,8 @@ void expect_near_restored_faces(const Thinning& t, const TriMesh& mesh, EdgeId b
     EXPECT_LE(distance, t.limits.flatness * length + 1e-9 * (length + glm::length(m - b)));
 }
 
-void expect_restored_edge_is_fine(const Thinning& t, const TriMesh& mesh, EdgeId bc) {
+void expect_restored_edge_satisfies_criteria(const DecimationRun& t, const TriMesh& mesh,
+                                             EdgeId bc) {
     const HalfEdgeId h = mesh.half_edge(bc), twin = mesh.twin(h);
     if (mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h))) {
         EXPECT_LE(bend_deg(mesh, bc, t.rest_normals), t.limits.theta_max + kAngleSlack);
@@ -142,7 +144,7 @@ void expect_restored_edge_is_fine(const Thinning& t, const TriMesh& mesh, EdgeId
 }
 
 // Takes the vertices away one by one, as thinning did, and looks at each.
-void replay(const Thinning& t) {
+void replay(const DecimationRun& t) {
     TriMesh mesh = t.refined;
     int level = std::numeric_limits<int>::max();
     for (const TopologyEdit& edit : t.unsplits) {
@@ -156,10 +158,10 @@ void replay(const Thinning& t) {
         const Vec3 removed = mesh.position(m);
         ASSERT_EQ(mesh.unsplit(*star), edit.edge());
         expect_near_restored_faces(t, mesh, edit.edge(), removed);
-        expect_restored_edge_is_fine(t, mesh, edit.edge());
+        expect_restored_edge_satisfies_criteria(t, mesh, edit.edge());
         if (testing::Test::HasFailure()) return;
     }
-    EXPECT_TRUE(mesh == t.thinned) << "thinning moved something";
+    EXPECT_TRUE(mesh == t.decimated) << "thinning moved something";
 }
 
 AdaptLimits random_limits(double smallest_cell, double diagonal, Random& random) {
@@ -173,7 +175,7 @@ AdaptLimits random_limits(double smallest_cell, double diagonal, Random& random)
     return settings.limits(smallest_cell, diagonal);
 }
 
-TEST(Thinning, RemovesOnlyWhatLiesFlatAndHighestLevelsFirst) {
+TEST(Decimation, RemovesOnlyFlatVerticesHighestLevelsFirst) {
     const int cases = test::case_count(400);
     std::size_t removed = 0;
     for (int i = 0; i < cases; ++i) {
@@ -184,8 +186,8 @@ TEST(Thinning, RemovesOnlyWhatLiesFlatAndHighestLevelsFirst) {
         const double diagonal = mesh.bounding_box().diagonal();
         for (int gesture = 0; gesture < 3; ++gesture) {
             const Warp warp = test::random_warp(mesh, random);
-            const Thinning t =
-                thin(mesh, warp, random_limits(warp.smallest_cell_extent(), diagonal, random));
+            const DecimationRun t = deform_and_decimate(
+                mesh, warp, random_limits(warp.smallest_cell_extent(), diagonal, random));
             removed += t.unsplits.size();
             replay(t);
             if (HasFailure()) return;
@@ -247,8 +249,8 @@ struct Outcome {
 };
 
 // l_max: of the tiny drag.
-Outcome thin_with_large_brush(const Bump& bump, double theta_max, const Setting& l_max,
-                              const Setting& flatness) {
+Outcome decimate_with_large_brush(const Bump& bump, double theta_max, const Setting& l_max,
+                                  const Setting& flatness) {
     TriMesh mesh = build_mesh(make_shape(bump.shape, bump.resolution)).mesh;
     const double diagonal = mesh.bounding_box().diagonal();
     AdaptSettings settings;
@@ -257,7 +259,7 @@ Outcome thin_with_large_brush(const Bump& bump, double theta_max, const Setting&
         return settings.limits(warp.smallest_cell_extent(), diagonal);
     };
     const Warp sculpt = brush_warp(bump.at, bump.radius, bump.height * bump.up);
-    thin(mesh, sculpt, limits(sculpt));
+    deform_and_decimate(mesh, sculpt, limits(sculpt));
     const TriMesh sculpted = mesh;
     const double height = rise(mesh, bump);
 
@@ -265,7 +267,7 @@ Outcome thin_with_large_brush(const Bump& bump, double theta_max, const Setting&
     settings.flatness = flatness;
     const Warp tiny = brush_warp(bump.at + 0.5 * bump.radius * Vec3{0.6, 0.0, 0.8},
                                  4.0 * bump.radius, Vec3{1e-9, 0, 0});
-    const Thinning t = thin(mesh, tiny, limits(tiny));
+    const DecimationRun t = deform_and_decimate(mesh, tiny, limits(tiny));
     Outcome outcome{rise(mesh, bump) / height, 0.0, t.unsplits.size()};
     for (std::uint32_t v = 0; v < sculpted.vertex_slots(); ++v) {
         const Vec3& p = sculpted.position(VertexId{v});
@@ -277,7 +279,7 @@ Outcome thin_with_large_brush(const Bump& bump, double theta_max, const Setting&
 
 class SculptedBump : public testing::TestWithParam<double> {};  // theta_max, degrees
 
-TEST_P(SculptedBump, OutlastsATinyDragWithAFourTimesLargerBrush) {
+TEST_P(SculptedBump, SurvivesATinyDragWithAFourTimesLargerBrush) {
     const Bump bumps[] = {
         {ShapeKind::plane, 4, {0.13, 0, 0.21}, {0, 1, 0}, 0.3, 0.08},
         {ShapeKind::plane, 2, {-0.2, 0, 0.27}, {0, 1, 0}, 0.25, 0.1},
@@ -289,7 +291,7 @@ TEST_P(SculptedBump, OutlastsATinyDragWithAFourTimesLargerBrush) {
         SCOPED_TRACE("shape " + std::to_string(static_cast<int>(bump.shape)) + " resolution " +
                      std::to_string(bump.resolution));
         const Outcome kept =
-            thin_with_large_brush(bump, GetParam(), Setting::automatic(), Setting::automatic());
+            decimate_with_large_brush(bump, GetParam(), Setting::automatic(), Setting::automatic());
         EXPECT_GE(kept.kept_height, 0.91);
         EXPECT_LE(kept.greatest_gap, 0.09);
     }
@@ -297,12 +299,12 @@ TEST_P(SculptedBump, OutlastsATinyDragWithAFourTimesLargerBrush) {
 
 INSTANTIATE_TEST_SUITE_P(AtAngles, SculptedBump, testing::Values(5.0, 10.0, 180.0 / 7.0));
 
-TEST(FlatnessRule, IsWhatKeepsAGentleBumpThatNoEdgeIsTooLongFor) {
+TEST(FlatnessGuard, KeepsAGentleBumpWhoseEdgesAreShorterThanLMax) {
     const auto automatic = Setting::automatic(), off = Setting::off();
     for (const Vec3& at : {Vec3{0.13, 0, 0.21}, Vec3{0.25, 0, 0.25}}) {
         const Bump bump{ShapeKind::plane, 1, at, {0, 1, 0}, 0.3, 0.01};
-        EXPECT_GE(thin_with_large_brush(bump, 10.0, off, automatic).kept_height, 0.91);
-        EXPECT_LT(thin_with_large_brush(bump, 10.0, off, off).kept_height, 0.1);
+        EXPECT_GE(decimate_with_large_brush(bump, 10.0, off, automatic).kept_height, 0.91);
+        EXPECT_LT(decimate_with_large_brush(bump, 10.0, off, off).kept_height, 0.1);
     }
 }
 

@@ -5,7 +5,7 @@
 #include <utility>
 #include <vector>
 
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "mesh/build_mesh.h"
 #include "mesh/shapes.h"
 
@@ -54,7 +54,7 @@ void expect_deformed(const TriMesh& before, const TriMesh& after, const LatticeF
 
 // A sphere has one normal a vertex, so that one pass does both; along the sides of a cube there are
 // several.
-TEST(LatticePass, DeformsEveryVertexAndNormalAsThePlainFieldDoes) {
+TEST(LatticePass, MatchesThePerVertexField) {
     const LatticeField field = bent_field();
     for (const auto& [kind, resolution] :
          {std::pair{ShapeKind::sphere, 5}, std::pair{ShapeKind::cube, 40}}) {

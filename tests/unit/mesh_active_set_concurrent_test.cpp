@@ -30,10 +30,10 @@ bool takes_corners(std::initializer_list<VertexId> corners, std::set<VertexId>& 
 }
 
 // Smooth active edges that no two faces with a corner in common are at.
-std::vector<EdgeId> edges_apart(const ActiveSet& active, Random& random) {
+std::vector<EdgeId> independent_edges(const ActiveSet& active, Random& random) {
     const TriMesh& mesh = active.mesh();
     std::set<VertexId> taken;
-    std::vector<EdgeId> apart;
+    std::vector<EdgeId> concurrent;
     for (int i = 0; i < 100; ++i) {
         const EdgeId e = random_edge(mesh, random);
         if (!active.entry_of(e) || !mesh.is_smooth(e)) continue;
@@ -41,25 +41,25 @@ std::vector<EdgeId> edges_apart(const ActiveSet& active, Random& random) {
         if (takes_corners({mesh.origin(h), mesh.target(h), mesh.origin(TriMesh::prev(h)),
                            mesh.origin(TriMesh::prev(twin))},
                           taken)) {
-            apart.push_back(e);
+            concurrent.push_back(e);
         }
     }
-    return apart;
+    return concurrent;
 }
 
 // The same of vertices that may go.
-std::vector<VertexId> vertices_apart(const ActiveSet& active) {
+std::vector<VertexId> independent_vertices(const ActiveSet& active) {
     std::set<VertexId> taken;
-    std::vector<VertexId> apart;
+    std::vector<VertexId> concurrent;
     for (VertexId m : active.vertices()) {
         if (!exists(m)) continue;
         const auto star = active.mesh().removable(m);
-        if (star && active.may_unsplit_apart(*star) &&
+        if (star && active.may_unsplit_concurrently(*star) &&
             takes_corners({star->a, star->b, star->c, star->d}, taken)) {
-            apart.push_back(m);
+            concurrent.push_back(m);
         }
     }
-    return apart;
+    return concurrent;
 }
 
 // In two parts, the second first.
@@ -74,7 +74,7 @@ void log_in_parts(ActiveSet& active, std::span<const ActiveSet::Unsplit> done) {
 
 // What has no corner in common may go in any order, and so at the same time: all comes out as one
 // after another, in new slots and in those that were free, in the mesh and in what is logged.
-TEST(ActiveSet, SplitsAndUnsplitsApartInAnyOrderAsOneAfterAnother) {
+TEST(ActiveSet, ConcurrentEditsMatchSerialOnesInAnyOrder) {
     std::size_t splits = 0, unsplits = 0;
     const int cases = test::case_count(200);
     for (int i = 0; i < cases; ++i) {
@@ -85,43 +85,43 @@ TEST(ActiveSet, SplitsAndUnsplitsApartInAnyOrderAsOneAfterAnother) {
         for (int split = 0; split < 20; ++split) mesh.split(random_edge(mesh, random));
         const TriMesh before = mesh;
         TriMesh other = mesh;
-        ActiveSet apart(mesh), in_turn(other);
+        ActiveSet concurrent(mesh), in_turn(other);
         const Box zone = random_zone(mesh, random);
-        begin(apart, zone);
+        begin(concurrent, zone);
         begin(in_turn, zone);
         for (int round = 0; round < 3; ++round) {
-            const std::vector<EdgeId> edges = edges_apart(apart, random);
-            ActiveSet::SplitPlaces split_places;
-            apart.allocate_splits(static_cast<std::uint32_t>(edges.size()), split_places);
+            const std::vector<EdgeId> edges = independent_edges(concurrent, random);
+            ActiveSet::ReservedSlots slots;
+            concurrent.allocate_splits(static_cast<std::uint32_t>(edges.size()), slots);
             for (std::size_t k = edges.size(); k-- > 0;) {
-                const ActiveSet::Inserted made = apart.split_apart(edges[k], split_places, k);
-                EXPECT_EQ(made.vertex_entry, split_places.entries[k].vertex);
+                const ActiveSet::Inserted made = concurrent.concurrent_split(edges[k], slots, k);
+                EXPECT_EQ(made.vertex_entry, slots.entries[k].vertex);
             }
             for (EdgeId e : edges) in_turn.split(e);
             EXPECT_TRUE(mesh == other);
-            expect_same(apart, in_turn);
-            EXPECT_EQ(apart.longest_at_rest(), in_turn.longest_at_rest());
+            expect_same(concurrent, in_turn);
+            EXPECT_EQ(concurrent.longest_rest_length(), in_turn.longest_rest_length());
 
-            const std::vector<VertexId> vertices = vertices_apart(apart);
+            const std::vector<VertexId> vertices = independent_vertices(concurrent);
             std::vector<ActiveSet::Unsplit> done(vertices.size());
             for (std::size_t k = vertices.size(); k-- > 0;) {
-                done[k] = apart.unsplit_apart(*mesh.removable(vertices[k]));
+                done[k] = concurrent.concurrent_unsplit(*mesh.removable(vertices[k]));
             }
-            log_in_parts(apart, done);
+            log_in_parts(concurrent, done);
             for (VertexId m : vertices) in_turn.unsplit(*other.removable(m));
             EXPECT_TRUE(mesh == other);
             EXPECT_EQ(mesh.validate(), kValid);
-            expect_same(apart, in_turn);
+            expect_same(concurrent, in_turn);
             splits += edges.size();
             unsplits += vertices.size();
             Random same(seed);
-            edit_at_random(apart, same, 20);
+            edit_at_random(concurrent, same, 20);
             same = Random(seed);
             edit_at_random(in_turn, same, 20);
         }
-        apart.roll_back();
+        concurrent.roll_back();
         EXPECT_TRUE(mesh == before);
-        apart.finish();
+        concurrent.finish();
     }
     EXPECT_GT(splits, 5 * static_cast<std::size_t>(cases));
     EXPECT_GT(unsplits, 5 * static_cast<std::size_t>(cases));

@@ -1,4 +1,4 @@
-#include "adapt/cuts.h"
+#include "adapt/self_intersections.h"
 
 #include <algorithm>
 #include <array>
@@ -12,9 +12,9 @@ namespace {
 
 // What is this near at rest, in lengths of the edge, touches: boundaries that lie along each other
 // without sharing vertices, up to rounding.
-constexpr double kTouchingShare = 1e-9;
+constexpr double kTouchingFraction = 1e-9;
 // Of the faces: when more were edited, a new tree is better than one that was kept up.
-constexpr std::size_t kRenewedShare = 8;
+constexpr std::size_t kRebuildDivisor = 8;
 
 using Corners = std::array<VertexId, 3>;
 
@@ -42,9 +42,9 @@ Box box_of(const TriMesh& mesh, const Corners& face) {
     return box;
 }
 
-bool were_apart(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
+bool were_disjoint(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
     const Vec3 &from = active.rest_position(p), &to = active.rest_position(q);
-    const double touching = kTouchingShare * glm::distance(from, to);
+    const double touching = kTouchingFraction * glm::distance(from, to);
     return squared_distance(from, to, active.rest_position(face[0]), active.rest_position(face[1]),
                             active.rest_position(face[2])) > touching * touching;
 }
@@ -69,7 +69,7 @@ bool is_on_one_side(const TriMesh& mesh, const Corners& f, const Corners& g) {
     return least >= 0.0 || greatest <= 0.0;
 }
 
-bool may_cut(const TriMesh& mesh, const Corners& f, const Corners& g) {
+bool may_intersect(const TriMesh& mesh, const Corners& f, const Corners& g) {
     return !is_on_one_side(mesh, f, g) && !is_on_one_side(mesh, g, f);
 }
 
@@ -80,30 +80,30 @@ void for_each_edge(FaceId f, Visit visit) {
 
 }  // namespace
 
-FaceTree& Cuts::tree() {
+FaceTree& SelfIntersections::tree() {
     const auto edited = active_.edited_faces();
-    if (!tree_ || kRenewedShare * (edited.size() - told_) > active_.faces().size()) {
+    if (!tree_ || kRebuildDivisor * (edited.size() - synced_upto_) > active_.faces().size()) {
         tree_.emplace(active_.mesh(),
                       live(active_.mesh(), {active_.faces().begin(), active_.faces().end()}));
     } else {
-        tree_->update(edited.subspan(told_), active_.mesh());
+        tree_->update(edited.subspan(synced_upto_), active_.mesh());
     }
-    told_ = edited.size();
+    synced_upto_ = edited.size();
     return *tree_;
 }
 
-const std::vector<Cut>& Cuts::find() {
+const std::vector<SelfIntersection>& SelfIntersections::find() {
     const TriMesh& mesh = active_.mesh();
-    if (!has_looked_) {
+    if (!has_searched_) {
         tree().for_near_pairs(mesh, [this](FaceId f, FaceId g) {
             add_pair(f, g);
             return !is_exhausted();
         });
-        has_looked_ = true;
+        has_searched_ = true;
     } else {
         const std::vector<FaceId> changed = changed_faces();
         const FaceTree& faces = tree();
-        cuts_.clear();
+        found_.clear();
         for (FaceId f : changed) {
             if (is_exhausted()) break;
             near_.clear();
@@ -113,30 +113,30 @@ const std::vector<Cut>& Cuts::find() {
             }
         }
     }
-    std::sort(cuts_.begin(), cuts_.end());
-    cuts_.erase(std::unique(cuts_.begin(), cuts_.end()), cuts_.end());
-    return cuts_;
+    std::sort(found_.begin(), found_.end());
+    found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
+    return found_;
 }
 
 // Edited since, or in a cut.
-std::vector<FaceId> Cuts::changed_faces() const {
+std::vector<FaceId> SelfIntersections::changed_faces() const {
     const TriMesh& mesh = active_.mesh();
-    const auto edited = active_.edited_faces().subspan(told_);
+    const auto edited = active_.edited_faces().subspan(synced_upto_);
     std::vector<FaceId> faces(edited.begin(), edited.end());
-    for (const Cut& cut : cuts_) faces.push_back(cut.face);
+    for (const SelfIntersection& intersection : found_) faces.push_back(intersection.face);
     return live(mesh, std::move(faces));
 }
 
-void Cuts::add_pair(FaceId f, FaceId g) {
+void SelfIntersections::add_pair(FaceId f, FaceId g) {
     const TriMesh& mesh = active_.mesh();
     const Corners of_f = corners_of(mesh, f), of_g = corners_of(mesh, g);
     ++pairs_;
-    if (!may_cut(mesh, of_f, of_g)) return;
+    if (!may_intersect(mesh, of_f, of_g)) return;
     const auto add = [&](FaceId through, const Corners& face) {
         return [&, through](HalfEdgeId h) {
             const VertexId p = mesh.origin(h), q = mesh.target(h);
-            if (passes_through(mesh, p, q, face) && were_apart(active_, p, q, face)) {
-                cuts_.push_back({mesh.edge(h), through});
+            if (passes_through(mesh, p, q, face) && were_disjoint(active_, p, q, face)) {
+                found_.push_back({mesh.edge(h), through});
             }
         };
     };
@@ -144,33 +144,33 @@ void Cuts::add_pair(FaceId f, FaceId g) {
     for_each_edge(g, add(f, of_f));
 }
 
-bool Cuts::would_cut(const Star& star) {
+bool SelfIntersections::would_intersect(const Star& star) {
     bool any = false;
     active_.mesh().for_each_sheet(star, [&](const Star& sheet) {
-        any = any || face_would_cut(sheet.b, sheet.c, sheet.a, star.m) ||
-              (!sheet.on_boundary() && face_would_cut(sheet.b, sheet.c, sheet.d, star.m));
+        any = any || face_would_intersect(sheet.b, sheet.c, sheet.a, star.m) ||
+              (!sheet.on_boundary() && face_would_intersect(sheet.b, sheet.c, sheet.d, star.m));
     });
     return any;
 }
 
 // The restored face bca, of which bc is new, against all but the star's faces. What touched those
 // at rest is not parted by keeping m.
-bool Cuts::face_would_cut(VertexId b, VertexId c, VertexId a, VertexId m) {
+bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a, VertexId m) {
     const TriMesh& mesh = active_.mesh();
     const Corners restored{b, c, a}, first{b, m, a}, second{m, c, a};
     near_.clear();
     tree().append_near(box_of(mesh, restored), mesh, near_);
     for (FaceId g : near_) {
         const Corners face = corners_of(mesh, g);
-        if (has(face, m) || !may_cut(mesh, restored, face)) continue;
-        if (passes_through(mesh, b, c, face) && were_apart(active_, b, m, face) &&
-            were_apart(active_, m, c, face)) {
+        if (has(face, m) || !may_intersect(mesh, restored, face)) continue;
+        if (passes_through(mesh, b, c, face) && were_disjoint(active_, b, m, face) &&
+            were_disjoint(active_, m, c, face)) {
             return true;
         }
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const VertexId p = face[corner], q = face[(corner + 1) % 3];
-            if (passes_through(mesh, p, q, restored) && were_apart(active_, p, q, first) &&
-                were_apart(active_, p, q, second)) {
+            if (passes_through(mesh, p, q, restored) && were_disjoint(active_, p, q, first) &&
+                were_disjoint(active_, p, q, second)) {
                 return true;
             }
         }
@@ -178,8 +178,9 @@ bool Cuts::face_would_cut(VertexId b, VertexId c, VertexId a, VertexId m) {
     return false;
 }
 
-std::vector<EdgeId> edges_to_mend(const ActiveSet& active, const Embedding& embedding,
-                                  const Criteria& criteria, std::span<const Cut> cuts) {
+std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& embedding,
+                                     const Criteria& criteria,
+                                     std::span<const SelfIntersection> intersections) {
     const TriMesh& mesh = active.mesh();
     std::unordered_map<std::uint32_t, double> bulges;  // an edge may be in many cuts
     const auto bulge = [&](EdgeId e) {
@@ -191,16 +192,16 @@ std::vector<EdgeId> edges_to_mend(const ActiveSet& active, const Embedding& embe
                                              0.5 * mesh.position(b) + 0.5 * mesh.position(c));
     };
     std::vector<EdgeId> edges;
-    for (const Cut& cut : cuts) {
-        EdgeId farthest = cut.edge;
-        double greatest = bulge(cut.edge);
-        for_each_edge(cut.face, [&](HalfEdgeId h) {
+    for (const SelfIntersection& intersection : intersections) {
+        EdgeId farthest = intersection.edge;
+        double greatest = bulge(intersection.edge);
+        for_each_edge(intersection.face, [&](HalfEdgeId h) {
             const double of_edge = bulge(mesh.edge(h));
             if (!(of_edge > greatest)) return;
             greatest = of_edge;
             farthest = mesh.edge(h);
         });
-        edges.push_back(mesh.leader(farthest));
+        edges.push_back(mesh.representative(farthest));
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

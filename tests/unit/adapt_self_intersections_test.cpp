@@ -1,5 +1,5 @@
 // Which triangles cut each other: by hand on a few, against a look at all pairs on many.
-#include "adapt/cuts.h"
+#include "adapt/self_intersections.h"
 
 #include <gtest/gtest.h>
 
@@ -19,8 +19,8 @@ using test::mesh_of;
 const Box kEverywhere{.min = Vec3{-9.0}, .max = Vec3{9.0}};
 
 // A mesh in hand, all of it.
-struct InHand {
-    explicit InHand(TriMesh made) : mesh(std::move(made)), active(mesh) {
+struct ActiveGesture {
+    explicit ActiveGesture(TriMesh made) : mesh(std::move(made)), active(mesh) {
         const std::vector<FaceId> faces = test::live_faces(mesh);
         active.begin(faces, kEverywhere);
     }
@@ -31,44 +31,44 @@ struct InHand {
 
 const std::string kSheet = "v 0 0 0\nv 2 0 0\nv 0 2 0\n";
 
-TEST(Cuts, AreEdgesThatPassThroughAFaceTheyWereApartFrom) {
-    InHand hand(mesh_of(kSheet + "v 0.5 0.5 1\nv 0.5 1 1\nv 1 0.5 1\nf 1 2 3\nf 4 5 6\n"));
-    EXPECT_TRUE(Cuts(hand.active).find().empty());
+TEST(SelfIntersections, AreEdgesThroughFacesThatWereDisjointAtRest) {
+    ActiveGesture hand(mesh_of(kSheet + "v 0.5 0.5 1\nv 0.5 1 1\nv 1 0.5 1\nf 1 2 3\nf 4 5 6\n"));
+    EXPECT_TRUE(SelfIntersections(hand.active).find().empty());
     hand.move(3, {0.5, 0.5, -1});
-    const std::vector<Cut> expected{{edge_between(hand.mesh, 3, 4), FaceId{0}},
-                                    {edge_between(hand.mesh, 3, 5), FaceId{0}}};
-    EXPECT_EQ(Cuts(hand.active).find(), expected);
+    const std::vector<SelfIntersection> expected{{edge_between(hand.mesh, 3, 4), FaceId{0}},
+                                                 {edge_between(hand.mesh, 3, 5), FaceId{0}}};
+    EXPECT_EQ(SelfIntersections(hand.active).find(), expected);
     hand.active.roll_back();
     hand.active.finish();
 }
 
-TEST(Cuts, AreNotWhatTouchedOrCutAtRest) {
+TEST(SelfIntersections, ExcludeContactsAndIntersectionsAtRest) {
     // The second sheet hangs on the first one's border, the third goes through it at rest.
-    InHand hand(mesh_of(kSheet +
-                        "v 0.5 0 0\nv 1.5 0 0\nv 1 0 1\n"
-                        "v 0.5 0.5 -1\nv 0.5 0.5 1\nv 3 3 3\nf 1 2 3\nf 4 5 6\nf 7 8 9\n"));
-    EXPECT_TRUE(Cuts(hand.active).find().empty());
+    ActiveGesture hand(mesh_of(kSheet +
+                               "v 0.5 0 0\nv 1.5 0 0\nv 1 0 1\n"
+                               "v 0.5 0.5 -1\nv 0.5 0.5 1\nv 3 3 3\nf 1 2 3\nf 4 5 6\nf 7 8 9\n"));
+    EXPECT_TRUE(SelfIntersections(hand.active).find().empty());
     hand.move(3, {0.5, 0.4, -0.1});
     hand.move(4, {1.5, 0.2, 0.1});
-    EXPECT_TRUE(Cuts(hand.active).find().empty());
+    EXPECT_TRUE(SelfIntersections(hand.active).find().empty());
     hand.active.roll_back();
     hand.active.finish();
 }
 
-TEST(Cuts, AreAlsoBetweenFacesWithACornerInCommon) {
-    InHand hand(mesh_of(kSheet + "v -2 1 0\nv -2 -1 0\nf 1 2 3\nf 1 4 5\n"));
+TEST(SelfIntersections, AreFoundBetweenFacesThatShareACorner) {
+    ActiveGesture hand(mesh_of(kSheet + "v -2 1 0\nv -2 -1 0\nf 1 2 3\nf 1 4 5\n"));
     hand.move(3, {0.5, 0.5, 1});
     hand.move(4, {0.5, 0.5, -1});
-    const std::vector<Cut> expected{{edge_between(hand.mesh, 3, 4), FaceId{0}}};
-    EXPECT_EQ(Cuts(hand.active).find(), expected);
+    const std::vector<SelfIntersection> expected{{edge_between(hand.mesh, 3, 4), FaceId{0}}};
+    EXPECT_EQ(SelfIntersections(hand.active).find(), expected);
     hand.active.roll_back();
     hand.active.finish();
 }
 
 // A midpoint that makes way for a spike goes only without it.
-TEST(Cuts, WouldComeOfRemovingAVertexThatMakesWay) {
+TEST(SelfIntersections, ArePredictedForAnUnsplit) {
     for (const double height : {0.05, 0.5}) {
-        InHand hand(
+        ActiveGesture hand(
             mesh_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
                     "v 0.55 0.5 -1\nv 0.55 0.52 -1\nv 0.55 0.51 -0.1\n"
                     "f 1 2 3\nf 3 2 4\nf 5 6 7\n"));
@@ -77,19 +77,19 @@ TEST(Cuts, WouldComeOfRemovingAVertexThatMakesWay) {
         ASSERT_TRUE(hand.mesh.is_live(m));
         hand.mesh.set_position(m, {0.5, 0.5, height + 0.1});
         hand.move(6, {0.55, 0.51, height});
-        Cuts cuts(hand.active);
-        EXPECT_TRUE(cuts.find().empty());
-        EXPECT_TRUE(cuts.would_cut(*hand.mesh.removable(m)));
+        SelfIntersections intersections(hand.active);
+        EXPECT_TRUE(intersections.find().empty());
+        EXPECT_TRUE(intersections.would_intersect(*hand.mesh.removable(m)));
         hand.move(6, {0.55, 0.51, -0.01});
-        EXPECT_FALSE(Cuts(hand.active).would_cut(*hand.mesh.removable(m)));
+        EXPECT_FALSE(SelfIntersections(hand.active).would_intersect(*hand.mesh.removable(m)));
         hand.active.roll_back();
         hand.active.finish();
     }
 }
 
-std::vector<Cut> cuts_by_scan(const ActiveSet& active) {
+std::vector<SelfIntersection> intersections_by_scan(const ActiveSet& active) {
     const TriMesh& mesh = active.mesh();
-    std::vector<Cut> cuts;
+    std::vector<SelfIntersection> intersections;
     for (EdgeId e : test::live_edges(mesh)) {
         const VertexId p = mesh.origin(mesh.half_edge(e)), q = mesh.target(mesh.half_edge(e));
         for (FaceId f : test::live_faces(mesh)) {
@@ -101,15 +101,15 @@ std::vector<Cut> cuts_by_scan(const ActiveSet& active) {
                         mesh.position(v[1]), mesh.position(v[2])) &&
                 std::sqrt(squared_distance(rest(p), rest(q), rest(v[0]), rest(v[1]), rest(v[2]))) >
                     1e-9 * glm::distance(rest(p), rest(q))) {
-                cuts.push_back({e, f});
+                intersections.push_back({e, f});
             }
         }
     }
-    return cuts;
+    return intersections;
 }
 
 // Far drags that fold, so that there is much to find, and to find again.
-TEST(Cuts, AreThoseOfALookAtAllPairsBeforeAndAfterEdits) {
+TEST(SelfIntersections, MatchBruteForceBeforeAndAfterEdits) {
     std::size_t found = 0;
     const std::uint64_t count = static_cast<std::uint64_t>(test::case_count(40));
     for (std::uint64_t seed = 7400; seed < 7400 + count; ++seed) {
@@ -126,12 +126,13 @@ TEST(Cuts, AreThoseOfALookAtAllPairsBeforeAndAfterEdits) {
         const Criteria criteria(
             AdaptLimits{.floor = 0.01 * mesh.bounding_box().diagonal(), .budget = 1000},
             std::optional<Box>(), std::optional<Box>());
-        Cuts cuts(active);
+        SelfIntersections intersections(active);
         for (int round = 0; round < 4; ++round) {
-            const std::vector<Cut> now = cuts.find();
+            const std::vector<SelfIntersection> now = intersections.find();
             found += now.size();
-            ASSERT_EQ(now, cuts_by_scan(active)) << description << ", seed " << seed;
-            refine_at(active, embedding, criteria, edges_to_mend(active, embedding, criteria, now));
+            ASSERT_EQ(now, intersections_by_scan(active)) << description << ", seed " << seed;
+            refine_at(active, embedding, criteria,
+                      edges_to_resolve(active, embedding, criteria, now));
         }
         active.roll_back();
         active.finish();

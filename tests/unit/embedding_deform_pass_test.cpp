@@ -4,7 +4,7 @@
 #include <utility>
 #include <vector>
 
-#include "adapt/embedding.h"
+#include "embedding/embedding.h"
 #include "ffd/drag_solver.h"
 #include "mesh/build_mesh.h"
 #include "mesh/shapes.h"
@@ -69,17 +69,17 @@ void expect_deformed(const TriMesh& before, const ActiveSet& active, const DragS
 
 // Every edge whose faces no other has cut: many vertices that may go again.
 void split_many(TriMesh& mesh) {
-    std::vector<bool> is_cut(mesh.face_slots(), false);
+    std::vector<bool> is_split(mesh.face_slots(), false);
     const std::uint32_t edges = mesh.edge_slots();
     for (std::uint32_t i = 0; i < edges; ++i) {
         bool is_free = true;
         mesh.for_each_side(EdgeId{i}, [&](HalfEdgeId h) {
-            is_free = is_free && !is_cut[index(TriMesh::face(h))];
+            is_free = is_free && !is_split[index(TriMesh::face(h))];
         });
         if (!is_free) continue;
         mesh.for_each_side(EdgeId{i},
-                           [&](HalfEdgeId h) { is_cut[index(TriMesh::face(h))] = true; });
-        is_cut.resize(mesh.face_slots() + 2, true);
+                           [&](HalfEdgeId h) { is_split[index(TriMesh::face(h))] = true; });
+        is_split.resize(mesh.face_slots() + 2, true);
         mesh.split(EdgeId{i});
     }
 }
@@ -98,7 +98,7 @@ std::size_t remove_every_third(ActiveSet& active) {
 
 // A sphere has one normal a vertex, so that one block does both; along the sides of a cube there
 // are several. Ids run on until vertices that an earlier gesture inserted are removed.
-TEST(DeformPass, MovesAndTurnsWhatIsThereAsTheFormulasDoToTheBit) {
+TEST(DeformPass, MatchesThePerVertexFormulasBitForBit) {
     for (const auto& [kind, resolution] :
          {std::pair{ShapeKind::sphere, 4}, std::pair{ShapeKind::cube, 25}}) {
         TriMesh mesh = build_mesh(make_shape(kind, resolution)).mesh;
@@ -113,10 +113,10 @@ TEST(DeformPass, MovesAndTurnsWhatIsThereAsTheFormulasDoToTheBit) {
         expect_deformed(before, active, std::get<DragStep>(warp.steps[0]));
 
         EXPECT_GT(remove_every_third(active), 100u);
-        const TriMesh thinned = mesh;
+        const TriMesh decimated = mesh;
         std::get<DragStep>(warp.steps[0]).displacements[0] *= 0.5;
         embedding.deform();
-        expect_deformed(thinned, active, std::get<DragStep>(warp.steps[0]));
+        expect_deformed(decimated, active, std::get<DragStep>(warp.steps[0]));
 
         active.roll_back();
         embedding.deform();

@@ -1,10 +1,10 @@
-#include "adapt/deform_pass.h"
+#include "embedding/deform_pass.h"
 
 #include <algorithm>
 #include <array>
 
-#include "adapt/parallel.h"
 #include "ffd/drag_stream.h"
+#include "geometry/parallel.h"
 
 namespace pectin {
 namespace {
@@ -77,15 +77,15 @@ class DeformPass {
         }
     }
 
-    void turn_wedges(std::uint32_t first, std::uint32_t count) {
+    void transform_wedges(std::uint32_t first, std::uint32_t count) {
         const std::span<const std::uint32_t> owners = active_.wedge_owners().subspan(first, count);
         if (stays(first, count, kWedgesRun) || run_on(owners)) {
-            turn_wedges(first, weights_.subspan(owners.front(), count));
+            transform_wedges(first, weights_.subspan(owners.front(), count));
             return;
         }
         std::array<DragWeight, kBlock> gathered;
         for (std::uint32_t k = 0; k < count; ++k) gathered[k] = weights_[owners[k]];
-        turn_wedges(first, std::span(gathered).first(count));
+        transform_wedges(first, std::span(gathered).first(count));
     }
 
   private:
@@ -107,17 +107,17 @@ class DeformPass {
         }
     }
 
-    void turn_wedges(std::uint32_t first, std::span<const DragWeight> of_owners) {
+    void transform_wedges(std::uint32_t first, std::span<const DragWeight> of_owners) {
         const auto count = static_cast<std::uint32_t>(of_owners.size());
         const std::span<const WedgeId> ids = active_.wedges().subspan(first, count);
         const std::span<const Vec3f> from = normals_.subspan(first, count);
         if (stays(first, count, kWedgesRun) ||
             (first + count <= active_.influenced_wedges_at_begin() && run_on(ids))) {
-            turn(from, of_owners, d_, mesh_.normals(ids.front(), count));
+            transform_normals(from, of_owners, d_, mesh_.normals(ids.front(), count));
             return;
         }
         std::array<Vec3f, kBlock> to;
-        turn(from, of_owners, d_, std::span(to).first(count));
+        transform_normals(from, of_owners, d_, std::span(to).first(count));
         for (std::uint32_t k = 0; k < count; ++k) {
             if (exists(ids[k]) && active_.is_influenced_at(active_.wedge_owner(first + k))) {
                 mesh_.set_normal(ids[k], to[k]);
@@ -158,7 +158,7 @@ void deform(ActiveSet& active, std::span<const Vec3> starts, std::span<const Vec
         for (std::uint32_t i = first; i < end;) {
             const std::uint32_t next = std::min(end, i / kBlock * kBlock + kBlock);
             if (i < vertices) pass.move_vertices(i, std::min(next, vertices) - i);
-            if (i < wedges) pass.turn_wedges(i, std::min(next, wedges) - i);
+            if (i < wedges) pass.transform_wedges(i, std::min(next, wedges) - i);
             i = next;
         }
     });

@@ -10,12 +10,12 @@
 namespace pectin {
 
 // Changes nothing, so that several threads may look. All costs O(1).
-class EdgeLooks {
+class EdgeClassifier {
   public:
     // In place of the octave of an edge, where the floor keeps it from being split.
     static constexpr std::uint16_t kBelowFloor = 0xfffe;
 
-    EdgeLooks(const ActiveSet& active, const Criteria& criteria)
+    EdgeClassifier(const ActiveSet& active, const Criteria& criteria)
         : active_(active), mesh_(active.mesh()), criteria_(criteria) {}
 
     // Of an edge taken from the queue: it may have been split since, or lie outside the zone now.
@@ -35,12 +35,12 @@ class EdgeLooks {
     // visit(edge, octave or kBelowFloor): the edges that need refinement after a split, once the
     // inserted vertex has been embedded. These are edges at that vertex, and edges of its faces.
     template <typename Visit>
-    void for_each_needed(const ActiveSet::Inserted& made, Visit visit) const {
+    void classify_one_ring(const ActiveSet::Inserted& made, Visit visit) const {
         for (std::size_t k = 0; k < made.edges.size(); ++k) {
             const EdgeId e = made.edges[k];
             if (!exists(e)) continue;
-            const bool is_smooth = k >= 2 || made.is_one_look;
-            if (is_smooth && criteria_.looks_fine(mesh_, e, false)) continue;
+            const bool is_smooth = k >= 2 || made.is_smooth;
+            if (is_smooth && criteria_.satisfies_criteria_fast(mesh_, e, false)) continue;
             if (criteria_.bends_too_far(active_, e)) visit(e, octave_of(e));
         }
         if (!criteria_.limits_length()) return;
@@ -54,7 +54,7 @@ class EdgeLooks {
     // coarse since e is long. The last is found only where that edge is not long itself, and so
     // would pass for one that satisfies the criteria.
     enum Need : std::uint8_t { kNone, kItself, kAnother };
-    Need need_of(EdgeId e) const {
+    Need classify(EdgeId e) const {
         if (criteria_.bends_too_far(active_, e)) return kItself;
         Need need = kNone;
         if (!criteria_.limits_length()) return need;
@@ -69,9 +69,9 @@ class EdgeLooks {
         });
         return need;
     }
-    // visit(edge, octave or kBelowFloor): the other edges that need_of(e) means.
+    // visit(edge, octave or kBelowFloor): the other edges that classify(e) means.
     template <typename Visit>
-    void for_each_needed_beside(EdgeId e, Visit visit) const {
+    void for_each_needed_adjacent(EdgeId e, Visit visit) const {
         mesh_.for_each_side(e, [&](HalfEdgeId h) {
             visit_coarse(h, [&](EdgeId first, std::uint16_t octave) {
                 if (first != e && !criteria_.is_long(mesh_, first)) visit(first, octave);
@@ -79,7 +79,7 @@ class EdgeLooks {
         });
     }
     // At most so many edges are visited after a split in one sheet.
-    static constexpr std::size_t kMostNeeded = 8;
+    static constexpr std::size_t kMaxNeeded = 8;
 
   private:
     template <typename Visit>

@@ -1,10 +1,13 @@
-#include "adapt/parallel.h"
+#include "geometry/parallel.h"
 
 #include <tbb/blocked_range.h>
 #include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
+#include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
+#include <chrono>
 #include <cstddef>
 #include <memory>
 #include <mutex>
@@ -17,7 +20,7 @@ namespace {
 
 // How many more threads the system lets this process have now, up to those of the machine. TBB ends
 // the program where it cannot start a thread that it counts on, so it is asked before, once.
-std::size_t threads_to_be_had() {
+std::size_t available_threads() {
     const std::size_t wanted = std::max(1u, std::thread::hardware_concurrency()) - 1;
     std::mutex starting;
     std::vector<std::jthread> threads;
@@ -31,16 +34,30 @@ std::size_t threads_to_be_had() {
     return threads.size();
 }
 
-// Has TBB start its threads now: later there may be no memory for their stacks.
+// Starting threads takes some milliseconds; where fewer come than were asked for, work goes on.
+constexpr std::chrono::milliseconds kLongestStart{500};
+
+// Has TBB start its threads now, since later there may be no memory for their stacks, and waits
+// until each of them has come to work.
 void start_threads(std::size_t threads) {
+    const auto most = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
+    const std::size_t expected = std::min(threads, most);
+    const auto deadline = std::chrono::steady_clock::now() + kLongestStart;
+    std::atomic<std::size_t> arrived = 0;
     tbb::parallel_for(
-        tbb::blocked_range<std::size_t>(0, threads, 1),
-        [](const tbb::blocked_range<std::size_t>&) {}, tbb::simple_partitioner());
+        tbb::blocked_range<std::size_t>(0, expected, 1),
+        [&](const tbb::blocked_range<std::size_t>&) {
+            ++arrived;
+            while (arrived < expected && std::chrono::steady_clock::now() < deadline) {
+                std::this_thread::yield();
+            }
+        },
+        tbb::simple_partitioner());
 }
 
 // Keeps TBB to the threads there are; nothing where the system sets no limit below the machine's.
 const tbb::global_control* limit_threads() {
-    const std::size_t threads = 1 + threads_to_be_had();
+    const std::size_t threads = 1 + available_threads();
     if (threads >= std::thread::hardware_concurrency()) {
         start_threads(threads);
         return nullptr;

@@ -27,24 +27,25 @@ class Embedding {
     // Positions, wedge normals and deformed marks of all influenced vertices from their rest
     // state, by the warp's present displacements. Cost: O(influenced), streaming.
     void deform();
-    // For the entries that splits have just added; then place(), for all of these. It does not
-    // throw where reserve_splits has made room for as many splits of smooth edges.
+    // For the entries that splits have just added; then embed_inserted(), for all of these. It does
+    // not throw where reserve_splits has made room for as many splits of smooth edges.
     void fit_to_entries();
     void reserve_splits(std::uint32_t count);
     // Several threads may, each with its own: weights, positions and normals of what splits have
     // just inserted. A vertex has as many of these as there are sheets, one after another.
-    void place(std::span<const ActiveSet::Inserted> inserted) {
+    void embed_inserted(std::span<const ActiveSet::Inserted> inserted) {
         std::vector<DragWeight> scratch(scratch_size());
-        place(inserted, scratch);
+        embed_inserted(inserted, scratch);
     }
     // The same, working in what each thread has of its own: so many weights.
-    void place(std::span<const ActiveSet::Inserted> inserted, std::span<DragWeight> scratch);
+    void embed_inserted(std::span<const ActiveSet::Inserted> inserted,
+                        std::span<DragWeight> scratch);
     std::size_t scratch_size() const;
 
     // Where the warp takes a point, by its present displacements.
     Vec3 image(const Vec3& rest) const;
     // Whether there are no steps, so that nothing moves.
-    bool is_at_rest() const { return stages_.empty(); }
+    bool is_identity() const { return stages_.empty(); }
     // Entries with det J <= 0 in some step, at the present displacements. Cost: O(entries).
     std::uint64_t folded_vertices() const;
     // No edge of the active set is longer now: its length at rest by the greatest stretch of the
@@ -76,13 +77,14 @@ class Embedding {
     // --- A step before the last. weights: what weigh() has found, of a drag.
     void weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> weights) const;
     void advance(std::size_t step, std::uint32_t entry, std::span<const DragWeight> weights);
-    void turn(std::size_t step, std::uint32_t wedge, std::span<const DragWeight> weights);
-    void place_by_one_drag(std::span<const ActiveSet::Inserted> sheets);
+    void transform_normal(std::size_t step, std::uint32_t wedge,
+                          std::span<const DragWeight> weights);
+    void embed_by_one_drag(std::span<const ActiveSet::Inserted> sheets);
     void bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
                             std::span<DragWeight> scratch);
 
     // --- The last step, every frame.
-    void place_vertex(std::span<const ActiveSet::Inserted> sheets, std::span<DragWeight> scratch);
+    void embed_vertex(std::span<const ActiveSet::Inserted> sheets, std::span<DragWeight> scratch);
     void embed_entry(std::uint32_t entry);
     void deform_vertices(std::uint32_t first, std::uint32_t last);
     void deform_wedges(std::uint32_t first, std::uint32_t last);

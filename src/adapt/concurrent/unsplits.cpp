@@ -1,0 +1,111 @@
+#include "adapt/concurrent/unsplits.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "geometry/parallel.h"
+
+namespace pectin {
+namespace {
+
+constexpr std::size_t kSample = 1024;
+
+}  // namespace
+
+std::uint64_t ConcurrentUnsplits::unsplit(std::span<const VertexId> level) {
+    claims_.begin(active_.vertex_entries());
+    distribute(level);
+    for (Partition& partition : partitions_) reserve(partition);
+    active_.reserve_unsplits(level.size());
+    for_each_concurrently(partitions_, [this](Partition& partition) { unsplit(partition); });
+    std::uint64_t removed = 0;
+    for (Partition& partition : partitions_) {
+        unsplit_deferred(partition);
+        removed += partition.unsplits.size();
+    }
+    log();
+    for (const Partition& partition : partitions_) {
+        for (VertexId m : partition.last) active_.unsplit(*active_.mesh().removable(m));
+        removed += partition.last.size();
+    }
+    return removed;
+}
+
+// One lane after another.
+void ConcurrentUnsplits::log() {
+    for_each_concurrently(partitions_, [this](Partition& partition) {
+        partition.count = active_.count(partition.unsplits);
+    });
+    for (Partition& partition : partitions_)
+        partition.slots = active_.allocate_unsplits(partition.count);
+    for_each_concurrently(partitions_, [this](Partition& partition) {
+        active_.log_unsplits(partition.unsplits, partition.slots);
+    });
+}
+
+// By their base faces, those of one base face in their order; about as many in each.
+void ConcurrentUnsplits::distribute(std::span<const VertexId> level) {
+    using SortKey = std::pair<FaceId, std::size_t>;
+    const auto sort_key = [&, mesh = &active_.mesh()](std::size_t i) {
+        return SortKey(mesh->base_face(TriMesh::face(mesh->half_edge(level[i]))), i);
+    };
+    std::vector<SortKey> sample;
+    for (std::size_t i = 0; i < level.size(); i += 1 + level.size() / kSample) {
+        sample.push_back(sort_key(i));
+    }
+    std::ranges::sort(sample);
+    std::array<SortKey, kPartitions - 1> borders{};
+    for (std::size_t i = 0; i < borders.size(); ++i) {
+        borders[i] = sample[(i + 1) * sample.size() / kPartitions];
+    }
+    for (std::size_t i = 0; i < kPartitions; ++i) {
+        partitions_[i].number = static_cast<CornerClaims::PartitionIndex>(i);
+        partitions_[i].vertices.clear();
+    }
+    for (std::size_t i = 0; i < level.size(); ++i) {
+        const auto partition = std::ranges::upper_bound(borders, sort_key(i)) - borders.begin();
+        partitions_[static_cast<std::size_t>(partition)].vertices.push_back(level[i]);
+    }
+}
+
+// For what unsplitting them takes at most.
+void ConcurrentUnsplits::reserve(Partition& partition) {
+    partition.unsplits.clear();
+    partition.deferred.clear();
+    partition.last.clear();
+    partition.unsplits.reserve(partition.vertices.size());
+    partition.deferred.reserve(partition.vertices.size());
+    partition.last.reserve(partition.vertices.size());
+}
+
+// Before a star's corners are the lane's, it only reads what no other lane writes.
+void ConcurrentUnsplits::unsplit(Partition& partition) {
+    for (VertexId m : partition.vertices) {
+        const auto star = active_.mesh().removable(m);
+        if (!star || !criteria_.may_unsplit(active_, *star)) continue;
+        const auto corners = corners_of(*star);
+        if (!corners) {
+            partition.last.push_back(m);
+        } else if (claims_.try_claim(*corners, partition.number)) {
+            partition.unsplits.push_back(active_.concurrent_unsplit(*star));
+        } else {
+            partition.deferred.push_back(partition.unsplits.size());
+            partition.unsplits.push_back({.ids = {.m = m}});
+        }
+    }
+}
+
+// None where it has to go alone.
+std::optional<CornerClaims::Corners> ConcurrentUnsplits::corners_of(const Star& star) const {
+    if (!active_.may_unsplit_concurrently(star)) return std::nullopt;
+    return CornerClaims::corners(active_, {star.a, star.b, star.c, star.d});
+}
+
+void ConcurrentUnsplits::unsplit_deferred(Partition& partition) {
+    for (std::size_t i : partition.deferred) {
+        ActiveSet::Unsplit& deferred = partition.unsplits[i];
+        deferred = active_.concurrent_unsplit(*active_.mesh().removable(deferred.ids.m));
+    }
+}
+
+}  // namespace pectin

@@ -1,0 +1,138 @@
+// A drag with the mouse where memory runs out: hand and session agree on whether it goes on, and
+// what is shown is the object as it is.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cstdio>
+#include <new>
+#include <string>
+#include <vector>
+
+#include "app/sculptor.h"
+#include "memory/failing_new.h"
+#include "session/session.h"
+#include "support/mesh_figures.h"
+
+namespace pectin {
+namespace {
+
+using test::FailingNew;
+
+// What a window shows: the position of each wedge as it was last told.
+class Picture {
+  public:
+    void update(Session& session) {
+        const DirtyElements dirty = session.take_dirty();
+        const TriMesh& mesh = session.mesh();
+        shown_.resize(mesh.wedge_slots());
+        const auto learn = [&](HalfEdgeId h) {
+            shown_[index(mesh.wedge(h))] = mesh.position(mesh.origin(h));
+        };
+        const std::vector<FaceId> faces = test::live_faces(mesh);
+        if (dirty.everything) {
+            for (FaceId f : faces) {
+                for (int c = 0; c < 3; ++c) learn(TriMesh::half_edge(f, c));
+            }
+            return;
+        }
+        for (FaceId f : faces) {
+            const bool is_dirty = std::binary_search(dirty.faces.begin(), dirty.faces.end(), f);
+            for (int c = 0; c < 3; ++c) {
+                const HalfEdgeId h = TriMesh::half_edge(f, c);
+                if (is_dirty ||
+                    std::binary_search(dirty.wedges.begin(), dirty.wedges.end(), mesh.wedge(h))) {
+                    learn(h);
+                }
+            }
+        }
+    }
+    bool shows(const TriMesh& mesh) const {
+        for (FaceId f : test::live_faces(mesh)) {
+            for (int c = 0; c < 3; ++c) {
+                const HalfEdgeId h = TriMesh::half_edge(f, c);
+                const std::size_t w = index(mesh.wedge(h));
+                if (w >= shown_.size() || shown_[w] != mesh.position(mesh.origin(h))) return false;
+            }
+        }
+        return true;
+    }
+
+  private:
+    std::vector<Vec3> shown_;
+};
+
+void prepare(Session& session) {
+    session.execute(command::Shape{command::Shape::Kind::sphere, 3});
+    session.execute(command::Brush{.radius = 0.9});
+    // Just enough for two steps, so that the tested one drops the oldest.
+    session.execute(command::Drag{.moves = {{Vec3(0, 0, 1), Vec3(0.2, 0, 1.8)}}});
+    session.execute(command::Drag{.moves = {{Vec3(0, 1, 0), Vec3(0, 1.5, 0.1)}}});
+    const auto bytes = static_cast<double>(session.history().memory_bytes());
+    session.execute(command::History{Setting::of(1e-6 * bytes + 1e-3)});
+}
+
+// Long enough to be planned again in its course, since it is fold-free.
+void drag_with_mouse(Session& session, Sculptor& hand, Picture& picture) {
+    const Camera camera;
+    const Ray ray{Vec3(0.3, -0.6, 3), Vec3(0, 0, -1)};
+    const auto pick = session.pick(ray);
+    ASSERT_TRUE(pick.has_value());
+    ASSERT_FALSE(hand.grab(session, *pick, ray, {}, {.connected = true, .fold_free = true}));
+    for (int i = 1; i <= 4; ++i) {
+        const Ray towards{Vec3(0.3 + 0.1 * i, -0.6 - 0.25 * i, 3), Vec3(0, 0, -1)};
+        ASSERT_FALSE(hand.drag(session, camera, towards, DragPath::view_plane));
+        picture.update(session);
+    }
+    hand.release(session);
+}
+
+// Drags where so many allocations are served; whether it was not interrupted.
+bool drag_until_memory_ends(std::size_t served, FailingNew::How how) {
+    Session session;
+    Sculptor hand;
+    Picture picture;
+    prepare(session);
+    picture.update(session);
+    const std::size_t steps = session.history().step_number();
+    bool has_ended = false;
+    {
+        const FailingNew failing(served, how);
+        try {
+            drag_with_mouse(session, hand, picture);
+            has_ended = true;
+        } catch (const std::bad_alloc&) {
+        }
+        if (!failing.has_failed()) return true;
+    }
+    EXPECT_EQ(hand.is_dragging(), session.is_dragging());
+    // A step that is done is never reported as one that failed.
+    EXPECT_EQ(session.history().step_number(), steps + (has_ended ? 1 : 0));
+    if (hand.is_dragging() && session.is_dragging()) hand.cancel(session);
+    picture.update(session);
+    EXPECT_TRUE(picture.shows(session.mesh()));
+    EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
+    return false;
+}
+
+TEST(SculptorMemory, LeavesHandAndPictureAsTheSessionIs) {
+    int failures = 0;
+    for (const auto how : {FailingNew::How::once, FailingNew::How::from_there_on}) {
+        // A sample of all allocations, then each of the last ones, where the drag ends.
+        std::size_t served = 0, last_interrupted = 0;
+        for (; !drag_until_memory_ends(served, how); served += 1 + served / 24) {
+            SCOPED_TRACE("served " + std::to_string(served));
+            ++failures;
+            last_interrupted = served;
+            if (HasFailure()) return;
+        }
+        for (served = last_interrupted; !drag_until_memory_ends(served, how); ++served) {
+            ++failures;
+            ASSERT_FALSE(HasFailure()) << "served " << served;
+        }
+    }
+    EXPECT_GT(failures, 20);
+    std::printf("memory ended at %d allocations\n", failures);
+}
+
+}  // namespace
+}  // namespace pectin
