@@ -78,9 +78,12 @@ class EarClipper {
         return {polygon_.points, std::move(blockers)};
     }
 
+    // Whether nothing is left between the sides at i: the corner was convex and has become flat.
+    bool is_spike(std::uint32_t i) const { return !is_blocker_[i] && turn(i) == 0; }
+
     void push(std::uint32_t tip) {
         const Vec3 diagonal = polygon_.in_space[next_[tip]] - polygon_.in_space[prev_[tip]];
-        const auto squared = static_cast<float>(glm::dot(diagonal, diagonal));
+        const auto squared = static_cast<float>(is_spike(tip) ? 0.0 : glm::dot(diagonal, diagonal));
         constexpr std::uint32_t kEqual = (1u << 10) - 1;  // 2^-13 of a squared length
         ears_.push({std::bit_cast<std::uint32_t>(squared) & ~kEqual, polygon_.order[tip], tip,
                     ++version_[tip]});
@@ -92,7 +95,7 @@ class EarClipper {
     }
 
     bool is_ear(std::uint32_t i) const {
-        if (rule_ == Rule::any) return true;
+        if (rule_ == Rule::any || is_spike(i)) return true;
         const int turned = turn(i);
         if (turned < 0 || (turned == 0 && rule_ < Rule::flat)) return false;
         if (blockers_.is_empty() || turned == 0) return true;
@@ -101,9 +104,20 @@ class EarClipper {
         const int least = rule_ == Rule::proper ? 0 : 1;  // whether points on a side are in the way
         return !blockers_.any_near({a, b, c}, [&](std::uint32_t r) {
             const Vec2& p = point(r);
-            return p != a && p != b && p != c && orientation(a, b, p) >= least &&
-                   orientation(b, c, p) >= least && orientation(c, a, p) >= least;
+            if (p == a) return leads_between(r, b, c);
+            if (p == b) return leads_between(r, c, a);
+            if (p == c) return leads_between(r, a, b);
+            return orientation(a, b, p) >= least && orientation(b, c, p) >= least &&
+                   orientation(c, a, p) >= least;
         });
+    }
+    // Whether a side at corner r leads into the open angle from `first` counter-clockwise to
+    // `second`, which is less than two right angles.
+    bool leads_between(std::uint32_t r, const Vec2& first, const Vec2& second) const {
+        const auto lies_between = [&](const Vec2& p) {
+            return orientation(point(r), first, p) > 0 && orientation(second, point(r), p) > 0;
+        };
+        return lies_between(point(prev_[r])) || lies_between(point(next_[r]));
     }
 
     void clip_ear(std::uint32_t i) {

@@ -22,8 +22,8 @@ struct FlatPolygon {
 // Polygons have ears. American Mathematical Monthly 82 (1975)), the shortest diagonal first. All
 // decisions are exact. If no triangle turns clockwise, every point is covered as often as the
 // polygon winds about it, so that the areas add up; this holds for every polygon that does not
-// cross itself, also where it touches itself along bridges to holes. Others get the right number of
-// triangles, of which some turn clockwise.
+// cross itself, also where it touches itself in corners or along bridges to holes. Others get the
+// right number of triangles, of which some turn clockwise.
 // Cost: O(n log n), and a search in a k-d tree for each of at most 4 n ears.
 std::vector<CornerTriangle> clip_ears(const FlatPolygon& polygon);
 
