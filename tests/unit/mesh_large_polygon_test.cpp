@@ -294,5 +294,13 @@ TEST(LargePolygon, ThatCrossesItselfIsReportedAndOthersAreNot) {
     EXPECT_EQ(report_of("f 1 4 3 2 5 6\nf 1 4 2 5\nf 7 8 9\n").crossing_polygons, 0u);
 }
 
+TEST(LargePolygon, ThatIsFarFromFlatIsReportedThoughItDoesNotCrossItself) {
+    // An eight of a small and a large loop, whose sides pass each other at different heights.
+    const Ring ring{{0, 0, 0.1}, {4, 4, 0.1}, {7, 2, 0}, {4, 0, -0.1}, {0, 4, -0.1}, {-1, 2, 0}};
+    Triangles triangles;
+    EXPECT_FALSE(triangulate(ring, triangles));
+    EXPECT_EQ(triangles.size(), ring.size() - 2);
+}
+
 }  // namespace
 }  // namespace pectin
