@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <tuple>
 
@@ -20,8 +21,9 @@ constexpr int kMostEasings = 16;
 
 class EarClipper {
   public:
-    explicit EarClipper(const FlatPolygon& polygon)
+    EarClipper(const FlatPolygon& polygon, std::size_t most_steps)
         : polygon_(polygon),
+          most_steps_(most_steps),
           next_(polygon.points.size()),
           prev_(polygon.points.size()),
           version_(polygon.points.size(), 0),
@@ -29,10 +31,11 @@ class EarClipper {
           left_(polygon.points.size()),
           blockers_(link_corners()) {}
 
-    std::vector<CornerTriangle> clip() {
+    std::optional<std::vector<CornerTriangle>> clip() {
         triangles_.reserve(polygon_.points.size());
         push_all();
         while (left_ > 3) {
+            if (steps_ > most_steps_) return std::nullopt;
             if (ears_.empty()) {
                 ease_rule();
                 continue;
@@ -94,7 +97,7 @@ class EarClipper {
         while ((i = next_[i]) != last_);
     }
 
-    bool is_ear(std::uint32_t i) const {
+    bool is_ear(std::uint32_t i) {
         if (rule_ == Rule::any || is_spike(i)) return true;
         const int turned = turn(i);
         if (turned < 0 || (turned == 0 && rule_ < Rule::flat)) return false;
@@ -102,7 +105,7 @@ class EarClipper {
         const std::uint32_t before = prev_[i], after = next_[i];
         const Vec2 &a = point(before), &b = point(i), &c = point(after);
         const int least = rule_ == Rule::proper ? 0 : 1;  // whether points on a side are in the way
-        return !blockers_.any_near({a, b, c}, [&](std::uint32_t r) {
+        return !blockers_.any_near({a, b, c}, steps_, [&](std::uint32_t r) {
             const Vec2& p = point(r);
             if (p == a) return leads_between(r, b, c);
             if (p == b) return leads_between(r, c, a);
@@ -160,6 +163,7 @@ class EarClipper {
     }
 
     const FlatPolygon& polygon_;
+    std::size_t most_steps_, steps_ = 0;  // of the search for corners in the way of ears
     std::vector<std::uint32_t> next_, prev_;
     std::vector<std::uint32_t> version_;  // an ear of an earlier version is out of date
     std::vector<bool> is_blocker_;
@@ -175,8 +179,13 @@ class EarClipper {
 
 }  // namespace
 
+std::optional<std::vector<CornerTriangle>> clip_ears(const FlatPolygon& polygon,
+                                                     std::size_t most_steps) {
+    return EarClipper(polygon, most_steps).clip();
+}
+
 std::vector<CornerTriangle> clip_ears(const FlatPolygon& polygon) {
-    return EarClipper(polygon).clip();
+    return *clip_ears(polygon, std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace pectin
