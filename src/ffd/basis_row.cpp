@@ -4,7 +4,7 @@
 #include <cassert>
 #include <cmath>
 
-#include "ffd/basis.h"
+#include "ffd/cubic_basis.h"
 
 namespace pectin {
 namespace {

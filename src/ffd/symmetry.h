@@ -56,16 +56,16 @@ struct MirrorPlane {
 // within the plane) or subtract (−1, across it).
 struct Symmetry {
     MirrorPlane plane;
-    std::vector<double> parity;  // field.move_count()
+    std::vector<double> parity;  // field.weight_count()
 };
 
-// w(x) = f(x) ± f(Mx) and its gradient, in double until the end. out: field.move_count(). A point
+// w(x) = f(x) ± f(Mx) and its gradient, in double until the end. out: field.weight_count(). A point
 // and its image get mirrored weights, to the bit.
 void symmetric_weights(const DragField& field, const Symmetry& symmetry, const Vec3& x,
                        std::span<DragWeight> out);
 
-Lattice image(const MirrorPlane& plane, const Lattice& lattice);
-LatticeField image(const MirrorPlane& plane, const LatticeField& field);
+Lattice mirror_image(const MirrorPlane& plane, const Lattice& lattice);
+LatticeField mirror_image(const MirrorPlane& plane, const LatticeField& field);
 
 // Points nearer to the plane than this share of a cell lie on it: they are far below what a hand
 // places, and as a pair the lattice could not tell them apart.

@@ -142,7 +142,7 @@ std::vector<Box> Session::State::zones_of_readapt() const {
 Frame Session::State::adapt_everything() {
     const Warp no_warp;
     Embedding embedding(*active, no_warp);
-    AdaptLimits adapt_limits = limits(lattice_in_use);
+    AdaptLimits adapt_limits = limits_in_use();
     // At the budget, refinement rests until a drag or the settings change.
     const bool was_hit = outcome.budget_hit;
     if (was_hit) adapt_limits.budget = 0;
@@ -190,7 +190,7 @@ Refusal Session::State::run(const command::Readapt& readapt) {
             undo(change, *mesh);
         }
         update_everything();
-        take_outcome();
+        update_outcome();
         throw;
     }
     last.seconds.commit = stopwatch.lap();

@@ -26,7 +26,8 @@ bool is_in(const IVec3& index, const Lattice& cage) {
 }
 
 bool is_symmetric(const Lattice& cage, const MirrorPlane& plane) {
-    const double distance = glm::length((image(plane, cage).origin - cage.origin) / cage.cell);
+    const double distance =
+        glm::length((mirror_image(plane, cage).origin - cage.origin) / cage.cell);
     return distance <= kSameCage;
 }
 

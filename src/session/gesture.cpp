@@ -46,9 +46,7 @@ const Frame& Gesture::frame(std::span<const Vec3> displacements) {
 const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
     // A long drag makes and undoes more than it keeps; from the rest state it starts lean again.
     if (active_.edit_count() > kMostEdits * (active_.vertex_entries() + 1000)) roll_back();
-    auto* const drag = std::get_if<DragStep>(&warp_.steps.back());
-    const std::span<Vec3> d = drag ? std::span(drag->displacements)
-                                   : std::get<LatticeField>(warp_.steps.back()).displacements();
+    const std::span<Vec3> d = displacements_of(warp_.steps.back());
     assert(displacements.size() == d.size());
     // At the budget, refinement rests until the drag changes: thinning would make room for a few
     // splits, and the next frame would thin those.

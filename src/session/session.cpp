@@ -136,13 +136,10 @@ std::optional<std::string> Session::drag_to(std::span<const Vec3> targets) {
     return state_->drag_to(drag);
 }
 
-std::optional<std::string> Session::drag_to(std::span<const DragTarget> targets) {
+std::optional<std::string> Session::drag_to(std::span<const Move> moves) {
     command::Drag drag = state_->active_gesture->drag;
-    for (std::size_t i = 0; i < drag.moves.size(); ++i) {
-        drag.moves[i].to = targets[i].to;
-        drag.moves[i].twist = targets[i].twist;
-        drag.moves[i].scale = targets[i].scale;
-    }
+    assert(std::ranges::equal(drag.moves, moves, {}, &Move::from, &Move::from));
+    drag.moves.assign(moves.begin(), moves.end());
     return state_->drag_to(drag);
 }
 
@@ -183,7 +180,7 @@ std::optional<Lattice> Session::lattice_in_use() const {
 std::vector<LatticeField> Session::active_lattices() const {
     assert(is_dragging());
     if (!state_->active_gesture->gesture) return {};
-    return lattice_fields(state_->active_gesture->gesture->warp().steps.back());
+    return merged_lattices(state_->active_gesture->gesture->warp().steps.back());
 }
 
 std::optional<Pick> Session::pick(const Ray& ray) {

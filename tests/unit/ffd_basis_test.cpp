@@ -1,5 +1,5 @@
 // The cubic B-spline basis and the zones of the lattice it spans.
-#include "ffd/basis.h"
+#include "ffd/cubic_basis.h"
 
 #include <gtest/gtest.h>
 

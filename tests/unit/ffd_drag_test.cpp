@@ -8,7 +8,7 @@
 #include <cstring>
 #include <numeric>
 
-#include "ffd/basis.h"
+#include "ffd/cubic_basis.h"
 #include "ffd/lattice_field.h"
 #include "unit/ffd_random.h"
 

@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "ffd/basis.h"
+#include "ffd/cubic_basis.h"
 #include "ffd/lattice_field.h"
 #include "unit/ffd_random.h"
 

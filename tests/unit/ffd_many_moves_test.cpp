@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "ffd/drag_plan.h"
 #include "ffd/drag_solver.h"
-#include "ffd/injective_steps.h"
 #include "session/session.h"
 #include "unit/ffd_random.h"
 
@@ -39,7 +39,7 @@ TEST(RepeatedMoves, AreOneMoveOfTheField) {
             motions.push_back(motions[static_cast<std::size_t>(i % 2)]);
         }
         const DragSolver many = solver_of(handles, pins, plane);
-        EXPECT_EQ(many.field().move_count(), once.field().move_count());
+        EXPECT_EQ(many.field().weight_count(), once.field().weight_count());
         EXPECT_FALSE(many.check(motions));
         EXPECT_EQ(many.field_displacements(motions), expected);
     }
@@ -105,14 +105,14 @@ TEST(ManyMoves, BecomeTheirDisplacedLatticeWhichMovesSpaceAlike) {
         const auto few = std::span(handles).first(count);
         const DragSolver solver = solver_of(few, {}, plane);
         const DragStep step = solver.step(std::span(motions).first(count));
-        const Warp::Step same = compact(step);
+        const Deformation same = compact(step);
         EXPECT_EQ(std::holds_alternative<LatticeField>(same), !plane) << "few moves stay a drag";
         for (int i = 0; i < 200; ++i) {
             const Vec3 x = random.point_in(kLattice, 0.0);
             std::vector<DragWeight> weights(step.displacements.size());
             step.weights(x, weights);
             Vec3 sum{0.0};
-            for (const LatticeField& field : lattice_fields(same)) sum += field.displacement(x);
+            for (const LatticeField& field : merged_lattices(same)) sum += field.displacement(x);
             EXPECT_LT(glm::distance(x + sum, displaced(x, weights, step.displacements)), 1e-6);
         }
     }

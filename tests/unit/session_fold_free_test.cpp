@@ -208,7 +208,7 @@ TEST(FoldFreeSession, RecordsWaypointsSoThatAScriptGivesTheSameBytes) {
             hand.drag_to(std::vector{at});
             EXPECT_EQ(hand.mesh().validate(), std::vector<std::string>{});
             if (frame == 20) {
-                const DragTarget rotated{at, Drag::Twist{{0, 0, 1}, 15.0}, 1.1};
+                const Move rotated{kFront, at, Twist{{0, 0, 1}, 15.0}, 1.1};
                 hand.drag_to(std::span(&rotated, 1));
             }
         }

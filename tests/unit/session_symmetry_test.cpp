@@ -254,8 +254,8 @@ TEST(ActiveLattices, MoveTheSurfaceAsTheFrameDid) {
         const Vec3 from{x, 0, std::sqrt(1.0 - x * x)};
         ASSERT_FALSE(session.begin_drag(std::array{from}, std::array{Vec3{0.3, 0.3, 0.9}}));
         const Vec3 axis = x == 0.0 ? Vec3{1, 0, 0} : Vec3{1, 2, 3};
-        const DragTarget target{from + Vec3{0, 0.1, 0.2}, Drag::Twist{axis, 40.0}, 1.2};
-        ASSERT_FALSE(session.drag_to(std::array{target}));
+        const Move move{from, from + Vec3{0, 0.1, 0.2}, Twist{axis, 40.0}, 1.2};
+        ASSERT_FALSE(session.drag_to(std::array{move}));
         const std::vector<LatticeField> fields = session.active_lattices();
         EXPECT_EQ(fields.size(), x == 0.1 ? 2u : 1u) << x;
         const std::vector<Vec3> after = positions(session.mesh());
