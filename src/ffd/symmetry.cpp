@@ -8,7 +8,7 @@
 namespace pectin {
 namespace {
 
-// How many weights are evaluated at a time, on the stack.
+// How many weights are evaluated at a time, on the stack. It does not change the results.
 constexpr std::size_t kSmallBatch = 8, kLargeBatch = 512;
 
 template <std::size_t batch>
