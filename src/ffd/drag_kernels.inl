@@ -1,11 +1,11 @@
 // The functions of drag_weight.h as loops over many elements, with the same results bit for bit.
-// drag_stream.cpp includes this file once for each width of vectors, inside a namespace that defines
-// the width in floats as kSimdWidth. One function for all widths would not do, since the compiler
-// divides its vector types to suit the instruction set of the function that uses them.
+// drag_stream.cpp includes this file once for each width of vectors, inside a namespace that
+// defines the width in floats as kSimdWidth. One function for all widths would not do, since the
+// compiler divides its vector types to suit the instruction set of the function that uses them.
 //
-// In memory the numbers of an element lie together (three of a point or normal, four of a weight). A
-// vector holds one number of several elements. The elements that remain at the end of an array are
-// handled one by one.
+// In memory the numbers of an element lie together (three of a point or normal, four of a weight).
+// A vector holds one number of several elements. The elements that remain at the end of an array
+// are handled one by one.
 
 using Floats [[gnu::vector_size(kSimdWidth * 4)]] = float;
 using Ints [[gnu::vector_size(kSimdWidth * 4)]] = std::int32_t;
@@ -35,9 +35,9 @@ inline Floats shuffle(const Floats& a, const Floats& b) {
     return shuffle<From>(a, b, std::make_index_sequence<kSimdWidth>{});
 }
 
-// Prefetches what will be read or written kPrefetchDistance elements later. The machine itself would
-// notice too late, since a pass changes from one array to the next every few elements. A prefetch
-// past the end has no effect.
+// Prefetches what will be read or written kPrefetchDistance elements later. The machine itself
+// would notice too late, since a pass changes from one array to the next every few elements. A
+// prefetch past the end has no effect.
 constexpr std::size_t kPrefetchDistance = 128, kCacheLine = 64;
 enum class For { reading, writing };
 
@@ -52,8 +52,8 @@ inline void prefetch(const Element* elements, std::size_t count) {
 
 // --- Weights, four vectors at a time
 
-// Four weights form a square in one quarter (16 bytes) of four vectors, and each square is transposed
-// within its quarter. This gives the weights of four vectors the following order.
+// Four weights form a square in one quarter (16 bytes) of four vectors, and each square is
+// transposed within its quarter. This gives the weights of four vectors the following order.
 constexpr std::size_t weight_in(std::size_t lane) { return lane % 4 * (kSimdWidth / 4) + lane / 4; }
 constexpr std::size_t lane_of(std::size_t weight) {
     return weight % (kSimdWidth / 4) * 4 + weight / (kSimdWidth / 4);
@@ -103,8 +103,8 @@ inline Doubles load_weights(const DragWeight* weights) {
 // --- Points and normals, three vectors at a time
 
 // Lane i of vector v holds coordinate (v kSimdWidth + i) % 3. kSimdWidth is not a multiple of 3, so
-// each lane holds each coordinate in one of the three vectors. Two blends, which cost almost nothing,
-// therefore gather one coordinate of all elements, and one permutation puts it in order.
+// each lane holds each coordinate in one of the three vectors. Two blends, which cost almost
+// nothing, therefore gather one coordinate of all elements, and one permutation puts it in order.
 constexpr std::size_t coordinate_in(std::size_t vector, std::size_t lane) {
     return (vector * kSimdWidth + lane) % 3;
 }

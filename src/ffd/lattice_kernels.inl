@@ -1,6 +1,6 @@
-// The 4 × 4 × 4 sum at many points. lattice_evaluator.cpp includes this file once for each instruction
-// set, inside a namespace. One function for all of them would not do, since the compiler divides its
-// vector types to suit the instruction set of the function that uses them.
+// The 4 × 4 × 4 sum at many points. lattice_evaluator.cpp includes this file once for each
+// instruction set, inside a namespace. One function for all of them would not do, since the
+// compiler divides its vector types to suit the instruction set of the function that uses them.
 //
 // A block of points is handled in passes. The passes that locate points and evaluate the basis, and
 // those that combine the sums, handle four points at once. The pass in between, which sums along k
@@ -53,8 +53,8 @@ inline void expand(const Vec4& t, Vec4 value[4], Vec4 derivative[4]) {
     }
 }
 
-// The divided weights of one axis at the points of a block. r: those of p₀, p₂ and p₃ in R. s: those
-// of p₀ and p₃ in S. value, derivative, rest: the factors c₁, c′₁ and e₂.
+// The divided weights of one axis at the points of a block. r: those of p₀, p₂ and p₃ in R. s:
+// those of p₀ and p₃ in S. value, derivative, rest: the factors c₁, c′₁ and e₂.
 struct DividedAxis {
     double r[3][kBlock], s[2][kBlock];
     double value[kBlock], derivative[kBlock], rest[kBlock];
@@ -93,8 +93,8 @@ struct Block {
     double du[3][kBlock], dv[3][kBlock], dw[3][kBlock];  // the derivatives of D per cell
 };
 
-// Parameters inside the zone exceed −2, so truncation after a shift by the two influenced cells is a
-// floor. Outside the zone any cell serves; the cell is clamped so that rounding cannot leave the
+// Parameters inside the zone exceed −2, so truncation after a shift by the two influenced cells is
+// a floor. Outside the zone any cell serves; the cell is clamped so that rounding cannot leave the
 // grid.
 template <bool kDerivatives>
 inline void locate(const Grid& grid, std::size_t n, Block& block) {
