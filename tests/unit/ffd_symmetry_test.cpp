@@ -1,4 +1,4 @@
-// Drags that are met on both sides of a plane, and on it.
+// Drags that are met on both sides of a plane and on the plane.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -55,7 +55,7 @@ TEST(SymmetricDrag, BringsBothPointsToTheirTargetsAtAnyDistanceFromThePlane) {
     }
 }
 
-TEST(SymmetricDrag, MovesImagesToImagesAndThePlaneWithinItselfToTheBit) {
+TEST(SymmetricDrag, MovesImagesToImagesAndThePlaneWithinItselfBitForBit) {
     test::Random random(81);
     for (int round = 0; round < test::case_count(40); ++round) {
         const double side = random.chance(0.5) ? -1.0 : 1.0;
@@ -138,7 +138,7 @@ TEST(SymmetricDrag, NeverFoldsWhereItsTwoBrushesMeet) {
     }
 }
 
-// On the plane it would meet its image: no one to one deformation goes there.
+// A point on the plane meets its image, so no one-to-one deformation takes a point there.
 TEST(SymmetricDrag, WithoutFoldingIsRefusedOnThePlaneBeforeAnyStep) {
     EXPECT_NE(refusal(plan({0.5, 0, 0}, {0, 0.3, 0}, true)).find("(0, 0.3, 0) is on the symmetry"),
               std::string::npos);
