@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "geometry/camera.h"
+#include "geometry/move.h"
 #include "geometry/vec.h"
 
 namespace pectin {
@@ -86,17 +87,8 @@ struct Symmetry {
 };
 
 struct Drag {
-    struct Twist {
-        Vec3 axis{0.0};
-        double degrees = 0.0;  // by the right hand
-        bool operator==(const Twist&) const = default;
-    };
-    struct Move {
-        Vec3 from{0.0}, to{0.0};
-        std::optional<Twist> twist{};  // what the surroundings of the point do
-        double scale = 1.0;
-        bool operator==(const Move&) const = default;
-    };
+    using Twist = pectin::Twist;
+    using Move = pectin::Move;
     std::vector<Move> moves{};
     std::vector<Vec3> pins{};
     bool connected = false;   // only the surface that hangs together with the moved points

@@ -66,28 +66,30 @@ class Embedding {
         std::vector<Box> zones;        // of the step
     };
 
-    const DragStep* last_drag() const { return std::get_if<DragStep>(&warp_.steps.back()); }
     std::size_t last() const { return stages_.size() - 1; }
-    std::size_t moves_of(std::size_t step) const {
-        const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
-        return drag ? drag->displacements.size() : 0;
-    }
-    std::size_t moves() const { return moves_of(last()); }
 
-    // --- A step before the last. weights: what weigh() has found, of a drag.
-    void weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> weights) const;
-    void advance(std::size_t step, std::uint32_t entry, std::span<const DragWeight> weights);
-    void transform_normal(std::size_t step, std::uint32_t wedge,
+    // --- A step before the last: `deformation` is that step. weights: those of the entry.
+    template <typename D>
+    void embed_before_last(const D& deformation, std::size_t step);
+    template <typename D>
+    void advance(const D& deformation, std::size_t step, std::uint32_t entry,
+                 std::span<const DragWeight> weights);
+    template <typename D>
+    void transform_normal(const D& deformation, std::size_t step, std::uint32_t wedge,
                           std::span<const DragWeight> weights);
-    void embed_by_one_drag(std::span<const ActiveSet::Inserted> sheets);
     void bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
                             std::span<DragWeight> scratch);
 
-    // --- The last step, every frame.
-    void embed_vertex(std::span<const ActiveSet::Inserted> sheets, std::span<DragWeight> scratch);
-    void embed_entry(std::uint32_t entry);
-    void deform_vertices(std::uint32_t first, std::uint32_t last);
-    void deform_wedges(std::uint32_t first, std::uint32_t last);
+    // --- The last step, every frame: `deformation` is that step.
+    template <typename D>
+    void embed_vertex(const D& deformation, std::span<const ActiveSet::Inserted> sheets,
+                      std::span<DragWeight> scratch);
+    template <typename D>
+    void embed_by_one_weight(const D& deformation, std::span<const ActiveSet::Inserted> sheets);
+    template <typename D>
+    void deform_vertices(const D& deformation, std::uint32_t first, std::uint32_t end);
+    template <typename D>
+    void deform_wedges(const D& deformation, std::uint32_t first, std::uint32_t end);
     const Vec3& start_position(std::size_t step, std::uint32_t entry) const;
     std::span<const Vec3> start_positions() const;  // of the last step
     std::span<const Vec3f> start_normals() const;
@@ -97,10 +99,11 @@ class Embedding {
     ActiveSet& active_;
     const Warp& warp_;
     std::vector<Stage> stages_;         // one a step
+    std::size_t weight_count_ = 0;      // of the last step
     GrowingArray<Vec3f> normals_;       // of the wedge entries before the last step, if several
-    GrowingArray<DragWeight> weights_;  // of a drag as last step: vertex entries x moves
-    std::vector<std::uint8_t> runs_;    // of blocks of entries where one drag acts
-    std::optional<LatticeEvaluator> evaluator_;  // of a lattice field as last step
+    GrowingArray<DragWeight> weights_;  // of the last step: vertex entries x weight_count_
+    std::vector<std::uint8_t> runs_;    // of blocks of entries where the last step has one weight
+    std::optional<LatticeEvaluator> evaluator_;  // of the last step, where it has one
     GrowingArray<std::uint8_t> has_folded_;      // vertex entries, in a step before the last
 };
 

@@ -24,7 +24,7 @@ AdaptLimits random_limits(const Warp& warp, double diagonal, Random& random) {
     }
     if (random.chance(0.3)) settings.l_max = Setting::off();
     if (random.chance(0.2)) {
-        settings.l_max = Setting::of(warp.smallest_cell_extent() * random.scale(0.3, 3.0));
+        settings.l_max = Setting::of(warp.smallest_feature_extent() * random.scale(0.3, 3.0));
     }
     if (random.chance(0.1)) settings.theta_max = Setting::off();
     if (random.chance(0.2)) settings.flatness = Setting::of(random.scale(1e-3, 1.0));
@@ -35,7 +35,7 @@ AdaptLimits random_limits(const Warp& warp, double diagonal, Random& random) {
     // Small thresholds on large zones need millions of triangles; a floor keeps the cases small
     // and is itself part of what is tested.
     settings.floor = Setting::of(diagonal * random.scale(8e-3, 6e-2));
-    AdaptLimits limits = settings.limits(warp.smallest_cell_extent(), diagonal);
+    AdaptLimits limits = settings.limits(warp.smallest_feature_extent(), diagonal);
     limits.partition_batch = static_cast<std::size_t>(partition_batch);
     return limits;
 }

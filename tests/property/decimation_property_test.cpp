@@ -187,7 +187,7 @@ TEST(Decimation, RemovesOnlyFlatVerticesHighestLevelsFirst) {
         for (int gesture = 0; gesture < 3; ++gesture) {
             const Warp warp = test::random_warp(mesh, random);
             const DecimationRun t = deform_and_decimate(
-                mesh, warp, random_limits(warp.smallest_cell_extent(), diagonal, random));
+                mesh, warp, random_limits(warp.smallest_feature_extent(), diagonal, random));
             removed += t.unsplits.size();
             replay(t);
             if (HasFailure()) return;
@@ -256,7 +256,7 @@ Outcome decimate_with_large_brush(const Bump& bump, double theta_max, const Sett
     AdaptSettings settings;
     settings.theta_max = Setting::of(theta_max);
     const auto limits = [&](const Warp& warp) {
-        return settings.limits(warp.smallest_cell_extent(), diagonal);
+        return settings.limits(warp.smallest_feature_extent(), diagonal);
     };
     const Warp sculpt = brush_warp(bump.at, bump.radius, bump.height * bump.up);
     deform_and_decimate(mesh, sculpt, limits(sculpt));

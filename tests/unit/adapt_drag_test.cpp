@@ -98,7 +98,7 @@ TEST(LMax, HoldsForEveryFaceThatMeetsTheZone) {
         const Warp warp = test::random_warp(mesh, random);
         const Box zone = warp.zone();
         const double l_max =
-            std::max(warp.smallest_cell_extent(), 0.05 * mesh.bounding_box().diagonal());
+            std::max(warp.smallest_feature_extent(), 0.05 * mesh.bounding_box().diagonal());
         ActiveSet active(mesh);
         active.begin(FaceTree(mesh).faces_meeting(zone, mesh), zone);
         Embedding embedding(active, warp);

@@ -97,7 +97,7 @@ MeshChange random_gesture(TriMesh& mesh, const FaceTree& tree, Random& random) {
     Gesture gesture(active, tree.faces_meeting(zone, mesh), warp,
                     AdaptLimits{.theta_max = theta,
                                 .theta_min = 0.7 * theta,
-                                .l_max = warp.smallest_cell_extent(),
+                                .l_max = warp.smallest_feature_extent(),
                                 .floor = 0.02 * diagonal});
     return gesture.commit(std::get<DragStep>(warp.steps.back()).displacements);
 }
