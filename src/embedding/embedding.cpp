@@ -10,11 +10,12 @@
 namespace pectin {
 namespace {
 
-// What rounding of the two ends adds to the length of an edge: of weights to float, of positions.
+// What rounding at the two ends may add to the length of an edge: rounding of weights to float, and
+// of coordinates to double. Fractions of the reach of the drag and of the largest coordinate.
 constexpr double kWeightRounding = 2.0 * std::numeric_limits<float>::epsilon();
 constexpr double kCoordinateRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-// visit(each wedge entry of the sheets).
+// Calls visit(wedge entry) for each wedge entry of the sheets.
 template <typename Visit>
 void for_each_wedge(std::span<const ActiveSet::Inserted> sheets, Visit visit) {
     for (const ActiveSet::Inserted& sheet : sheets) {
@@ -75,7 +76,6 @@ void Embedding::fit_to_entries() {
     has_folded_.resize(active_.vertex_entries());
 }
 
-// Of smooth edges, each of which adds a vertex and a wedge.
 void Embedding::reserve_splits(std::uint32_t count) {
     if (stages_.empty()) return;
     const auto reserve = [](auto& values, std::size_t size) {
@@ -132,7 +132,7 @@ void Embedding::advance(std::size_t step, std::uint32_t entry, std::span<const D
         to = from + field.displacement(from);
         folds = glm::determinant(field.jacobian(from)) <= 0.0;
     }
-    // An entry that is used again starts anew.
+    // The first step overwrites the value, since an entry may be reused.
     has_folded_[entry] = folds || (step > 0 && has_folded_[entry] != 0) ? 1 : 0;
 }
 
@@ -222,7 +222,7 @@ void Embedding::deform_wedges(std::uint32_t first, std::uint32_t end) {
     }
 }
 
-// The most that a step before the last has.
+// The largest number of handles of a step before the last.
 std::size_t Embedding::scratch_size() const {
     std::size_t size = 0;
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
@@ -256,7 +256,7 @@ void Embedding::embed_vertex(std::span<const ActiveSet::Inserted> sheets,
     for_each_wedge(sheets, [&](std::uint32_t w) { deform_wedges(w, w + 1); });
 }
 
-// The usual case, all at once.
+// The usual case, a single drag of one handle, with everything in one function.
 void Embedding::embed_by_one_drag(std::span<const ActiveSet::Inserted> sheets) {
     const std::uint32_t entry = sheets.front().vertex_entry;
     const DragStep& drag = *last_drag();
