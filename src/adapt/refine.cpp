@@ -76,6 +76,7 @@ class Refiner {
 
     void split_concurrently(const RefinementQueue::Batch& batch) {
         const ConcurrentSplits::Result done = concurrent_splits_.split(batch, queue_);
+        propagation_.mesh_has_changed();
         result_.splits += done.splits;
         result_.concurrent_splits += done.splits;
         result_.floor_hit |= done.floor_hit;
