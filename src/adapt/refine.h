@@ -30,8 +30,8 @@
 // 4. The warp stretches by a bounded factor S, its Lipschitz constant. A deformed edge is at most S
 //    times as long as the edge at rest.
 // 5. An edge is split only if its deformed length is at least twice the floor. By 3 and 4, no edge
-//    at a depth k > log2(A S^2 / (2 Q floor^2)) is that long. So the trees are finite, and with
-//    them the number of splits and of edges that are ever queued.
+//    at a depth k > log2(A S^2 / (2 Q floor^2)) is that long. So the trees are finite, and so is
+//    the number of splits. Edges are queued only after splits, a few for each.
 // 6. The last resort is the budget, and that levels end (TriMesh::may_split). They also stop what
 //    the argument leaves out: a floor of 0; rounding, where S is so large that rest edges are as
 //    short as a few units in the last place; and a propagation rho > 1, for which the bound in 3 is
@@ -41,7 +41,7 @@
 // are rounded, and midpoints too; the floor is at least 2^10 units in the last place, so that
 // rounding changes the length of an edge by less than a thousandth.
 //
-// Two triangles as an example: the unit square, cut along bc.
+// Two triangles as an example: the unit square, divided along bc.
 //
 //     c-------d        c-------d        c---o---d       All of it lies in the zone, there is no
 //     |\      |        |\     /|        |\  |  /|       deformation (S = 1), l_max is 0.9 and the
@@ -53,7 +53,7 @@
 //     |      \|        |/     \|        |/  |  \|       left in the queue after 5 splits.
 //     a-------b        a-------b        a---o---b
 //
-// With l_max = 0.01 the floor decides. All faces are similar to the first ones, with Q = 1/2, and
+// With l_max = 0.01 the floor decides. All faces are similar to the first ones, with q = 1/2, and
 // at depth k their longest edge is sqrt(2) / 2^(k/2). At depth 5 it is 0.25 and is split; at depth
 // 6 it is 0.18, which is less than 0.2. There are 2 * 2^6 = 128 faces.
 //
