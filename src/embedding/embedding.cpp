@@ -10,11 +10,12 @@
 namespace pectin {
 namespace {
 
-// What rounding of the two ends adds to the length of an edge: of weights to float, of positions.
+// What rounding at the two ends may add to the length of an edge: rounding of weights to float, and
+// of coordinates to double. Fractions of the reach of the drag and of the largest coordinate.
 constexpr double kWeightRounding = 2.0 * std::numeric_limits<float>::epsilon();
 constexpr double kCoordinateRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-// visit(each wedge entry of the sheets).
+// Calls visit(wedge entry) for each wedge entry of the sheets.
 template <typename Visit>
 void for_each_wedge(std::span<const ActiveSet::Inserted> sheets, Visit visit) {
     for (const ActiveSet::Inserted& sheet : sheets) {
@@ -70,7 +71,6 @@ void Embedding::fit_to_entries() {
     has_folded_.resize(active_.vertex_entries());
 }
 
-// Of smooth edges, each of which adds a vertex and a wedge.
 void Embedding::reserve_splits(std::uint32_t count) {
     if (stages_.empty()) return;
     const auto reserve = [](auto& values, std::size_t size) {
@@ -136,7 +136,7 @@ void Embedding::advance(const D& deformation, std::size_t step, std::uint32_t en
         to = pectin::image(deformation, from, w);
         folds = jacobian_determinant(deformation, from, w) <= 0.0;
     }
-    // An entry that is used again starts anew.
+    // The first step overwrites the value, since an entry may be reused.
     has_folded_[entry] = folds || (step > 0 && has_folded_[entry] != 0) ? 1 : 0;
 }
 
@@ -220,7 +220,7 @@ void Embedding::deform_wedges(const D& deformation, std::uint32_t first, std::ui
     }
 }
 
-// The most that a step before the last has.
+// The largest number of handles of a step before the last.
 std::size_t Embedding::scratch_size() const {
     std::size_t size = 0;
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
@@ -259,7 +259,7 @@ void Embedding::embed_vertex(const D& deformation, std::span<const ActiveSet::In
     for_each_wedge(sheets, [&](std::uint32_t w) { deform_wedges(deformation, w, w + 1); });
 }
 
-// The usual case, all at once.
+// The usual case, a last step with one weight per vertex, with everything in one function.
 template <typename D>
 void Embedding::embed_by_one_weight(const D& deformation,
                                     std::span<const ActiveSet::Inserted> sheets) {

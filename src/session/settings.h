@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "adapt/criteria.h"
+#include "adapt/defaults.h"
 #include "command/command.h"
 #include "ffd/lattice.h"
 
@@ -13,7 +14,7 @@ namespace pectin {
 
 struct AdaptSettings {
     bool enabled = true;
-    Setting theta_max = Setting::of(180.0 / 7.0);  // degrees
+    Setting theta_max = Setting::of(kDefaultThetaMax);  // degrees
     Setting theta_min = Setting::automatic();
     Setting l_max = Setting::automatic();
     Setting flatness = Setting::automatic();

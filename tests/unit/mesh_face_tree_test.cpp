@@ -94,11 +94,11 @@ MeshChange random_gesture(TriMesh& mesh, const FaceTree& tree, Random& random) {
     const double diagonal = mesh.bounding_box().diagonal();
     ActiveSet active(mesh);
     const double theta = random.scale(3.0, 60.0);
-    Gesture gesture(active, tree.faces_meeting(zone, mesh), warp,
-                    AdaptLimits{.theta_max = theta,
-                                .theta_min = 0.7 * theta,
-                                .l_max = warp.smallest_feature_extent(),
-                                .floor = 0.02 * diagonal});
+    Gesture gesture(
+        active, tree.faces_meeting(zone, mesh), warp,
+        AdaptLimits{.curvature = NormalDivergence({.theta_max = theta, .theta_min = 0.7 * theta}),
+                    .l_max = warp.smallest_feature_extent(),
+                    .floor = 0.02 * diagonal});
     return gesture.commit(std::get<DragStep>(warp.steps.back()).displacements);
 }
 
