@@ -54,10 +54,18 @@ Refusal Session::State::check_lattice(const Lattice& lattice) const {
         return "the lattice has no usable size (radius or cells of 0, or beyond numbers); set the "
                "brush radius or the cage to about the size of what is to move";
     }
-    const double most = kLargestLattice * (diagonal + largest_coordinate);
-    if (most == 0.0 || glm::length(extent) <= most) return std::nullopt;
-    return "the lattice is more than a million times as large as the object; set the brush radius "
-           "or the cage to about the size of what is to move";
+    const double size = diagonal + largest_coordinate;
+    const double most = size > 0.0 ? kLargestLattice * size : kOff;
+    if (glm::length(extent) > most) {
+        return "the lattice is more than a million times as large as the object; set the brush "
+               "radius or the cage to about the size of what is to move";
+    }
+    if (!symmetry) return std::nullopt;
+    if (std::abs(symmetry->at) > most || !image(*symmetry, lattice).is_valid()) {
+        return "the symmetry plane is more than a million times the size of the object away; set "
+               "it through the object, or switch symmetry off";
+    }
+    return std::nullopt;
 }
 
 Refusal Session::State::check_targets(const command::Drag& drag, double reach) const {

@@ -373,5 +373,24 @@ TEST(ControlPoints, ThatDoNotExistAreRefused) {
     EXPECT_FALSE(refusal_of(session, Control{{{{0, 0, 0}, {1e30, 0, 0}}}}).empty());
 }
 
+// Mirror images of lattices at such a plane are beyond what numbers hold.
+TEST(SymmetricSession, RefusesToDragWithAPlaneAMillionTimesTheSizeOfTheObjectAway) {
+    for (const double at : {1e9, -1e9, 1e300}) {
+        SCOPED_TRACE(at);
+        Session session;
+        ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::sphere, 1}));
+        const TriMesh before = session.mesh();
+        ASSERT_FALSE(session.execute(
+            command::Symmetry{.plane = command::Symmetry::Plane::y, .through = Vec3{at}}));
+        for (const bool fold_free : {false, true}) {
+            const auto refusal = session.execute(
+                command::Drag{.moves = {{Vec3{0, 0, 1}, Vec3{0, 0, 1.5}}}, .fold_free = fold_free});
+            ASSERT_TRUE(refusal.has_value());
+            EXPECT_NE(refusal->find("the symmetry plane"), std::string::npos) << *refusal;
+            EXPECT_TRUE(session.mesh() == before);
+        }
+    }
+}
+
 }  // namespace
 }  // namespace pectin
