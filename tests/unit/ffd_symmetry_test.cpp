@@ -62,7 +62,10 @@ TEST(SymmetricDrag, MovesImagesToImagesAndThePlaneWithinItselfBitForBit) {
         const Vec3 from{side * random.uniform(0.02, 2.0), random.uniform(-1, 1), 0.0};
         DragPlan drag = plan(from, from + Vec3{side * 0.3, 0.4, 0.6}, round % 2 == 0);
         drag.pins = {from + Vec3{0.0, 0.5, 0.2}};
-        if (round % 3 == 0) drag.moves[0].rotation = {{1, 2, 0.5}, 20.0, 1.2};
+        if (round % 3 == 0) {
+            drag.moves[0].twist = {{1, 2, 0.5}, 20.0};
+            drag.moves[0].scale = 1.2;
+        }
         const Warp warp = planned(drag).warp;
         for (int i = 0; i < 200; ++i) {
             const Vec3 x = from + random.uniform(0.0, 1.5) * random.direction();
