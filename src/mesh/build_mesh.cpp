@@ -17,7 +17,7 @@
 namespace pectin {
 namespace {
 
-// The values as an array that grows; they are given up.
+// Copies the values into a GrowingArray and frees the vector.
 template <typename T>
 GrowingArray<T> taken(std::vector<T>& values) {
     GrowingArray<T> result(values);
@@ -75,12 +75,12 @@ class MeshBuilder {
     TriMesh mesh_;
     BuildReport report_;
     std::vector<std::uint32_t> corner_of_;  // 3 n_faces; into input_.corners
-    std::vector<HalfEdgeId> cut_;           // half-edges along cuts, run by run
-    std::vector<std::size_t> cut_ends_;     // of the runs
+    std::vector<HalfEdgeId> cut_;           // half-edges along cuts, one run after another
+    std::vector<std::size_t> cut_ends_;     // end of each run in cut_
     std::vector<HalfEdgeId> seams_;         // half-edges along unshared seams
-    std::optional<Vec3> mirror_centre_;     // found where the first polygon needs it
+    std::optional<Vec3> mirror_centre_;     // computed when the first polygon needs it
 
-    std::vector<std::uint32_t> ring_;  // scratch of add_polygon: corners without repetition
+    std::vector<std::uint32_t> ring_;  // scratch of add_polygon: corners without repetitions
     std::vector<Vec3> ring_positions_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::vector<OutlineCorner> ring_corners_;
@@ -131,8 +131,8 @@ void MeshBuilder::add_polygon(std::uint32_t polygon) {
     }
 }
 
-// Of the polygon without corners that follow one at the same vertex. Notes in ring_corners_ which
-// half-edge, if any, has each corner of the ring.
+// Triangulates the polygon without corners that repeat the vertex of the corner before. Records in
+// ring_corners_ which half-edge, if any, each corner of the ring has.
 void MeshBuilder::add_triangles(std::uint32_t polygon) {
     ring_.clear();
     ring_positions_.clear();
@@ -162,7 +162,8 @@ void MeshBuilder::add_triangles(std::uint32_t polygon) {
     }
 }
 
-// After add_triangles: all corners in input order, those that no triangle has as loose ones.
+// Records all corners in input order; those that no triangle has are loose. Precondition:
+// add_triangles() has been called for this polygon.
 void MeshBuilder::add_outline(std::uint32_t polygon) {
     InputForm& form = mesh_.form_;
     form.outlines.push_back({polygon, input_.polygon_part[polygon],
@@ -188,7 +189,8 @@ LooseCorner MeshBuilder::loose_corner(const Corner& corner) const {
     return loose;
 }
 
-// Half-edges sorted by their lower vertex (counting sort), then within it by the upper one.
+// Sorts the half-edges by their lower vertex (counting sort), then by their upper one, and matches
+// those that have both in common.
 void MeshBuilder::match_twins() {
     const auto count = static_cast<std::uint32_t>(mesh_.faces_.half_edges.size());
     const auto lower = [&](HalfEdgeId h) { return std::min(mesh_.origin(h), mesh_.target(h)); };
@@ -213,8 +215,8 @@ void MeshBuilder::match_twins() {
     }
 }
 
-// All half-edges between one pair of vertices: two that run in opposite directions are twins;
-// anything else but a single one is no manifold and becomes a cut.
+// `run`: all half-edges between one pair of vertices. Two that run in opposite directions are
+// twins. A single one is a boundary. Anything else is non-manifold and becomes a cut.
 void MeshBuilder::match_run(std::span<const HalfEdgeId> run) {
     if (run.size() == 1) return;
     if (run.size() == 2 && mesh_.origin(run[0]) != mesh_.origin(run[1])) {
@@ -227,7 +229,8 @@ void MeshBuilder::match_run(std::span<const HalfEdgeId> run) {
     cut_ends_.push_back(cut_.size());
 }
 
-// Where a diagonal has the ends of another edge, the other diagonal of its two triangles is tried.
+// Replaces diagonals that have the same ends as another edge by the other diagonal of their two
+// triangles, where that helps.
 void MeshBuilder::exchange_diagonals() {
     if (cut_.empty()) return;
     std::vector<std::uint32_t> polygons;
@@ -267,7 +270,7 @@ void MeshBuilder::renew_outline(std::uint32_t polygon) {
     }
 }
 
-// Joins sides that coincide without sharing vertices; cuts then include those among them.
+// Joins boundary edges that coincide without sharing vertices. The cuts then include theirs.
 void MeshBuilder::join_unshared() {
     std::optional<JoinedSeams> joined =
         join_seams(mesh_.vertices_.positions, mesh_.faces_.half_edges);

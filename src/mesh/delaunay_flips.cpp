@@ -10,10 +10,10 @@
 namespace pectin {
 namespace {
 
-// Sines and relative squared lengths that differ by less are equal.
+// Sines, and relative squared lengths, that differ by less than this count as equal.
 constexpr double kEqual = 1e-7;
-// Flips end by themselves on flat polygons; on others, whose angles in space agree with no plane,
-// they are ended after so many for each corner.
+// On flat polygons the flips terminate by themselves. On others the angles in space agree with no
+// plane, so the number of flips per corner is limited.
 constexpr std::size_t kMostFlips = 64;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -37,7 +37,7 @@ class Flipper {
     }
 
   private:
-    // Half-edge 3 t + k runs from corner k of triangle t to the next.
+    // Half-edge 3 t + k runs from corner k of triangle t to the next corner.
     static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static std::uint32_t prev(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
     std::uint32_t& origin(std::uint32_t h) { return triangles_[h / 3][h % 3]; }
@@ -46,7 +46,7 @@ class Flipper {
         if (twin_[h] != kNone && h < twin_[h]) waiting_.push_back(h);
     }
 
-    // Each pair of corners has the two half-edges of one diagonal or the one of a side.
+    // Between a pair of corners there are two half-edges (a diagonal) or one (a side).
     void link_twins() {
         std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> sorted;
         for (std::uint32_t h = 0; h < twin_.size(); ++h) {
@@ -63,8 +63,8 @@ class Flipper {
         if (h != kNone) twin_[h] = g;
     }
 
-    //       c            The diagonal h = ab, seen from c in its own triangle and from d in the
-    //     /   \          other one.
+    //       c            Compares the angles opposite to the diagonal h = ab: at c in its own
+    //     /   \          triangle, and at d in the other one.
     //    a --- b
     //     \   /
     //       d
@@ -77,7 +77,8 @@ class Flipper {
         const double cos_d = glm::dot(da, db), sin_d = glm::length(glm::cross(da, db));
         const double scale =
             glm::length(ca) * glm::length(cb) * (glm::length(da) * glm::length(db));
-        const double sine = sin_c * cos_d + cos_c * sin_d;  // of the sum, times the scale
+        const double sine =
+            sin_c * cos_d + cos_c * sin_d;  // sine of the sum of both angles, times the scale
         if (sine > kEqual * scale) return false;
         if (sine >= -kEqual * scale) {
             const Vec3 ab = p[b] - p[a], cd = p[d] - p[c];
@@ -87,7 +88,7 @@ class Flipper {
         return orientation(q[c], q[a], q[d]) > 0 && orientation(q[d], q[b], q[c]) > 0;
     }
 
-    // abc and bad become dca (in the slot of abc) and cdb.
+    // Replaces abc and bad by dca (in the slot of abc) and cdb.
     void flip(std::uint32_t h) {
         const std::uint32_t g = twin_[h];
         const std::uint32_t bc = twin_[next(h)], ca = twin_[prev(h)];
@@ -107,7 +108,7 @@ class Flipper {
 
     const FlatPolygon& polygon_;
     std::vector<CornerTriangle>& triangles_;
-    std::vector<std::uint32_t> twin_;  // n_half_edges; none at sides of the polygon
+    std::vector<std::uint32_t> twin_;  // one per half-edge; none on the polygon's sides
     std::vector<std::uint32_t> waiting_;
 };
 

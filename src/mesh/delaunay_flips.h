@@ -1,4 +1,5 @@
-// The diagonals of a triangulated polygon exchanged for better ones.
+// Improves the diagonals of a triangulated polygon by flips.
+// Source: C. L. Lawson. Software for C1 surface interpolation. Mathematical Software III (1977).
 #pragma once
 
 #include <vector>
@@ -7,12 +8,11 @@
 
 namespace pectin {
 
-// Makes the triangulation constrained Delaunay, with angles measured in space: a diagonal whose
-// opposite angles sum to more than two right angles is replaced by the other one of its two
-// triangles, where these form a strictly convex quad; of two that are equally good the shorter one
-// stays (C. L. Lawson. Software for C1 surface interpolation. Mathematical Software III (1977)).
-// All triangles keep turning counter-clockwise. Precondition: none turns clockwise.
-// Cost: O(n log n), and O(1) for each flip, of which ears need about as many as there are corners.
+// Makes the triangulation constrained Delaunay (Lawson 1977), with angles measured in space. A
+// diagonal is flipped if its opposite angles sum to more than two right angles and its two
+// triangles form a strictly convex quad. Of two equally good diagonals the shorter one is chosen.
+// All triangles stay counter-clockwise. Precondition: none is clockwise. Cost: O(n log n) and O(1)
+// per flip; a triangulation by ear clipping needs about one flip per corner.
 void flip_to_delaunay(const FlatPolygon& polygon, std::vector<CornerTriangle>& triangles);
 
 }  // namespace pectin
