@@ -97,8 +97,8 @@ void AtomicFile::commit() {
 
 void AtomicFile::commit_new() {
     flush();
-    if (::renameat2(AT_FDCWD, temporary_.path().c_str(), AT_FDCWD, target_.c_str(), RENAME_NOREPLACE) !=
-        0) {
+    if (::renameat2(AT_FDCWD, temporary_.path().c_str(), AT_FDCWD, target_.c_str(),
+                    RENAME_NOREPLACE) != 0) {
         // Some file systems cannot do it in one step: two steps are the next best.
         if (errno != EINVAL && errno != ENOSYS) fail(errno);
         struct stat status {};

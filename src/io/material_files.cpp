@@ -1,7 +1,9 @@
 #include "io/material_files.h"
 
 #include <algorithm>
+#include <array>
 #include <cctype>
+#include <cerrno>
 #include <filesystem>
 #include <map>
 #include <optional>
@@ -14,6 +16,7 @@
 #include "io/file_error.h"
 #include "io/file_kind.h"
 #include "io/material_library.h"
+#include "io/material_names.h"
 #include "io/obj_statements.h"
 #include "io/open_file.h"
 
@@ -22,43 +25,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* kLeadsOut = "leads out of the model's folder";
-constexpr const char* kIsHidden = "is hidden";
-
 std::string lower_case(std::string_view text) {
     std::string lower(text);
     for (char& c : lower) c = static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     return lower;
-}
-
-// The path below a folder that `name` means there; none where it leads elsewhere. A path that ends
-// at a zero byte for the system would not be the one that is examined here.
-std::optional<fs::path> path_inside(const fs::path& subfolder, std::string_view name) {
-    const fs::path path = (subfolder / name).lexically_normal();
-    if (name.find('\0') != name.npos || path.is_absolute() || path.empty()) return std::nullopt;
-    if (*path.begin() == ".." || *path.begin() == "." || !path.has_filename()) return std::nullopt;
-    return path;
-}
-
-bool is_hidden(const fs::path& path) {
-    return std::any_of(path.begin(), path.end(),
-                       [](const fs::path& part) { return part.string().starts_with('.'); });
-}
-
-// Why a path, links followed, is none that may be read or written below the folder; null if it is.
-const char* reason_against(const fs::path& folder, const fs::path& path) {
-    std::error_code error;
-    const fs::path root = fs::canonical(folder, error);
-    if (error) return kLeadsOut;
-    const fs::path target = fs::weakly_canonical(folder / path, error);
-    if (error) return kLeadsOut;
-    const auto [in_root, in_target] =
-        std::mismatch(root.begin(), root.end(), target.begin(), target.end());
-    if (in_root != root.end()) return kLeadsOut;
-    return std::any_of(in_target, target.end(),
-                       [](const fs::path& part) { return part.string().starts_with('.'); })
-               ? kIsHidden
-               : nullptr;
 }
 
 // Also a symbolic link that leads nowhere: writing would follow it.
@@ -79,51 +49,72 @@ bool is_picture(const OpenFile& file, const std::string& path) {
     return recognise_file(head, file.bytes).is_image() || is_tga(head, tail, file.bytes);
 }
 
+// What asking for a file says where there is none. No file has a name that is too long.
+bool is_missing(int error) { return error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG; }
+
 class MaterialCopier {
   public:
     MaterialCopier(fs::path from, fs::path to, const Progress& progress,
                    const MaterialLimits& limits)
         : from_(std::move(from)), to_(std::move(to)), progress_(progress), limits_(limits) {}
 
-    void find_libraries(std::string_view statement);
+    void find_libraries(std::span<const std::string> statements);
     void find_textures();
     MaterialCopy copy();
 
   private:
-    std::vector<std::string> library_names(std::string_view statement) const;
-    void find(std::string_view name, std::span<const fs::path> subfolders,
+    using Reasons = std::map<std::string, std::string>;  // by name
+
+    std::vector<std::string> library_names(std::string_view statement);
+    void find_once(const std::string& name, const fs::path& subfolder, std::set<fs::path>& found);
+    void find(const std::string& name, std::span<const fs::path> subfolders,
               std::set<fs::path>& found);
-    bool is_there(const fs::path& path) const;
+    bool may_look_up();
+    int error_of(const fs::path& path);
+    std::optional<std::string> read_library(const fs::path& library);
     bool find_textures_of(const fs::path& library);
     void copy_one(const fs::path& path, const Progress& progress);
     void copy_bytes(const OpenFile& file, const fs::path& path, const Progress& progress) const;
-    std::optional<OpenFile> open(const fs::path& path, std::uint64_t most_bytes);
+    std::optional<OpenFile> open(const fs::path& path, std::uint64_t most_bytes,
+                                 const Progress& progress);
     void refuse(const fs::path& path, std::string why) {
         refused_.insert_or_assign(path.generic_string(), std::move(why));
     }
-    void fail(const fs::path& path, const std::string& why) {
-        result_.failed.push_back({path.generic_string(), why});
+    void fail(const fs::path& path, const FileError& error) {
+        failed_.insert_or_assign(path.generic_string(), error.message());
     }
 
     fs::path from_, to_;
     const Progress& progress_;
     const MaterialLimits& limits_;
-    std::set<fs::path> libraries_, textures_;     // found in from_
-    std::set<std::string> lost_;                  // by name
-    std::map<std::string, std::string> refused_;  // why, by name
+    PatientInquiry inquiry_;
+    std::map<fs::path, int> errors_;                    // of error_of()
+    std::set<std::pair<fs::path, std::string>> names_;  // looked up, with their subfolders
+    std::set<fs::path> libraries_, textures_;           // found in from_
+    std::set<std::string> lost_;                        // by name
+    Reasons refused_, failed_;
     MaterialCopy result_;
 };
 
-// Whether there is anything: what it is decides later what becomes of it.
-bool MaterialCopier::is_there(const fs::path& path) const {
-    return ask_patiently((from_ / path).string(), progress_).error == 0;
+// What the system says to opening a file of from_, as errno; 0 where it is there, whatever it is.
+int MaterialCopier::error_of(const fs::path& path) {
+    const auto known = errors_.find(path);
+    if (known != errors_.end()) return known->second;
+    int error = ETIMEDOUT;
+    try {
+        error = inquiry_.ask((from_ / path).string(), progress_).error;
+    } catch (const FileError&) {
+        // No answer: open() will say so.
+    }
+    errors_.emplace(path, error);
+    return error;
 }
 
 // One file, also with blanks in its name, or several, where a name ends at .mtl and a blank.
-std::vector<std::string> MaterialCopier::library_names(std::string_view statement) const {
+std::vector<std::string> MaterialCopier::library_names(std::string_view statement) {
     constexpr std::string_view kExtension = ".mtl";
     const auto whole = path_inside({}, statement);
-    if (whole && !is_hidden(*whole) && is_there(*whole)) return {std::string(statement)};
+    if (whole && !is_hidden(*whole) && error_of(*whole) == 0) return {std::string(statement)};
     std::vector<std::string> names;
     const std::string lower = lower_case(statement);
     std::size_t begin = 0;
@@ -140,27 +131,46 @@ std::vector<std::string> MaterialCopier::library_names(std::string_view statemen
     return names;
 }
 
-void MaterialCopier::find_libraries(std::string_view statement) {
-    const fs::path beside_the_model;
-    for (const std::string& name : library_names(statement)) {
-        find(name, std::span(&beside_the_model, 1), libraries_);
+void MaterialCopier::find_libraries(std::span<const std::string> statements) {
+    const std::set<std::string_view> once(statements.begin(), statements.end());
+    for (const std::string_view statement : once) {
+        if (!may_look_up()) return;
+        for (const std::string& name : library_names(statement)) find_once(name, {}, libraries_);
     }
 }
 
+// Whether another name may be looked up; else says that there are too many.
+bool MaterialCopier::may_look_up() {
+    progress_.advance(0.0);
+    if (names_.size() < limits_.names) return true;
+    refuse("all names after the first " + std::to_string(limits_.names), "are too many");
+    return false;
+}
+
+// The first time that the name comes, if it is not one too many. A texture that is not beside its
+// library may be beside the model.
+void MaterialCopier::find_once(const std::string& name, const fs::path& subfolder,
+                               std::set<fs::path>& found) {
+    if (names_.contains({subfolder, name}) || !may_look_up()) return;
+    names_.emplace(subfolder, name);
+    const std::array<fs::path, 2> subfolders{subfolder, fs::path()};
+    find(name, std::span(subfolders).first(subfolder.empty() ? 1 : 2), found);
+}
+
 // Adds the file that the name means to `found`, or says why it does not.
-void MaterialCopier::find(std::string_view name, std::span<const fs::path> subfolders,
+void MaterialCopier::find(const std::string& name, std::span<const fs::path> subfolders,
                           std::set<fs::path>& found) {
-    std::string with_slashes(name);
+    std::string with_slashes = name;
     std::replace(with_slashes.begin(), with_slashes.end(), '\\', '/');
     std::optional<fs::path> inside;
-    for (const std::string& spelling : {std::string(name), with_slashes}) {
+    for (const std::string& spelling : {name, with_slashes}) {
         for (const fs::path& subfolder : subfolders) {
             const auto path = path_inside(subfolder, spelling);
             // With backslashes a name such as .\\a.png is only one part, which is not hidden.
             const bool is_split = spelling == with_slashes;
             if (!path || (!is_split && is_hidden(*path))) continue;
             if (is_hidden(*path)) return refuse(*path, kIsHidden);
-            if (is_there(*path)) {
+            if (!is_missing(error_of(*path))) {
                 found.insert(*path);
                 return;
             }
@@ -180,10 +190,11 @@ void MaterialCopier::find_textures() {
 }
 
 // The file, if it is a regular one of at most so many bytes; else says why it is not copied.
-std::optional<OpenFile> MaterialCopier::open(const fs::path& path, std::uint64_t most_bytes) {
+std::optional<OpenFile> MaterialCopier::open(const fs::path& path, std::uint64_t most_bytes,
+                                             const Progress& progress) {
     const std::string source = (from_ / path).string();
     try {
-        OpenAnswer answer = ask_patiently(source, progress_);
+        OpenAnswer answer = inquiry_.ask(source, progress);
         const bool is_readable = answer.error == 0;
         try {
             OpenFile file = opened(source, std::move(answer));
@@ -194,28 +205,39 @@ std::optional<OpenFile> MaterialCopier::open(const fs::path& path, std::uint64_t
             refuse(path, error.message());
         }
     } catch (const FileError& error) {
-        fail(path, error.message());
+        fail(path, error);
     }
+    return std::nullopt;
+}
+
+// The library's text; none if it is not copied, and then says why.
+std::optional<std::string> MaterialCopier::read_library(const fs::path& library) try {
+    const char* why = reason_against(from_, library);
+    if (!why && !is_library_name(library)) why = "does not end in .mtl";
+    if (why) {
+        refuse(library, why);
+        return std::nullopt;
+    }
+    const std::optional<OpenFile> file = open(library, limits_.library_bytes, progress_);
+    if (!file) return std::nullopt;
+    std::string text(file->bytes, '\0');
+    text.resize(read_bytes(*file, (from_ / library).string(), text.data(), text.size()));
+    if (may_be_material_library(text)) return text;
+    refuse(library, "is no material library");
+    return std::nullopt;
+} catch (const FileError& error) {
+    fail(library, error);
     return std::nullopt;
 }
 
 // Whether it is a library.
 bool MaterialCopier::find_textures_of(const fs::path& library) {
-    if (const char* why = reason_against(from_, library)) {
-        refuse(library, why);
-        return false;
-    }
-    const std::optional<OpenFile> file = open(library, limits_.library_bytes);
-    if (!file) return false;
-    std::string text(file->bytes, '\0');
-    text.resize(read_bytes(*file, (from_ / library).string(), text.data(), text.size()));
-    if (!may_be_material_library(text)) {
-        refuse(library, "is no material library");
-        return false;
-    }
-    const fs::path subfolders[] = {library.parent_path(), fs::path()};
-    for (const Material& material : parse_materials(text, progress_.part(0.0, 0.0))) {
-        for (const std::string& name : material.textures) find(name, subfolders, textures_);
+    const std::optional<std::string> text = read_library(library);
+    if (!text) return false;
+    for (const Material& material : parse_materials(*text, progress_.part(0.0, 0.0))) {
+        for (const std::string& name : material.textures) {
+            find_once(name, library.parent_path(), textures_);
+        }
     }
     return true;
 }
@@ -234,27 +256,27 @@ MaterialCopy MaterialCopier::copy() {
     std::copy_if(lost_.begin(), lost_.end(), std::back_inserter(result_.missing),
                  [this](const std::string& name) { return !path_exists(to_ / name); });
     for (auto& [name, why] : refused_) result_.refused.push_back({name, why});
+    for (auto& [name, why] : failed_) result_.failed.push_back({name, why});
     return std::move(result_);
 }
 
-void MaterialCopier::copy_one(const fs::path& path, const Progress& progress) {
+void MaterialCopier::copy_one(const fs::path& path, const Progress& progress) try {
+    const bool is_library = libraries_.contains(path);
     const char* why = reason_against(from_, path);
     if (!why) why = reason_against(to_, path);
+    if (!why && !is_library && !is_picture_name(path)) why = "is not named as a picture";
     if (why) return refuse(path, why);
     if (path_exists(to_ / path)) return;
-    const bool is_library = libraries_.contains(path);
     const std::optional<OpenFile> file =
-        open(path, is_library ? limits_.library_bytes : limits_.texture_bytes);
+        open(path, is_library ? limits_.library_bytes : limits_.texture_bytes, progress);
     if (!file) return;
-    try {
-        if (!is_library && !is_picture(*file, (from_ / path).string())) {
-            return refuse(path, "is no picture");
-        }
-        copy_bytes(*file, path, progress);
-        result_.copied.push_back(path.generic_string());
-    } catch (const FileError& error) {
-        fail(path, error.message());
+    if (!is_library && !is_picture(*file, (from_ / path).string())) {
+        return refuse(path, "is no picture");
     }
+    copy_bytes(*file, path, progress);
+    result_.copied.push_back(path.generic_string());
+} catch (const FileError& error) {
+    fail(path, error);
 }
 
 // In pieces: textures can be large.
@@ -285,7 +307,7 @@ MaterialCopy copy_material_files(std::span<const std::string> material_libraries
     if (material_libraries.empty()) return {};
     try {
         // The folder may have been on a drive that is gone, which would hold up all that follows.
-        if (ask_patiently(source.string(), progress).error != 0) return {};
+        ask_patiently(source.string(), progress);
     } catch (const FileError& error) {
         MaterialCopy result;
         result.failed.push_back({source.string(), error.message()});
@@ -294,7 +316,7 @@ MaterialCopy copy_material_files(std::span<const std::string> material_libraries
     std::error_code error;
     if (!fs::is_directory(target, error) || fs::equivalent(source, target, error)) return {};
     MaterialCopier copier(source, target, progress, limits);
-    for (const std::string& statement : material_libraries) copier.find_libraries(statement);
+    copier.find_libraries(material_libraries);
     copier.find_textures();
     return copier.copy();
 }

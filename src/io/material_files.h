@@ -1,6 +1,7 @@
 // The files that an OBJ names beside itself: material libraries (MTL) and their textures.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <string>
@@ -24,6 +25,8 @@ struct MaterialCopy {
 };
 
 struct MaterialLimits {
+    // Names that a save looks up. Large scenes have some hundred textures.
+    std::size_t names = 4096;
     // Real libraries have kilobytes; what is larger is none, whatever it is called.
     std::uint64_t library_bytes = std::uint64_t{16} << 20;
     // A picture of 16384 x 16384 pixels with four floats each takes four times as much, one with
@@ -43,9 +46,10 @@ struct MaterialLimits {
 // A model can come from anybody, and so its names must not carry other files along or put any where
 // programs would obey them. Refused are: names that lead out of the folder, also by symbolic links,
 // in `from` or in `to`; names with a hidden part (.config/a.png); libraries that are none and
-// textures that are no pictures, by their content; what is larger than the limits; pipes, devices
-// and folders. Each file is copied whole or not at all (AtomicFile), never over another; one that
-// cannot be does not keep others from being copied. Throws Cancelled.
+// textures that are no pictures, by their extension (.mtl, .png) or by their content; what is
+// larger than the limits; pipes, devices and folders. Each file is copied whole or not at all
+// (AtomicFile), never over another; one that is there and cannot be read or written fails and does
+// not keep others from being copied. Throws Cancelled.
 MaterialCopy copy_material_files(std::span<const std::string> material_libraries,
                                  const std::string& from, const std::string& to,
                                  const Progress& progress = {}, const MaterialLimits& limits = {});

@@ -4,6 +4,7 @@
 #include <tiny_obj_loader.h>
 
 #include <algorithm>
+#include <array>
 #include <cctype>
 #include <map>
 #include <set>
@@ -23,6 +24,7 @@ std::string lower_case(std::string_view text) {
 
 bool names_texture(std::string_view keyword) {
     const std::string word = lower_case(keyword);
+    if (word == "map_aat") return false;  // whether textures are antialiased: on or off
     return word.starts_with("map_") || word == "bump" || word == "disp" || word == "decal" ||
            word == "refl" || word == "norm";
 }
@@ -159,11 +161,7 @@ void MaterialReader::parse_piece() {
     std::vector<tinyobj::material_t> parsed;
     std::string warning, error;
     tinyobj::LoadMtl(&names, &parsed, &stream, &warning, &error);
-    for (const tinyobj::material_t& one : parsed) {
-        take_textures(one, material_);
-        const bool has_color = one.diffuse[0] != 0 || one.diffuse[1] != 0 || one.diffuse[2] != 0;
-        if (has_color) material_.diffuse = {one.diffuse[0], one.diffuse[1], one.diffuse[2]};
-    }
+    for (const tinyobj::material_t& one : parsed) take_textures(one, material_);
 }
 
 void MaterialReader::end_material() {
@@ -187,18 +185,22 @@ std::vector<Material> parse_materials(std::string_view text, const Progress& pro
 
 bool may_be_material_library(std::string_view text) {
     static constexpr auto kKeywords = std::to_array<std::string_view>(
-        {"ka",        "kd", "ks", "ke", "kt", "tf",  "tr",    "d",      "ns",  "ni",      "illum",
-         "sharpness", "pr", "pm", "ps", "pc", "pcr", "aniso", "anisor", "xyz", "spectral"});
-    bool all_known = true;
+        {"newmtl", "ka",  "kd",    "ks",     "ke",        "kt",  "tf",      "tr",
+         "d",      "ns",  "ni",    "illum",  "sharpness", "pr",  "pm",      "ps",
+         "pc",     "pcr", "aniso", "anisor", "map_aat",   "xyz", "spectral"});
+    if (text.starts_with("#!")) return false;
+    std::size_t known = 0, unknown = 0;
+    bool has_begun = false;
     ObjStatements statements(text);
     while (statements.next()) {
-        if (statements.keyword() == "newmtl") return true;
         const std::string word = lower_case(statements.keyword());
-        all_known =
-            all_known && (names_texture(word) ||
-                          std::find(kKeywords.begin(), kKeywords.end(), word) != kKeywords.end());
+        const bool is_known = names_texture(word) || std::find(kKeywords.begin(), kKeywords.end(),
+                                                               word) != kKeywords.end();
+        has_begun = has_begun || word == "newmtl";
+        if (!is_known && !has_begun) return false;
+        ++(is_known ? known : unknown);
     }
-    return all_known;
+    return known >= unknown;
 }
 
 }  // namespace pectin

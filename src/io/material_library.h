@@ -1,7 +1,6 @@
 // Material libraries (MTL files): the materials of OBJ files and the textures that they name.
 #pragma once
 
-#include <array>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -12,7 +11,6 @@ namespace pectin {
 
 struct Material {
     std::string name;  // empty for what stands before the first newmtl
-    std::array<float, 3> diffuse{0.0f, 0.0f, 0.0f};  // Kd; 0.6 each where only map_Kd is given
     // The files that its statements name, as they are written there, in no particular order: map_*,
     // bump, disp, decal, refl (six of them for a cube) and norm, without their options.
     std::vector<std::string> textures;
@@ -26,8 +24,9 @@ struct Material {
 // Cost: O(n), some microseconds for each texture.
 std::vector<Material> parse_materials(std::string_view text, const Progress& progress = {});
 
-// Whether a text may be a material library: it begins a material, or has none but statements that
-// material libraries have. An empty text may be one, too.
+// Whether a text may be a material library: it has none but statements that material libraries have
+// before its first material, and no more others than such behind that, as extensions of exporters
+// are. A script that names its interpreter (#!) is none. An empty text may be one.
 bool may_be_material_library(std::string_view text);
 
 }  // namespace pectin

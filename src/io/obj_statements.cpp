@@ -89,7 +89,7 @@ bool ObjStatements::next() {
         std::string_view statement = take_line();
         const std::string_view content = without_leading_blanks(statement);
         if (content.empty()) continue;
-        if (content.front() == '#' && !content.starts_with("#MRGB")) continue;
+        if (content.front() == '#' && leading_token(content) != "#MRGB") continue;
         if (statement.ends_with('\\')) statement = joined_with_continuations(statement);
 
         statement = trimmed(statement);

@@ -3,7 +3,9 @@
 #include <sys/stat.h>
 
 #include <cerrno>
-#include <future>
+#include <condition_variable>
+#include <exception>
+#include <mutex>
 #include <system_error>
 #include <thread>
 #include <utility>
@@ -39,26 +41,95 @@ void refuse_what_is_no_file(const std::string& path, mode_t mode) {
 
 }  // namespace
 
+// One question at a time. `ask` is set before the thread starts, the rest is guarded by `mutex`.
+struct PatientInquiry::Worker {
+    enum class State { idle, asked, answered, over };
+
+    std::function<OpenAnswer(const std::string&)> ask;
+    std::mutex mutex;
+    std::condition_variable has_changed;
+    State state = State::idle;
+    std::string path;
+    OpenAnswer answer;
+    std::exception_ptr failure;
+
+    void run();
+};
+
+void PatientInquiry::Worker::run() {
+    std::unique_lock lock(mutex);
+    while (true) {
+        has_changed.wait(lock, [this] { return state == State::asked || state == State::over; });
+        if (state == State::over) return;
+        const std::string question = std::move(path);
+        lock.unlock();
+        OpenAnswer found;
+        std::exception_ptr what_failed;
+        try {
+            found = ask(question);
+        } catch (...) {
+            what_failed = std::current_exception();
+        }
+        lock.lock();
+        if (state == State::over) return;
+        answer = std::move(found);
+        failure = what_failed;
+        state = State::answered;
+        has_changed.notify_all();
+    }
+}
+
+PatientInquiry::~PatientInquiry() {
+    if (!worker_) return;
+    const std::lock_guard lock(worker_->mutex);
+    worker_->state = Worker::State::over;
+    worker_->has_changed.notify_all();
+}
+
+// Whether there is a thread to ask.
+bool PatientInquiry::start() {
+    if (worker_) return true;
+    const auto worker = std::make_shared<Worker>();
+    worker->ask = patience_.ask;
+    try {
+        std::thread([worker] { worker->run(); }).detach();
+    } catch (const std::system_error&) {
+        return false;
+    }
+    worker_ = worker;
+    return true;
+}
+
+OpenAnswer PatientInquiry::ask(const std::string& path, const Progress& progress) {
+    const auto no_answer = [&path] {
+        return FileError(path,
+                         "does not answer; is the drive or the server that it is on still there?");
+    };
+    if (is_waiting_) throw no_answer();
+    if (!start()) return patience_.ask(path);
+    constexpr std::chrono::milliseconds kBetweenChecks{20};
+    const auto end = std::chrono::steady_clock::now() + patience_.longest;
+    const auto is_answered = [this] { return worker_->state == Worker::State::answered; };
+    std::unique_lock lock(worker_->mutex);
+    worker_->path = path;
+    worker_->state = Worker::State::asked;
+    worker_->has_changed.notify_all();
+    is_waiting_ = true;
+    while (!worker_->has_changed.wait_for(lock, kBetweenChecks, is_answered)) {
+        lock.unlock();
+        progress.advance(0.0);
+        if (std::chrono::steady_clock::now() >= end) throw no_answer();
+        lock.lock();
+    }
+    is_waiting_ = false;
+    worker_->state = Worker::State::idle;
+    if (worker_->failure) std::rethrow_exception(std::exchange(worker_->failure, nullptr));
+    return std::move(worker_->answer);
+}
+
 OpenAnswer ask_patiently(const std::string& path, const Progress& progress,
                          const OpenPatience& patience) {
-    // Nothing that the other thread uses belongs to this one, which may be gone first.
-    std::packaged_task<OpenAnswer()> task([path, ask = patience.ask] { return ask(path); });
-    std::future<OpenAnswer> answer = task.get_future();
-    try {
-        std::thread(std::move(task)).detach();
-    } catch (const std::system_error&) {
-        return patience.ask(path);
-    }
-    constexpr std::chrono::milliseconds kBetweenChecks{20};
-    const auto end = std::chrono::steady_clock::now() + patience.longest;
-    while (answer.wait_for(kBetweenChecks) != std::future_status::ready) {
-        progress.advance(0.0);
-        if (std::chrono::steady_clock::now() < end) continue;
-        throw FileError(path,
-                        "does not answer; is the drive or the server that it is on still "
-                        "there?");
-    }
-    return answer.get();
+    return PatientInquiry(patience).ask(path, progress);
 }
 
 OpenAnswer ask_system(const std::string& path) {

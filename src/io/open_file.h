@@ -6,7 +6,9 @@
 #include <chrono>
 #include <cstddef>
 #include <functional>
+#include <memory>
 #include <string>
+#include <utility>
 
 #include "io/file_descriptor.h"
 #include "io/progress.h"
@@ -35,10 +37,31 @@ struct OpenPatience {
     std::function<OpenAnswer(const std::string&)> ask = ask_system;
 };
 
-// A file system may not answer at all, as that of a server that is gone. So the system is asked on
-// a thread of its own, while this one waits until `progress` asks to stop or its patience ends. The
-// other thread then stays behind until the system answers. Where no thread can be made, this one
-// asks. Throws FileError where there is no answer. Throws Cancelled.
+// Asks the system about files. A file system may not answer at all, as that of a server that is
+// gone. So the system is asked on one other thread, while this one waits until `progress` asks to
+// stop or its patience ends. The other thread then stays behind until the system answers. Where no
+// thread can be made, this one asks.
+class PatientInquiry {
+  public:
+    explicit PatientInquiry(OpenPatience patience = {}) : patience_(std::move(patience)) {}
+    ~PatientInquiry();
+    PatientInquiry(const PatientInquiry&) = delete;
+    PatientInquiry& operator=(const PatientInquiry&) = delete;
+
+    // Throws FileError where there is no answer; after that at once, for every path, so that many
+    // files cost no more than one. Throws Cancelled.
+    OpenAnswer ask(const std::string& path, const Progress& progress = {});
+
+  private:
+    struct Worker;
+    bool start();
+
+    OpenPatience patience_;
+    std::shared_ptr<Worker> worker_;  // shared with the other thread, which may outlive this
+    bool is_waiting_ = false;         // for an answer that has not come
+};
+
+// Asks once.
 OpenAnswer ask_patiently(const std::string& path, const Progress& progress = {},
                          const OpenPatience& patience = {});
 

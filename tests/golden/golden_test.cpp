@@ -1,9 +1,9 @@
 // Pictures against references that were looked at: NAME.png beside this file.
 //
-// Another processor or driver rounds differently, so a few pixels may differ; where a driver differs
-// in more, there is a further reference. A picture that is close to none of them is left under
-// pictures/ of the build, and the test says where. After an intended change `scripts/golden` makes
-// the references anew; look at every one.
+// Another processor or driver rounds differently, so a few pixels may differ; where a driver
+// differs in more, there is a further reference. A picture that is close to none of them is left
+// under pictures/ of the build, and the test says where. After an intended change `scripts/golden`
+// makes the references anew; look at every one.
 #include <gtest/gtest.h>
 
 #include <algorithm>

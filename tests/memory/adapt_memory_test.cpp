@@ -1,4 +1,5 @@
-// Adapting where memory runs out: nothing may be lost.
+// Adapting where memory runs out: nothing may be lost. Allocations fail at every one in a long run,
+// else at a sample (FailurePoints); pages run out every 5 MB.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -44,6 +45,7 @@ class Shortage {
 };
 
 using test::FailingNew;
+using test::FailurePoints;
 
 // A mesh of which all is active, in a warp of two steps.
 class Refined {
@@ -96,11 +98,11 @@ TEST(AdaptMemory, RollsBackWhicheverAllocationFails) {
     for (const FailingNew::How how : {FailingNew::How::once, FailingNew::How::from_there_on}) {
         int shortages = 0;
         bool is_enough = false;
-        for (std::size_t served = 0; !is_enough; served += 1 + served / 16) {
-            SCOPED_TRACE("served " + std::to_string(served));
+        for (FailurePoints points(16); !is_enough; points.advance()) {
+            SCOPED_TRACE("served " + std::to_string(points.served()));
             Refined refined(mesh);
             {
-                const FailingNew failing(served, how);
+                const FailingNew failing(points.served(), how);
                 const bool all_done = adapt(refined);
                 is_enough = !failing.has_failed();
                 if (is_enough) {

@@ -1,5 +1,6 @@
 // A drag with the mouse where memory runs out: hand and session agree on whether it goes on, and
-// what is shown is the object as it is.
+// what is shown is the object as it is. Every allocation fails in a long run, else a sample of them
+// (FailurePoints) and each of the last ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -17,6 +18,7 @@ namespace pectin {
 namespace {
 
 using test::FailingNew;
+using test::FailurePoints;
 
 // What a window shows: the position of each wedge as it was last told.
 class Picture {
@@ -117,15 +119,16 @@ bool drag_until_memory_ends(std::size_t served, FailingNew::How how) {
 TEST(SculptorMemory, LeavesHandAndPictureAsTheSessionIs) {
     int failures = 0;
     for (const auto how : {FailingNew::How::once, FailingNew::How::from_there_on}) {
-        // A sample of all allocations, then each of the last ones, where the drag ends.
-        std::size_t served = 0, last_interrupted = 0;
-        for (; !drag_until_memory_ends(served, how); served += 1 + served / 24) {
-            SCOPED_TRACE("served " + std::to_string(served));
+        // Then each of the last ones, where the drag ends.
+        std::size_t last_interrupted = 0;
+        for (FailurePoints points(24); !drag_until_memory_ends(points.served(), how);
+             points.advance()) {
             ++failures;
-            last_interrupted = served;
-            if (HasFailure()) return;
+            last_interrupted = points.served();
+            ASSERT_FALSE(HasFailure()) << "served " << points.served();
         }
-        for (served = last_interrupted; !drag_until_memory_ends(served, how); ++served) {
+        for (std::size_t served = last_interrupted; !drag_until_memory_ends(served, how);
+             ++served) {
             ++failures;
             ASSERT_FALSE(HasFailure()) << "served " << served;
         }

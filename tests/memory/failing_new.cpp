@@ -3,8 +3,10 @@
 #include <sys/mman.h>
 
 #include <atomic>
+#include <cstdio>
 #include <cstdlib>
 #include <new>
+#include <random>
 
 namespace pectin::test {
 namespace {
@@ -39,6 +41,16 @@ FailingNew::FailingNew(std::size_t served, How how) {
 FailingNew::~FailingNew() { armed = false; }
 
 bool FailingNew::has_failed() const { return failed; }
+
+FailurePoints::FailurePoints(std::size_t sparseness)
+    : sparseness_(sparseness), takes_all_(std::getenv("PECTIN_TEST_LONG") != nullptr) {
+    if (takes_all_) return;
+    const char* const chosen = std::getenv("PECTIN_TEST_OFFSET");
+    offset_ = chosen ? std::strtoull(chosen, nullptr, 10) : std::random_device()() % sparseness;
+    std::printf("a sample of the allocations fails: PECTIN_TEST_OFFSET=%zu\n", offset_);
+}
+
+void FailurePoints::advance() { served_ += takes_all_ ? 1 : 1 + (served_ + offset_) / sparseness_; }
 
 }  // namespace pectin::test
 

@@ -1,5 +1,6 @@
-// A session where memory runs out at any allocation of any command: the object is then as it was,
-// and the same command works once there is memory again.
+// A session where memory runs out in any command: the object is then as it was, and the same
+// command works once there is memory again. Every allocation fails in a long run, else a sample of
+// them (FailurePoints).
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -19,6 +20,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using test::FailingNew;
+using test::FailurePoints;
 
 const command::Shape kSphere{command::Shape::Kind::sphere, 3};
 
@@ -67,13 +69,13 @@ class SessionMemory : public testing::Test {
         int failures = 0;
         for (const auto how : {FailingNew::How::once, FailingNew::How::from_there_on}) {
             bool is_enough = false;
-            for (std::size_t served = 0; !is_enough; served += 1 + served / 32) {
-                SCOPED_TRACE("served " + std::to_string(served));
+            for (FailurePoints points(32); !is_enough; points.advance()) {
+                SCOPED_TRACE("served " + std::to_string(points.served()));
                 Session session;
                 prepare(session);
                 bool is_done = false;
                 {
-                    const FailingNew failing(served, how);
+                    const FailingNew failing(points.served(), how);
                     try {
                         work(session);
                         is_done = true;
@@ -164,11 +166,12 @@ TEST_F(SessionMemory, ASaveIsWholeOrNotThere) {
     const std::string whole = read("model.obj");
     fs::remove(path("model.obj"));
     bool is_enough = false;
-    for (std::size_t served = 0; !is_enough; served += 1 + served / 32) {
+    for (FailurePoints points(32); !is_enough; points.advance()) {
+        SCOPED_TRACE("served " + std::to_string(points.served()));
         bool is_done = false;
         {
             const command::Save save{path("model.obj")};
-            const FailingNew failing(served, FailingNew::How::once);
+            const FailingNew failing(points.served(), FailingNew::How::once);
             try {
                 is_done = !session.execute(save);
             } catch (const std::bad_alloc&) {

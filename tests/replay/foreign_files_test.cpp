@@ -90,15 +90,38 @@ TEST(ForeignFiles, ThatAreNoObjFilesAreReportedByTheirKind) {
     }
 }
 
-TEST(Messages, AreNotCutOffByAZeroByteInAFileAScriptOrAName) {
+TEST(Messages, AreNotCutOffByAZeroByteInAFile) {
     const ScratchFolder folder;
     folder.write("t.obj", "v 0 0\0x 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"s);
-    Outcome outcome = open_and_save(folder, "t.obj");
+    const Outcome outcome = open_and_save(folder, "t.obj");
     EXPECT_NE(outcome.err.find("t.obj:1: '0\\x00x' is no number; numbers look like"),
               std::string::npos)
         << outcome.err;
-    folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nmtllib a\0b.mtl\n"s);
-    outcome =
+}
+
+// A save into another folder names the material files; the system would take "a" for the first.
+TEST(Messages, AreNotCutOffByAZeroByteInAName) {
+    const ScratchFolder folder;
+    folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nmtllib a\0b.mtl\nmtllib c.mtl\n"s);
+    folder.write("a", "newmtl a\n");
+    folder.write("c.mtl", "newmtl c\nmap_Kd d\0e.png\n"s);
+    folder.write("to/own.txt", "");
+    const std::string script = folder.write_script(
+        "s.jsonl",
+        {R"({"cmd": "open", "path": "t.obj"})", R"({"cmd": "save", "path": "to/t.obj"})"});
+    const Outcome outcome = run_program({"replay", script});
+    EXPECT_EQ(outcome.exit_status, 0);
+    EXPECT_EQ(outcome.err,
+              script +
+                  ":3: save: t.obj: material files copied: c.mtl; material files not copied: "
+                  "a\\x00b.mtl (leads out of the model's folder), d\\x00e.png (leads out of "
+                  "the model's folder)\n");
+    EXPECT_FALSE(folder.holds("to/a"));
+    EXPECT_NE(folder.read("to/t.obj").find("mtllib a\0b.mtl\n"s), std::string::npos);
+}
+
+TEST(Messages, AreNotCutOffByAZeroByteInAScript) {
+    const Outcome outcome =
         run_program({"replay", "-"}, "{\"pectin\": 1}\n{\"cmd\": \"explode\\u0000\\u001b[1m\"}\n");
     EXPECT_EQ(outcome.err.find('\0'), std::string::npos);
     EXPECT_EQ(outcome.err.find('\x1b'), std::string::npos);

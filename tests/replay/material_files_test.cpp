@@ -54,7 +54,7 @@ TEST(MaterialFiles, DoNotTakeHiddenFilesOfTheHomeFolderAlong) {
         EXPECT_FALSE(folder.holds(name)) << name;
     }
     EXPECT_NE(outcome.err.find("not copied: .bashrc (is hidden), .ssh/id.png (is hidden), "
-                               "notes.txt (is no picture)\n"),
+                               "notes.txt (is not named as a picture)\n"),
               std::string::npos)
         << outcome.err;
 }
@@ -89,6 +89,30 @@ TEST(MaterialFiles, ThatCannotBeCopiedMakeTheExitStatusOne) {
     EXPECT_NE(outcome.err.find("could not be copied: t/x.png (the folder cannot be made"),
               std::string::npos)
         << outcome.err;
+}
+
+TEST(MaterialFiles, ThatAreThereAndCannotBeReadMakeTheExitStatusOne) {
+    const ScratchFolder folder;
+    folder.write("from/w.obj", "mtllib w.mtl\n" + kTriangle);
+    std::filesystem::create_symlink("w.mtl", folder.path("from/w.mtl"));
+    folder.write("to/own.txt", "");
+    const Outcome outcome = open_and_save(folder, "from/w.obj", "to/w.obj");
+    EXPECT_EQ(outcome.exit_status, 1);
+    EXPECT_NE(outcome.err.find("could not be copied: w.mtl (its path cannot be followed"),
+              std::string::npos)
+        << outcome.err;
+}
+
+TEST(MaterialFiles, ThatAreScriptsWithALineOfALibraryAreRefused) {
+    const ScratchFolder folder;
+    folder.write("from/w.obj", "mtllib evil.desktop\nmtllib autorun.sh\n" + kTriangle);
+    folder.write("from/evil.desktop", "[Desktop Entry]\nExec=evil\nnewmtl a\n");
+    folder.write("from/autorun.sh", "#!/bin/sh\nnewmtl a\n");
+    folder.write("to/own.txt", "");
+    const Outcome outcome = open_and_save(folder, "from/w.obj", "to/w.obj");
+    EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
+    EXPECT_FALSE(folder.holds("to/evil.desktop"));
+    EXPECT_FALSE(folder.holds("to/autorun.sh"));
 }
 
 TEST(MaterialFiles, ThatArePipesHoldNobodyUp) {

@@ -1,5 +1,6 @@
 // One long session over many objects: whatever is asked of it, in whatever order, it stays valid,
-// refuses what cannot be done and gives back every step, to the byte.
+// refuses what cannot be done and gives back every step, to the byte. PECTIN_TEST_SEED begins with
+// another object than the first.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -232,13 +233,19 @@ class Soak : public testing::Test {
 };
 
 TEST_F(Soak, OfRandomCommandsKeepsEveryStep) {
-    const int wanted = std::getenv("PECTIN_TEST_LONG") ? 100'000 : 1'000;
-    std::uint64_t seed = 90'000;
+    const bool is_long = std::getenv("PECTIN_TEST_LONG") != nullptr;
+    const int wanted = is_long ? 100'000 : 1'000;
+    const char* const first = std::getenv("PECTIN_TEST_SEED");
+    std::uint64_t seed = first ? std::strtoull(first, nullptr, 10) : 90'000;
     for (; totals_.commands < wanted; ++seed) {
         Random random(seed);
         std::string description;
         const std::string obj = random_object(random, description);
         SCOPED_TRACE("seed " + std::to_string(seed) + ": " + description);
+        if (is_long) {  // a crash leaves no trace
+            std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
+            std::fflush(stdout);
+        }
         open(obj);
         if (HasFailure()) return;
         ++totals_.objects;

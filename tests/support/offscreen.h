@@ -1,8 +1,10 @@
 // An offscreen context for tests that draw. They are skipped if no context is available.
 #pragma once
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <memory>
 #include <string>
 #include <vector>
@@ -14,14 +16,40 @@
 
 namespace pectin {
 
+// Whether the library is loaded and this function of it says that a context of its is current.
+inline bool has_current_context(const char* library, const char* function) {
+    void* const loaded = ::dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
+    if (!loaded) return false;
+    auto* const current = reinterpret_cast<void* (*)()>(::dlsym(loaded, function));
+    const bool has_context = current && current();
+    ::dlclose(loaded);
+    return has_context;
+}
+
+// The host whose context is current, as PECTIN_OFFSCREEN names it, by asking the libraries; empty
+// if neither has one.
+inline std::string current_offscreen_host() {
+    if (has_current_context("libOSMesa.so.8", "OSMesaGetCurrentContext")) return "osmesa";
+    if (has_current_context("libEGL.so.1", "eglGetCurrentContext")) return "egl";
+    return {};
+}
+
 class OffscreenTest : public testing::Test {
   protected:
+    // Fails if the host is not the one that PECTIN_OFFSCREEN chooses.
     void SetUp() override {
         try {
             host_ = make_offscreen_host();
         } catch (const ContextError& error) {
             GTEST_SKIP() << "nothing can be drawn: " << error.what();
         }
+        const char* const choice = std::getenv("PECTIN_OFFSCREEN");
+        const std::string host = current_offscreen_host();
+        ASSERT_NE(host, "");
+        if (choice) {
+            ASSERT_EQ(host, choice);
+        }
+        RecordProperty("host", host);
     }
     const Gl& gl() const { return host_->gl(); }
 

@@ -4,6 +4,7 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <filesystem>
 #include <set>
 #include <stop_token>
@@ -70,8 +71,8 @@ TEST_F(MaterialFilesTest, CopiesLibrariesAndEveryTextureThatTheyName) {
         "newmtl wood\nKd 1 0 0\nmap_Kd wood.png\n\tMap_Ks  -clamp on -o 1 2 -s 1 1 1 my gloss.png "
         "\nbump -bm 0.5 bump.png\nmap_Bump -mm 0 1 -imfchan l b2.png\nrefl -type cube_top r1.png\n"
         "refl -type cube_left r2.png\ndecal d.png\ndisp p.png\nnorm n.png\nmap_Ke maps\\e.png\n"
-        "map_opacity -texres 512 -t 0.5 7\n# map_Kd no.png\nd 0.5\n");
-    const Names textures = {"7",     "b2.png", "bump.png", "d.png",  "maps/e.png", "my gloss.png",
+        "map_opacity -texres 512 -t 0.5 7.png\n# map_Kd no.png\nd 0.5\n");
+    const Names textures = {"7.png", "b2.png", "bump.png", "d.png",  "maps/e.png", "my gloss.png",
                             "n.png", "p.png",  "r1.png",   "r2.png", "wood.png"};
     for (const std::string& name : textures) write_picture(from_ / name, "pixels of " + name);
     write(from_ / "no.png", "");
@@ -88,12 +89,12 @@ TEST_F(MaterialFilesTest, CopiesLibrariesAndEveryTextureThatTheyName) {
 }
 
 TEST_F(MaterialFilesTest, TellsSeveralNamesFromOneWithBlanks) {
-    for (const char* name : {"a.mtl", "b.mtl", "my first.MTL", "c", "d e", "x.mtl y.mtl"}) {
+    for (const char* name : {"a.mtl", "b.mtl", "my first.MTL", "d e.mtl", "x.mtl y.mtl"}) {
         write(from_ / name, "");
     }
-    EXPECT_EQ(copy({"a.mtl \t b.mtl my first.MTL", "c"}).copied,
-              (Names{"a.mtl", "b.mtl", "c", "my first.MTL"}));
-    EXPECT_EQ(copy({"d e", "x.mtl y.mtl"}).copied, (Names{"d e", "x.mtl y.mtl"}));
+    EXPECT_EQ(copy({"a.mtl \t b.mtl my first.MTL"}).copied,
+              (Names{"a.mtl", "b.mtl", "my first.MTL"}));
+    EXPECT_EQ(copy({"d e.mtl", "x.mtl y.mtl"}).copied, (Names{"d e.mtl", "x.mtl y.mtl"}));
     const MaterialCopy none = copy({"q.mtl r s.mtl t", ".mtl"});
     EXPECT_EQ(none.missing, (Names{"q.mtl", "r s.mtl", "t"}));
     EXPECT_EQ(none.refused, (Reasons{{".mtl", "is hidden"}}));
@@ -149,15 +150,15 @@ TEST_F(MaterialFilesTest, DoesNotMindWhatIsMissingOrNoFile) {
     EXPECT_EQ(copy({"none.mtl", "none.mtl"}).missing, Names{"none.mtl"});
     write(from_ / "a.mtl",
           "map_Kd gone.png\nmap_Kd\nmap_Ks -s 1 1\nmap_Ka -o\nbump -bm 1 C:\\w.png\n" +
-              ("disp " + std::string(5000, 'x')) + "\nmap_d folder\nmap_Ke pipe\n");
-    fs::create_directory(from_ / "folder");
-    ASSERT_EQ(::mkfifo((from_ / "pipe").c_str(), 0600), 0);
+              ("disp " + std::string(5000, 'x')) + "\nmap_d folder.png\nmap_Ke pipe.png\n");
+    fs::create_directory(from_ / "folder.png");
+    ASSERT_EQ(::mkfifo((from_ / "pipe.png").c_str(), 0600), 0);
     const MaterialCopy result = copy({"a.mtl"});
     EXPECT_EQ(result.copied, Names{"a.mtl"});
     EXPECT_EQ(result.missing, (Names{"1", "C:/w.png", "gone.png", std::string(5000, 'x')}));
     EXPECT_EQ(result.refused,
-              (Reasons{{"folder", "is a folder, not a file"},
-                       {"pipe",
+              (Reasons{{"folder.png", "is a folder, not a file"},
+                       {"pipe.png",
                         "is a pipe, not a file; write what comes out of it to a file "
                         "first"}}));
 }
@@ -185,6 +186,114 @@ TEST_F(MaterialFilesTest, SaysWhyItCannotCopy) {
     EXPECT_TRUE(result.failed.front().why.starts_with("the folder cannot be made: "))
         << result.failed.front().why;
     EXPECT_EQ(files(to_), (Names{"a.mtl", "t"}));
+}
+
+// While one lives, the process has no more rights than an ordinary user, whom the folder belongs
+// to.
+class OrdinaryUser {
+  public:
+    explicit OrdinaryUser(const fs::path& folder) {
+        if (::geteuid() != 0) return;
+        constexpr uid_t kNobody = 65534;
+        for (const auto& entry : fs::recursive_directory_iterator(folder)) {
+            EXPECT_EQ(::lchown(entry.path().c_str(), kNobody, kNobody), 0);
+        }
+        EXPECT_EQ(::chown(folder.c_str(), kNobody, kNobody), 0);
+        EXPECT_EQ(::seteuid(kNobody), 0);
+        is_changed_ = true;
+    }
+    OrdinaryUser(const OrdinaryUser&) = delete;
+    OrdinaryUser& operator=(const OrdinaryUser&) = delete;
+    ~OrdinaryUser() {
+        if (is_changed_) {
+            EXPECT_EQ(::seteuid(0), 0);
+        }
+    }
+
+  private:
+    bool is_changed_ = false;
+};
+
+TEST_F(MaterialFilesTest, TellsWhatIsThereAndCannotBeReadFromWhatIsMissing) {
+    write(from_ / "a.mtl",
+          "newmtl a\nmap_Kd t/x.png\nmap_Ks locked.png\nmap_Ka loop.png\nmap_d good.png\n");
+    write(from_ / "locked.mtl", "newmtl b\n");
+    fs::create_symlink("loop.mtl", from_ / "loop.mtl");
+    fs::create_symlink("loop.png", from_ / "loop.png");
+    for (const char* name : {"t/x.png", "locked.png", "good.png"}) write_picture(from_ / name);
+    MaterialCopy result;
+    {
+        const OrdinaryUser user(root_);
+        for (const char* name : {"t", "locked.mtl", "locked.png"}) {
+            fs::permissions(from_ / name, fs::perms::none);
+        }
+        result = copy({"a.mtl", "locked.mtl", "loop.mtl", "gone.mtl"});
+        fs::permissions(from_ / "t", fs::perms::owner_all);
+    }
+    EXPECT_EQ(result.copied, (Names{"a.mtl", "good.png"}));
+    EXPECT_EQ(result.missing, Names{"gone.mtl"});
+    EXPECT_EQ(result.refused, Reasons{});
+    EXPECT_EQ(
+        result.failed,
+        (Reasons{{"locked.mtl", "no permission to read it"},
+                 {"locked.png", "no permission to read it"},
+                 {"loop.mtl", "its path cannot be followed: Too many levels of symbolic links"},
+                 {"loop.png", "its path cannot be followed: Too many levels of symbolic links"},
+                 {"t/x.png", "its path cannot be followed: Permission denied"}}));
+}
+
+TEST_F(MaterialFilesTest, ReportsWhatIsMissingWhereTheWholeFolderIsGone) {
+    fs::remove_all(from_);
+    EXPECT_EQ(copy({"a.mtl"}).missing, Names{"a.mtl"});
+}
+
+TEST_F(MaterialFilesTest, LooksUpALimitedNumberOfNamesAndSaysSo) {
+    std::string library = "newmtl a\n";
+    for (int i = 0; i < 8; ++i) library += "map_Kd " + std::to_string(i % 4) + ".png\n";
+    write(from_ / "a.mtl", library);
+    for (const char* name : {"0.png", "1.png", "2.png", "3.png"}) write_picture(from_ / name);
+    const Names statements = {"a.mtl", "a.mtl"};
+    const auto copy_at_most = [&](std::size_t names) {
+        return copy_material_files(statements, from_.string(), to_.string(), {}, {.names = names});
+    };
+    MaterialCopy result = copy_at_most(3);
+    EXPECT_EQ(result.copied.size(), 3u);
+    EXPECT_EQ(result.refused, (Reasons{{"all names after the first 3", "are too many"}}));
+    result = copy_at_most(5);
+    EXPECT_EQ(result.copied.size(), 2u) << "those that are not there yet";
+    EXPECT_EQ(result.refused, Reasons{}) << "a name counts once";
+}
+
+// Each name used to take two or four threads of its own: minutes for these.
+TEST_F(MaterialFilesTest, TakesLittleTimeForManyNames) {
+    std::string library = "newmtl a\n";
+    for (int i = 0; i < 100'000; ++i) library += "map_Kd " + std::to_string(i) + "\\t.png\n";
+    write(from_ / "m/a.mtl", library);
+    Names statements(100'000, "m/a.mtl");
+    const auto begin = std::chrono::steady_clock::now();
+    MaterialCopy result = copy(statements);
+    EXPECT_EQ(result.copied, Names{"m/a.mtl"});
+    EXPECT_EQ(result.missing.size() + 1, MaterialLimits{}.names);
+    for (std::string& name : statements) name = std::to_string(&name - statements.data()) + ".mtl";
+    result = copy(statements);
+    EXPECT_EQ(result.missing.size(), MaterialLimits{}.names);
+    EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(40));
+}
+
+TEST_F(MaterialFilesTest, CanBeCancelledWhileItLooksUpNames) {
+    std::string library = "newmtl a\n";
+    for (int i = 0; i < 1000; ++i) library += "map_Kd " + std::to_string(i) + ".png\n";
+    write(from_ / "a.mtl", library);
+    std::stop_source stop;
+    int reports = 0;
+    const Progress progress(stop.get_token(), [&](double) {
+        if (++reports == 100) stop.request_stop();
+    });
+    const Names statements = {"a.mtl"};
+    EXPECT_THROW(copy_material_files(statements, from_.string(), to_.string(), progress),
+                 Cancelled);
+    EXPECT_LE(reports, 101);
+    EXPECT_EQ(files(to_), Names{});
 }
 
 TEST_F(MaterialFilesTest, FollowsNoLinkOutOfEitherFolder) {
@@ -243,12 +352,35 @@ TEST_F(MaterialFilesTest, RefusesTexturesThatAreNoPicturesAndLibrariesThatAreNon
     std::string tga(18 + 4 * 4 * 3, '\x55');
     tga.replace(0, 18, std::string("\0\0\2\0\0\0\0\0\0\0\0\0\4\0\4\0\x18\0", 18));
     write(from_ / "ok.tga", tga);
-    write(from_ / "notes.txt", "the password is swordfish\n");
-    const MaterialCopy result = copy({"a.mtl", "notes.txt"});
+    write(from_ / "notes.mtl", "the password is swordfish\n");
+    const MaterialCopy result = copy({"a.mtl", "notes.mtl"});
     EXPECT_EQ(result.copied, (Names{"a.mtl", "ok.tga"}));
     EXPECT_EQ(result.refused, (Reasons{{"empty.png", "is no picture"},
-                                       {"notes.txt", "is no material library"},
+                                       {"notes.mtl", "is no material library"},
                                        {"run.png", "is no picture"}}));
+}
+
+// Files that other programs would run or obey, made so that they pass for what a model may bring.
+TEST_F(MaterialFilesTest, RefusesScriptsThatPassForLibrariesOrPictures) {
+    write(from_ / "evil.desktop", "[Desktop Entry]\nExec=evil\nnewmtl a\n");
+    write(from_ / "autorun.sh", "#!/bin/sh\nnewmtl a\n");
+    write(from_ / "plain.desktop", "newmtl a\n");
+    write(from_ / "script.mtl", "#!/bin/sh\nnewmtl a\nmap_Kd a.png\n");
+    // Radiance pictures and desktop files begin with comments, Netpbm pictures with any text.
+    write(from_ / "start.desktop", "#?RGBE\n[Desktop Entry]\nExec=evil\n");
+    write(from_ / "Makefile", "P1 3\nall:\n\tevil\n");
+    write_picture(from_ / "a.png");
+    write(from_ / "a.mtl", "newmtl a\nmap_Kd start.desktop\nmap_Ks Makefile\n");
+    const MaterialCopy result =
+        copy({"evil.desktop", "autorun.sh", "plain.desktop", "script.mtl", "a.mtl"});
+    EXPECT_EQ(result.copied, Names{"a.mtl"});
+    EXPECT_EQ(result.refused, (Reasons{{"Makefile", "is not named as a picture"},
+                                       {"autorun.sh", "does not end in .mtl"},
+                                       {"evil.desktop", "does not end in .mtl"},
+                                       {"plain.desktop", "does not end in .mtl"},
+                                       {"script.mtl", "is no material library"},
+                                       {"start.desktop", "is not named as a picture"}}));
+    EXPECT_EQ(files(to_), Names{"a.mtl"});
 }
 
 TEST_F(MaterialFilesTest, RefusesWhatIsLargerThanItsLimit) {

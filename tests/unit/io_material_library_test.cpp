@@ -22,14 +22,14 @@ Names textures(const std::string& text) {
     return names;
 }
 
-TEST(MaterialLibrary, HasNamesColoursAndTexturesOfItsMaterials) {
+TEST(MaterialLibrary, HasNamesAndTexturesOfItsMaterials) {
     const std::vector<Material> materials = parse_materials(
         "# c\nnewmtl red metal\nKd 1 0.5 0.25\nmap_Kd red.png\n\nnewmtl plain\n"
         "newmtl white\r\n\tKd 1 1 1\r\n\tmap_Ks shine.png\r\n");
     ASSERT_EQ(materials.size(), 3u);
-    EXPECT_EQ(materials[0], (Material{"red metal", {1.0f, 0.5f, 0.25f}, {"red.png"}}));
-    EXPECT_EQ(materials[1], (Material{"plain", {0.0f, 0.0f, 0.0f}, {}}));
-    EXPECT_EQ(materials[2], (Material{"white", {1.0f, 1.0f, 1.0f}, {"shine.png"}}));
+    EXPECT_EQ(materials[0], (Material{"red metal", {"red.png"}}));
+    EXPECT_EQ(materials[1], (Material{"plain", {}}));
+    EXPECT_EQ(materials[2], (Material{"white", {"shine.png"}}));
 }
 
 TEST(MaterialLibrary, NamesEveryTextureOfAMaterial) {
@@ -48,6 +48,10 @@ TEST(MaterialLibrary, NamesAllTexturesOfOneKeyword) {
                        "decal 7.png\ndecal 8.png\nmap_Kd 9.png\nmap_Kd 10.png\n"),
               (Names{"1.png", "10.png", "2.png", "3.png", "4.png", "5.png", "6.png", "7.png",
                      "8.png", "9.png"}));
+}
+
+TEST(MaterialLibrary, DoesNotTakeTheSwitchOfAntialiasingForATexture) {
+    EXPECT_EQ(textures("newmtl m\nmap_aat on\nMAP_AAT off\nmap_Kd a.png\n"), Names{"a.png"});
 }
 
 TEST(MaterialLibrary, KeepsWhatStandsBeforeTheFirstMaterial) {
@@ -84,13 +88,16 @@ TEST(MaterialLibrary, TakesLittleMemoryForManyMaterials) {
 }
 
 TEST(MaterialLibrary, IsDistinguishedFromOtherText) {
-    for (const std::string& text : {""s, "# nothing yet\n"s, "newmtl a\nanything goes\n"s,
-                                    "map_Kd a.png\nKd 1 1 1\nillum 2\n"s}) {
+    for (const std::string& text : {""s, "# nothing yet\n"s, "newmtl a\nKd 1 1 1\nan extension\n"s,
+                                    "map_Kd a.png\nKd 1 1 1\nillum 2\nmap_aat on\n"s,
+                                    "\xEF\xBB\xBFNewmtl a\r\nillum 2\r\n"s}) {
         EXPECT_TRUE(may_be_material_library(text)) << text;
     }
     for (const std::string& text :
          {"alias ls='ls -l'\n"s, "-----BEGIN OPENSSH PRIVATE KEY-----\n"s,
-          "machine example.org login me password secret\n"s, "v 0 0 0\n"s}) {
+          "machine example.org login me password secret\n"s, "v 0 0 0\n"s,
+          "[Desktop Entry]\nExec=evil\nnewmtl a\n"s, "#!/bin/sh\nnewmtl a\n"s,
+          "newmtl a\nexport TOKEN=secret\nexport OTHER=secret\n"s}) {
         EXPECT_FALSE(may_be_material_library(text)) << text;
     }
 }

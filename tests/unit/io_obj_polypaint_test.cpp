@@ -79,7 +79,9 @@ TEST(Polypaint, EndsAtALineThatIsMalformedSinceNobodyKnowsWhoseTheNextColoursAre
 TEST(Polypaint, IsNothingThatOtherCommentsAreTakenFor) {
     ReadReport report;
     const IndexedFaceSet f =
-        parse(kTriangle + "#MRG ffff0000\n# MRGB ffff0000\n#mrgb ffff0000\nf 1 2 3\n", report);
+        parse(kTriangle + "#MRG ffff0000\n# MRGB ffff0000\n#mrgb ffff0000\n#MRGBfoo bar\n" +
+                  "#MRGBffff0000\nf 1 2 3\n",
+              report);
     EXPECT_TRUE(f.colors.empty());
     EXPECT_EQ(report, ReadReport{});
 }

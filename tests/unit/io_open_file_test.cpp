@@ -9,13 +9,17 @@
 #include <unistd.h>
 
 #include <atomic>
+#include <cerrno>
 #include <chrono>
 #include <cstring>
 #include <filesystem>
 #include <memory>
+#include <new>
+#include <set>
 #include <stop_token>
 #include <string>
 #include <thread>
+#include <utility>
 
 #include "io/atomic_file.h"
 #include "io/file_error.h"
@@ -130,6 +134,38 @@ TEST_F(OpenFileTest, CanBeCancelledWhileTheFileSystemDoesNotAnswer) {
     EXPECT_THROW(open_file(path("a.obj"), Progress(stop.get_token(), {}), mount.patience(1h)),
                  Cancelled);
     EXPECT_LT(Clock::now() - begin, 1s);
+}
+
+TEST_F(OpenFileTest, AsksAboutManyFilesOnOneOtherThread) {
+    const auto threads = std::make_shared<std::set<std::thread::id>>();
+    PatientInquiry inquiry({1h, [threads](const std::string& path) {
+                                threads->insert(std::this_thread::get_id());
+                                return ask_system(path);
+                            }});
+    for (int i = 0; i < 100; ++i) {
+        EXPECT_EQ(inquiry.ask(path("a.obj")).error, 0);
+        EXPECT_EQ(inquiry.ask(path("none.obj")).error, ENOENT);
+    }
+    EXPECT_EQ(threads->size(), 1u);
+    EXPECT_FALSE(threads->contains(std::this_thread::get_id()));
+}
+
+TEST_F(OpenFileTest, WaitsOnceForAFileSystemThatDoesNotAnswer) {
+    const DeadMount mount;
+    PatientInquiry inquiry(mount.patience(100ms));
+    const auto begin = Clock::now();
+    for (int i = 0; i < 100; ++i) EXPECT_THROW(inquiry.ask(path("a.obj")), FileError);
+    EXPECT_LT(Clock::now() - begin, 5s);
+}
+
+TEST_F(OpenFileTest, HandsOnWhatTheOtherThreadThrows) {
+    bool is_first = true;
+    PatientInquiry inquiry({1h, [&is_first](const std::string& path) {
+                                if (std::exchange(is_first, false)) throw std::bad_alloc();
+                                return ask_system(path);
+                            }});
+    EXPECT_THROW(inquiry.ask(path("a.obj")), std::bad_alloc);
+    EXPECT_EQ(inquiry.ask(path("a.obj")).error, 0);
 }
 
 }  // namespace
