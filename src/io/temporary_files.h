@@ -1,6 +1,7 @@
 // The temporary files that are being written, so that none is left when a signal ends the program.
 #pragma once
 
+#include <mutex>
 #include <string>
 
 namespace pectin {
@@ -22,7 +23,8 @@ class TemporaryFileEntry {
 };
 
 // Removes all of them. To be called on an ordinary thread (not in a signal handler) right before
-// the process ends: files that are still being written lose their names.
-void remove_temporary_files() noexcept;
+// the process ends: files that are still being written lose their names. As long as what is
+// returned exists, a thread that would add one waits.
+[[nodiscard]] std::unique_lock<std::mutex> remove_temporary_files() noexcept;
 
 }  // namespace pectin

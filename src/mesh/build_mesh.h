@@ -23,11 +23,11 @@ struct BuiltMesh {
 // Positions become base vertices, and triangles base faces, in input order. Corners at one vertex
 // with the same normal and texture coordinate share a wedge. Two half-edges that run in opposite
 // directions are twins. Edges with more than two faces, or with two faces that disagree on the
-// direction, are cut: their half-edges become boundaries, and their edges siblings. Boundary edges
-// that coincide without sharing their ends are joined at the vertex with the lowest index
-// (UnsharedSeams), and become twins or siblings by the same rule. InputForm keeps the corners of
-// polygons, and also polygons without surface, lines and points.
-// Precondition: indices in range, positions finite, fewer than 2^31 corners of triangles.
+// direction, are cut: their half-edges become boundaries, and their edges siblings. Where the ends
+// of a boundary edge coincide with those of other edges without being shared, they are joined at
+// the vertex with the lowest index (UnsharedSeams), and the edges become twins or siblings by the
+// same rule. InputForm keeps the corners of polygons, and also polygons without surface, lines and
+// points. Precondition: indices in range, positions finite, fewer than 2^31 corners of triangles.
 // Cost: O(n log n) at worst, O(n) if no vertex has many faces.
 BuiltMesh build_mesh(IndexedFaceSet input, const BuildOptions& options = {});
 

@@ -39,13 +39,12 @@ class OutlineCorner {
     std::uint32_t bits_;
 };
 
-// Seams where faces of the input meet without sharing vertices: open edges whose ends coincide. The
-// mesh joins them, so that both sides move and are refined together: its faces use only one of the
-// vertices that coincide, the representative. A save writes separate vertices for each side again
-// (UnsharedVertices).
+// Seams where faces of the input meet without sharing vertices: open edges whose ends coincide with
+// those of other edges, open or not. The mesh joins them, so that both sides move and are refined
+// together: its faces use only one of the vertices that coincide, the representative. A save writes
+// separate vertices for each side again (UnsharedVertices).
 struct UnsharedSeams {
-    std::vector<VertexId>
-        representatives;  // n_base_vertices, most are their own; empty without seams
+    std::vector<VertexId> representatives;  // n_base_vertices, or empty without seams
     std::vector<VertexId> corner_vertices;  // 3 n_base_faces, or empty; the vertices of the input
     std::vector<EdgeId> edges;              // base edges along seams, ascending
 
