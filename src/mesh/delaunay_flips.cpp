@@ -10,7 +10,7 @@
 namespace pectin {
 namespace {
 
-// Sines that are smaller are zero.
+// Smaller sines count as zero.
 constexpr double kEqual = 1e-7;
 // The flips terminate by themselves, but some polygons need n^2 of them. Each pass ends after this
 // number of flips per triangle.
@@ -23,7 +23,7 @@ class Flipper {
     Flipper(const FlatPolygon& polygon, std::vector<CornerTriangle>& triangles)
         : polygon_(polygon), triangles_(triangles), twin_(3 * triangles.size(), kNone) {}
 
-    // Each triangle with those behind it.
+    // Adds the triangles one by one, from the last to the first, and flips among those added.
     std::size_t flip() {
         link_twins();
         const std::size_t most = kMostFlips * triangles_.size();
@@ -42,8 +42,8 @@ class Flipper {
         return flips;
     }
 
-    // Cuts anew what lies on one circle, where that has more than one triangulation. Returns
-    // whether anything does.
+    // Triangulates again the groups of triangles whose corners lie on one circle, since they have
+    // several Delaunay triangulations. Returns whether there are any.
     bool cut_circles() {
         std::vector<bool> is_tied(twin_.size(), false), is_met(triangles_.size(), false);
         bool any_tied = false;
@@ -87,7 +87,7 @@ class Flipper {
     //    a --- b
     //     \   /
     //       d
-    // Negative where the angles there sum to more than two right angles.
+    // Returns the sine of their sum: negative if it is more than two right angles.
     double sine_of_sum(std::uint32_t h) const {
         const std::uint32_t a = origin(h), b = origin(next(h)), c = origin(prev(h)),
                             d = origin(prev(twin_[h]));
@@ -124,7 +124,7 @@ class Flipper {
         }
     }
 
-    // The triangles that hang together with t across tied diagonals.
+    // The triangles that are connected with t across tied diagonals.
     std::vector<std::uint32_t> joined_to(std::uint32_t t, const std::vector<bool>& is_tied,
                                          std::vector<bool>& is_met) const {
         std::vector<std::uint32_t> members{t};
@@ -138,7 +138,7 @@ class Flipper {
         }
         return members;
     }
-    // Their corners in order.
+    // The corners of the group of triangles, in order.
     std::vector<std::uint32_t> outline_of(const std::vector<std::uint32_t>& members,
                                           const std::vector<bool>& is_tied) const {
         const auto next_outside = [&](std::uint32_t h) {
@@ -181,7 +181,7 @@ class Flipper {
 std::size_t flip_to_delaunay(const FlatPolygon& polygon, std::vector<CornerTriangle>& triangles) {
     Flipper flipper(polygon, triangles);
     std::size_t flips = flipper.flip();
-    // What seems to lie on one circle, quad by quad, may lie on a curve.
+    // Corners that lie on one circle quad by quad, up to the tolerance, may lie on another curve.
     if (flipper.cut_circles()) flips += Flipper(polygon, triangles).flip();
     return flips;
 }
