@@ -1,4 +1,7 @@
 // The drag of a surface point by the mouse: the grabbed point stays under the cursor.
+//
+// A movement of the mouse becomes a Move here, and Session::drag_to() turns that into displacements
+// (session/drag.cpp). docs/architecture.md follows it from the mouse to the screen.
 #pragma once
 
 #include <optional>
