@@ -61,7 +61,7 @@ Refusal Session::State::check_lattice(const Lattice& lattice) const {
                "radius or the cage to about the size of what is to move";
     }
     if (!symmetry) return std::nullopt;
-    if (std::abs(symmetry->at) > most || !image(*symmetry, lattice).is_valid()) {
+    if (std::abs(symmetry->at) > most || !mirror_image(*symmetry, lattice).is_valid()) {
         return "the symmetry plane is more than a million times the size of the object away; set "
                "it through the object, or switch symmetry off";
     }
