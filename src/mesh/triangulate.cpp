@@ -113,8 +113,8 @@ bool has_reversed(const std::vector<Vec2>& points, std::span<const CornerTriangl
     });
 }
 
-// The search for ears may take this many steps for each corner and bit of their number. Smooth and
-// ragged outlines take up to half of it.
+// The search for ears may take this many steps for each corner and bit of their number. Most
+// outlines need less than half of that.
 constexpr std::size_t kEarSteps = 4;
 
 class PolygonTriangulator {
