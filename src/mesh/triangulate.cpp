@@ -114,7 +114,7 @@ bool has_reversed(const std::vector<Vec2>& points, std::span<const CornerTriangl
 }
 
 // The search for ears may take this number of steps per corner and per bit of the number of
-// corners. Smooth and ragged outlines take up to half of it.
+// corners. Most outlines need less than half of that.
 constexpr std::size_t kEarSteps = 4;
 
 class PolygonTriangulator {
