@@ -37,7 +37,7 @@ std::string material_folder(const std::string& model_path);
 LoadedModel make_model(BuiltMesh built);
 
 // Reads the file and makes a model of it, tree and all, so that neither the first pick nor the
-// first drag has to wait. Throws Cancelled, FileError: read_obj's, or that there is no surface.
+// first drag has to wait. Throws Cancelled, FileError: read_model's, or that there is no surface.
 // Cost: O(n log n).
 LoadedModel load_model(const command::Open& open, const Progress& progress = {});
 
@@ -50,7 +50,7 @@ struct SaveReport {
 
 // Writes the mesh to the file, whole or not at all, then copies the material files that are not
 // there yet into its folder. Nobody may change the mesh meanwhile. Throws Cancelled (the file is as
-// it was), FileError: write_obj's, or that it is no OBJ file. Cost: O(n), and that of copying.
+// it was), FileError: write_model's. Cost: O(n), and that of copying.
 SaveReport save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress = {},
                       std::span<const std::string> material_folders = {});
 
