@@ -66,7 +66,7 @@ void Editor::on(const event::Press& press, bool is_claimed) {
     const bool takes_control_points = press.button == MouseButton::left && editable_cage();
     if (takes_control_points &&
         cage_points_.press(session(), view(), press.at, press.modifiers, pick)) {
-        workspace_.dismiss();
+        workspace_.clear_command_message();
     } else if (const auto mode = navigation_mode(press.button, press.modifiers, pick.has_value())) {
         navigation_.begin(*mode, press.button, press.at);
     } else {
@@ -109,7 +109,7 @@ void Editor::on(const event::KeyDown& key, bool is_claimed) {
     }
     if (key.key == Key::enter && !key.is_repeat) enter_ = browser || question || offered_session();
     const auto action = action_for(key.key, key.modifiers);
-    if (workspace_.file_task() && action == Action::quit) return quit();
+    if (is_working() && action == Action::quit) return quit();
     if (is_claimed) return;
     if (is_letter(key.key, 'F') && key.modifiers == Modifiers{}) {
         if (!key.is_repeat) begin_radius_drag();
@@ -144,8 +144,8 @@ void Editor::escape_state() {
 
 // Whether there was one to leave.
 bool Editor::escape_dialog() {
-    if (workspace_.file_task()) {
-        workspace_.cancel_file_task();
+    if (is_working()) {
+        cancel_work();
     } else if (!file_to_replace_.empty()) {
         keep_file();
     } else if (offered_session()) {
@@ -171,6 +171,8 @@ void Editor::on(const event::Drop& drop) {
 void Editor::advance() {
     if (sculptor_.is_dragging() || cage_points_.is_active()) {
         if (std::exchange(moved_, false)) drag();
+    } else if (restoration_) {
+        go_on_restoring();
     } else if (const auto* task = workspace_.file_task()) {
         const Command command = task->command;
         conclude(command, workspace_.poll());
@@ -315,8 +317,8 @@ void Editor::new_shape(command::Shape::Kind kind, int resolution) {
 }
 
 void Editor::quit() {
-    if (workspace_.file_task()) {
-        workspace_.cancel_file_task();
+    if (is_working()) {
+        cancel_work();
         quits_next_ = true;
     } else {
         ask_or_do({Question::Quit{}});

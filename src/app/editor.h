@@ -14,6 +14,7 @@
 #include "app/input_event.h"
 #include "app/navigation.h"
 #include "app/pins.h"
+#include "app/restoration.h"
 #include "app/sculptor.h"
 #include "app/shortcuts.h"
 #include "app/view.h"
@@ -57,7 +58,7 @@ class Editor {
     // --- Input.
     void handle(const InputEvent& event, const UiClaims& claims = {});
     // Once a frame, after its events: moves the drag in hand, looks what has become of a file that
-    // is under way, or what is under the cursor.
+    // is under way, goes on restoring a session, or looks what is under the cursor.
     void advance();
 
     // There is no memory for something, such as "frame": gives up the drag in hand and says so.
@@ -107,9 +108,11 @@ class Editor {
     DragOptions drag_options{.connected = true, .fold_free = true};
     bool sets_pins = false;  // a click on the surface sets or removes one, in place of a drag
     // --- Dialogs, while they are open; one more tells of a file that is under way.
-    bool has_dialog() const {
-        return browser || question || offered_session() || workspace_.file_task();
-    }
+    bool has_dialog() const { return browser || question || offered_session() || is_working(); }
+    // Whether a file is under way or a session is being restored.
+    bool is_working() const { return restoration_ || workspace_.file_task(); }
+    const Restoration* restoration() const { return restoration_ ? &*restoration_ : nullptr; }
+    void cancel_work();  // where there is some; it ends soon
     std::optional<FileBrowser> browser{};
     // Does with the file named in the browser what it is for and closes it; asks first where a
     // file would be replaced, and does nothing where no file is named.
@@ -134,7 +137,8 @@ class Editor {
     const LostSession* offered_session() const {
         return lost_sessions_.empty() || workspace_.file_task() ? nullptr : &lost_sessions_.front();
     }
-    // later: it is offered again at the next start, like all that were not asked for.
+    // restore: begins it; advance() goes on with it. later: it is offered again at the next start,
+    // like all that were not asked for.
     enum class RecoveryAnswer { restore, discard, later };
     void answer_recovery(RecoveryAnswer answer);
 
@@ -175,7 +179,7 @@ class Editor {
     void begin_save();
     void save(const std::string& path, std::optional<Question> next);
     bool escape_dialog();
-    void restore(const LostSession& session);
+    void go_on_restoring();
     void use_file(FileBrowser::Purpose purpose, const std::string& path);
     void ask_or_do(Question question);
     void carry_out(const Question& question);
@@ -184,8 +188,7 @@ class Editor {
     void perform_on_file(Action action);
     void perform_on_view(Action action);
     bool is_busy() const {
-        return sculptor_.is_dragging() || cage_points_.is_active() || radius_drag_ ||
-               workspace_.file_task();
+        return sculptor_.is_dragging() || cage_points_.is_active() || radius_drag_ || is_working();
     }
 
     // F and a move of the mouse: the radius doubles over kPixelsPerDoubling.
@@ -214,6 +217,7 @@ class Editor {
     bool quits_next_ = false;             // once the file that is under way is gone
     std::string file_to_replace_;
     std::vector<LostSession> lost_sessions_;
+    std::optional<Restoration> restoration_;
     bool enter_ = false;
     bool shows_hint_ = true;
     bool wants_to_end_ = false;

@@ -73,7 +73,7 @@ void Editor::grab(const Pick& pick, const Ray& ray) {
             sculptor_.grab(workspace_.session(), pick, ray, pins_.points(), drag_options)) {
         return workspace_.set_message(rounded_numbers(*refusal));
     }
-    workspace_.dismiss();
+    workspace_.clear_command_message();
     shows_hint_ = false;
     hover_.reset();
     moved_ = false;
@@ -107,7 +107,7 @@ void Editor::update_point_drag() {
             sculptor_.drag(workspace_.session(), camera(), view().ray_through(position), path);
     }
     if (refusal) return workspace_.set_message(rounded_numbers(*refusal));
-    workspace_.dismiss();
+    workspace_.clear_command_message();
     if (session().active_drag() == before) return;
     record_frame(std::chrono::steady_clock::now() - start);
     figures_.steps = session().active_drag().via.size() + 1;
@@ -123,7 +123,7 @@ void Editor::update_control_drag() {
     }
     if (!cage_points_.is_dragging()) return;
     if (!had_begun) begin_figures();
-    workspace_.dismiss();
+    workspace_.clear_command_message();
     shows_hint_ = false;
     record_frame(std::chrono::steady_clock::now() - start);
 }
@@ -206,7 +206,8 @@ void Editor::toggle_pin() {
     if (!cursor_is_ours_) return;
     std::optional<Pick> pick = workspace_.session().pick(view().ray_through(cursor_));
     if (pick) pick = onto_plane(*pick);
-    if (pins_.toggle(view(), cursor_, pick, session().symmetry())) workspace_.dismiss();
+    if (pins_.toggle(view(), cursor_, pick, session().symmetry()))
+        workspace_.clear_command_message();
 }
 
 }  // namespace pectin

@@ -40,7 +40,7 @@ bool Editor::conclude(const Command& command, Workspace::Outcome outcome) {
     } else if (std::holds_alternative<command::Open>(command) &&
                session().mesh().face_slots() == 0) {
         // Whatever is told of the model stays to be read.
-        const std::string message = workspace_.message();
+        const std::string message = workspace_.command_message();
         execute(kFirstObject);
         workspace_.set_message(message);
     }
@@ -53,7 +53,7 @@ void Editor::begin_object() {
     pins_.clear();
     frame_all(kFitDirection);
     if (!session().symmetry() || !mirror_.through_centre) return;
-    const std::string message = workspace_.message();
+    const std::string message = workspace_.command_message();
     set_symmetry(true);
     workspace_.set_message(message);
 }
@@ -194,34 +194,45 @@ void Editor::answer_recovery(RecoveryAnswer answer) {
         lost_sessions_.erase(lost_sessions_.begin());
         return;  // to the next one
     }
-    const std::vector<LostSession> sessions = std::exchange(lost_sessions_, {});
-    if (answer == RecoveryAnswer::restore) restore(sessions.front());
+    std::vector<LostSession> sessions = std::exchange(lost_sessions_, {});
+    if (answer == RecoveryAnswer::restore) restoration_.emplace(std::move(sessions.front()));
 }
 
-// Does again all that was done. If a command fails, the file stays for the user, under a name that
-// is not offered again.
-void Editor::restore(const LostSession& session) {
-    std::size_t done = 0;
-    for (const Command& command : session.commands) {
-        if (is_restored(command) &&
-            workspace_.execute_to_the_end(command) != Workspace::Outcome::done) {
-            break;
-        }
-        ++done;
+void Editor::go_on_restoring() {
+    const Restoration::State state = restoration_->advance(workspace_);
+    if (state == Restoration::State::under_way) return;
+    const Restoration ended = std::move(*restoration_);
+    restoration_.reset();
+    const bool has_object = session().mesh().face_slots() > 0;
+    std::string message;
+    if (state == Restoration::State::done) {
+        remove_lost_session(ended.session());
+        message = "Restored. Save the object to keep it.";
+    } else if (state == Restoration::State::failed && has_object) {
+        // A part of the session must not take the place of the whole in the model's file.
+        workspace_.forget_path();
+        message = "Restored up to command " + std::to_string(ended.done()) + " of " +
+                  std::to_string(ended.count()) + ": " + workspace_.command_message() +
+                  ". The whole script is in " + set_aside(ended.session().path) + ".";
+    } else {
+        const std::string why =
+            state == Restoration::State::failed ? ": " + workspace_.command_message() : "";
+        execute(kFirstObject);
+        message = "The session was not restored" + why + ". It is offered again at the next start.";
     }
-    begin_object();
-    const std::string why = workspace_.message();
-    if (done == session.commands.size()) {
-        remove_lost_session(session);
-        workspace_.set_message("Restored. Save the object to keep it.");
-        return;
+    figures_ = {};
+    pins_.clear();
+    frame_all(kFitDirection);
+    workspace_.set_message(message);
+    if (std::exchange(quits_next_, false)) quit();
+}
+
+void Editor::cancel_work() {
+    if (restoration_) {
+        restoration_->cancel(workspace_);
+    } else if (workspace_.file_task()) {
+        workspace_.cancel_file_task();
     }
-    std::error_code ignored;
-    const std::string kept = session.path + ".incomplete";
-    std::filesystem::rename(session.path, kept, ignored);
-    workspace_.set_message("Restored up to command " + std::to_string(done) + " of " +
-                           std::to_string(session.commands.size()) + ": " + why +
-                           ". The whole script is in " + kept + ".");
 }
 
 }  // namespace pectin

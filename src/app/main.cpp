@@ -1,3 +1,5 @@
+#include <fcntl.h>
+
 #include <exception>
 #include <iostream>
 #include <new>
@@ -11,6 +13,14 @@
 namespace {
 
 enum ExitStatus { kDone = 0, kFailed = 1, kBadUsage = 2 };
+
+// A file that is opened later must not get the number of a standard one that was closed when the
+// program started: messages would be written into it. Opening takes the lowest number.
+void open_missing_standard_files() {
+    for (int number = 0; number <= 2; ++number) {
+        if (::fcntl(number, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != number) return;
+    }
+}
 
 bool replay(const std::string& script, pectin::TerminationWatch& termination) {
     pectin::ReplayStatus status;
@@ -41,6 +51,7 @@ int run(const pectin::CommandLine& command_line, pectin::TerminationWatch& termi
 }  // namespace
 
 int main(int argc, char** argv) {
+    open_missing_standard_files();
     try {
         pectin::TerminationWatch termination;
         return run(pectin::read_command_line(argc, argv), termination);

@@ -326,7 +326,7 @@ void Panels::draw_selection(const Editor& editor) const {
 }
 
 void Panels::draw_message(Editor& editor) {
-    const std::string& message = editor.workspace().message();
+    const std::string message = editor.workspace().message();
     if (message.empty()) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float close = ImGui::GetFrameHeight();

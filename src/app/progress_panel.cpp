@@ -47,23 +47,24 @@ void draw_bar(double fraction, float height) {
 
 void draw_progress_panel(Editor& editor, float scale) {
     const Workspace::FileTask* const task = editor.workspace().file_task();
+    const Restoration* const restoration = editor.restoration();
     const auto* open = task ? std::get_if<command::Open>(&task->command) : nullptr;
     const auto* save = task ? std::get_if<command::Save>(&task->command) : nullptr;
+    const char* const doing = restoration ? "Restoring" : save ? "Saving" : "Opening";
     // One dialog, whatever stands over it.
-    const std::string title = std::string(save ? "Saving" : "Opening") + "###progress";
-    if (!begin_dialog(task != nullptr, title.c_str(), 420.0f * scale, 0.0f)) return;
+    const std::string title = std::string(doing) + "###progress";
+    if (!begin_dialog(editor.is_working(), title.c_str(), 420.0f * scale, 0.0f)) return;
     const std::filesystem::path path = save ? save->path : open ? open->path : "";
-    ImGui::TextUnformatted(
-        fitted(path.filename().string(), ImGui::GetContentRegionAvail().x).c_str());
-    draw_bar(std::clamp(task->work.fraction(), 0.0, 1.0), 8.0f * scale);
+    const std::string name = restoration ? restoration->session().object : path.filename().string();
+    ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x).c_str());
+    const double fraction = restoration ? restoration->fraction() : task->work.fraction();
+    draw_bar(std::clamp(fraction, 0.0, 1.0), 8.0f * scale);
     ImGui::Spacing();
-    const bool is_cancelled = task->work.is_cancelled();
+    const bool is_cancelled = restoration ? restoration->is_cancelled() : task->work.is_cancelled();
     const ImVec2 size(120.0f * scale, 0.0f);
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size.x);
     ImGui::BeginDisabled(is_cancelled);
-    if (ImGui::Button(is_cancelled ? "Cancelling…" : "Cancel", size)) {
-        editor.workspace().cancel_file_task();
-    }
+    if (ImGui::Button(is_cancelled ? "Cancelling…" : "Cancel", size)) editor.cancel_work();
     ImGui::EndDisabled();
     ImGui::EndPopup();
 }

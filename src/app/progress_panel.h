@@ -1,4 +1,4 @@
-// A file that is under way, as a dialog.
+// A file that is under way, or a session that is being restored, as a dialog.
 #pragma once
 
 #include "app/editor.h"

@@ -58,25 +58,40 @@ Recorder::Recorder(std::string path, FileDescriptor file)
 }
 
 void Recorder::record(const Command& command) {
+    // Until the line is there: nothing may follow one that is missing.
+    if (std::exchange(has_ended_, true)) return;
     const std::string line = format_command(command);
     const auto parsed = parse_command(line);
     const auto* same = std::get_if<Command>(&parsed);
-    if (!same || !(*same == command)) {
-        throw FileError(path_, std::string("cannot hold this ") + name(command) +
-                                   ", whose path is not UTF-8; its replay will do without");
+    if (same && *same == command) {
+        write_line(line);
+        has_ended_ = false;
+        return;
     }
-    write_line(line);
+    has_ended_ = std::holds_alternative<command::Open>(command);
+    throw FileError(
+        path_, std::string("cannot hold this ") + name(command) + ", whose path is not UTF-8; " +
+                   (has_ended_ ? "the record ends here" : "its replay will do without"));
+}
+
+void Recorder::remark(const std::string& text) {
+    if (!has_ended_) write_line("# " + text);
 }
 
 void Recorder::write_line(const std::string& line) {
-    std::string bytes = line + '\n';
+    const std::string bytes = line + '\n';
     for (std::size_t done = 0; done < bytes.size();) {
         const ssize_t written = ::write(file_.get(), bytes.data() + done, bytes.size() - done);
-        if (written < 0 && errno != EINTR) {
-            throw FileError(path_, std::string("cannot be written on: ") + std::strerror(errno));
-        }
         if (written > 0) done += static_cast<std::size_t>(written);
+        if (written >= 0 || errno == EINTR) continue;
+        const int error = errno;
+        has_ended_ = true;
+        // A part of a line would make the whole script unreadable.
+        if (::ftruncate(file_.get(), size_) != 0) errno = 0;
+        throw FileError(path_, std::string("cannot be written on: ") + std::strerror(error) +
+                                   "; the record ends here");
     }
+    size_ += static_cast<off_t>(bytes.size());
 }
 
 }  // namespace pectin

@@ -20,14 +20,22 @@ class Recorder {
     const std::string& path() const { return path_; }
 
     // One line, handed to the system before this returns, so that a crash loses none. Throws
-    // FileError; also where a path of the command is not UTF-8, which a script cannot hold.
+    // FileError where the line cannot be written, and where a path of the command is not UTF-8,
+    // which a script cannot hold. If later commands would then act on something else (part of a
+    // line is written, or a model that is opened is missing), the record ends before this command.
+    // Does nothing once the record has ended.
     void record(const Command& command);
+    // A line that is no command.
+    void remark(const std::string& text);
+    bool has_ended() const { return has_ended_; }
 
   private:
     void write_line(const std::string& line);
 
     std::string path_;
     FileDescriptor file_;
+    off_t size_ = 0;  // up to the end of the last whole line
+    bool has_ended_ = false;
 };
 
 }  // namespace pectin

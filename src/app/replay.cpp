@@ -66,8 +66,8 @@ std::string ReplayStatus::farewell(const std::string& signal) const {
     const std::string commands = done_ == 1 ? "1 command" : std::to_string(done_) + " commands";
     const std::string are_done = done_ == 1 ? " is done" : " are done";
     if (command_.empty()) return "pectin: ended by " + signal + "; " + commands + are_done;
-    return title_ + ":" + std::to_string(line_) + ": " + command_ + ": ended by " + signal + "; " +
-           commands + " before it" + are_done;
+    return printable(title_) + ":" + std::to_string(line_) + ": " + command_ + ": ended by " +
+           signal + "; " + commands + " before it" + are_done;
 }
 
 bool replay(const std::string& script_path, std::ostream& errors, ReplayStatus& status) {

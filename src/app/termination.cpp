@@ -1,9 +1,13 @@
 #include "app/termination.h"
 
+#include <poll.h>
 #include <unistd.h>
 
 #include <array>
 #include <cerrno>
+#include <climits>
+#include <exception>
+#include <string_view>
 #include <system_error>
 #include <utility>
 
@@ -35,6 +39,17 @@ void ignore(int signal) {
     struct sigaction action {};
     action.sa_handler = SIG_IGN;
     ::sigaction(signal, &action, nullptr);
+}
+
+// Without waiting for a reader who does not read: if nobody can read the line, the exit status
+// still tells what happened.
+void write_if_possible(std::string_view line) {
+    constexpr int kLongestWait = 100;  // milliseconds
+    // A pipe that is ready takes as much at once.
+    const std::string_view part = line.substr(0, PIPE_BUF);
+    pollfd errors{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
+    if (::poll(&errors, 1, kLongestWait) <= 0) return;
+    if (::write(STDERR_FILENO, part.data(), part.size()) < 0) errno = 0;
 }
 
 }  // namespace
@@ -76,16 +91,19 @@ void TerminationWatch::watch() {
     }
 }
 
+std::string TerminationWatch::farewell(const char* signal) {
+    const std::lock_guard lock(mutex_);
+    return farewell_ ? farewell_(signal) + "\n" : "";
+}
+
 // The other threads go on until the end: nothing here waits for them, and no destructor runs.
 void TerminationWatch::end_program(int signal) {
-    remove_temporary_files();
-    std::string line;
-    {
-        const std::lock_guard lock(mutex_);
-        if (farewell_) line = farewell_(name_of(signal)) + "\n";
+    const auto no_more_files = remove_temporary_files();
+    try {
+        write_if_possible(farewell(name_of(signal)));
+    } catch (const std::exception&) {  // no memory for it
+        write_if_possible("pectin: ended by a signal\n");
     }
-    // If nobody can read the line, the exit status still tells what happened.
-    if (::write(STDERR_FILENO, line.data(), line.size()) < 0) errno = 0;
     ::_exit(128 + signal);
 }
 

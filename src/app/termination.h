@@ -32,7 +32,8 @@ class TerminationWatch {
 
   private:
     void watch();
-    void end_program(int signal);
+    [[noreturn]] void end_program(int signal);
+    std::string farewell(const char* signal);
 
     sigset_t signals_;
     std::mutex mutex_;

@@ -4,11 +4,13 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <atomic>
 #include <fstream>
 #include <iostream>
 #include <memory>
 #include <new>
 #include <optional>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -18,6 +20,7 @@
 #include "app/object_view.h"
 #include "app/ui/interface.h"
 #include "app/window_viewport.h"
+#include "io/printable.h"
 #include "render/imgui_renderer.h"
 
 namespace pectin {
@@ -52,54 +55,64 @@ class Window {
           panel_renderer_(host_.gl(), *ImGui::GetIO().Fonts),
           object_(host_.gl()),
           viewport_(host_.gl(), renderer_, object_) {
-        editor_.workspace().session().set_viewport(&viewport_);
+        editor_.workspace().set_viewport(&viewport_);
         interface_.set_size(host_.size(), host_.framebuffer_size());
         editor_.handle(event::Resize{host_.size()});
         std::vector<LostSession> lost_sessions = begin_recovery(termination);
+        tell_of_record(options.record);
         editor_.begin(options.model);
         editor_.offer(std::move(lost_sessions));
-        tell_of_record(options.record);
     }
 
     void run() {
         while (!editor_.wants_to_end()) {
             attempt([this] { take_input(); });
+            *is_kept_ = editor_.workspace().has_recovery();
             if (frames_to_draw_ == 0) continue;
             --frames_to_draw_;
             attempt([this] { editor_.advance(); });
-            lay_out_panels();
+            *is_kept_ = editor_.workspace().has_recovery();
+            const bool is_laid_out = attempt([this] { lay_out_panels(); });
             attempt([this] { update_object(); });
-            draw();
-            host_.show();
+            if (is_laid_out && attempt([this] { draw(); })) host_.show();
         }
         editor_.workspace().end_recovery();
     }
 
   private:
-    // What takes memory by the size of the object may find none.
+    // What takes memory by the size of the object may find none. Returns whether there was enough.
     template <typename Part>
-    void attempt(Part part) {
+    bool attempt(Part part) {
         try {
             part();
+            return true;
         } catch (const std::bad_alloc&) {
             editor_.give_up_for_memory("frame");
+            return false;
         }
     }
 
     // Keeps this session for recovery and returns those that are to be offered.
     std::vector<LostSession> begin_recovery(TerminationWatch& termination) {
-        std::vector<LostSession> sessions;
+        LostSessions lost;
+        Workspace& workspace = editor_.workspace();
         const std::string folder = recovery_folder();
         if (!folder.empty()) {
-            sessions = find_lost_sessions(folder);
-            editor_.workspace().begin_recovery(folder);
+            lost = find_lost_sessions(folder);
+            workspace.begin_recovery(folder);
         }
-        const bool is_kept = editor_.workspace().has_recovery();
-        termination.set_farewell([is_kept](const char* signal) {
+        for (const std::string& file : lost.damaged) {
+            workspace.add_notice(
+                "A session that ended unexpectedly cannot be restored: its "
+                "script is damaged. It is in " +
+                file + ".");
+        }
+        *is_kept_ = workspace.has_recovery();
+        termination.set_farewell([is_kept = is_kept_](const char* signal) {
             return std::string("pectin: ended by ") + signal +
-                   (is_kept ? "; changes that were not saved are offered at the next start" : "");
+                   (*is_kept ? "; changes that were not saved are offered at the next start" : "");
         });
-        return sessions;
+        return std::move(lost.sessions);
     }
 
     // A record that was there already stays, and this one has another name.
@@ -108,20 +121,24 @@ class Window {
         if (path == wanted) return;
         const std::string message =
             wanted + " holds an earlier record, which stays; this one is in " + path;
-        editor_.workspace().set_message(message);
-        std::cerr << "pectin: " << message << '\n';
+        editor_.workspace().add_notice(message);
+        std::cerr << "pectin: " << printable(message) << '\n';
     }
 
     // Handles all that has been done before the next frame is drawn, however slow the last one was.
     void take_input() {
-        const bool shows_progress = editor_.workspace().file_task() != nullptr;
-        const double rest = frames_to_draw_ == 0 ? kLongestWait : 0.0;
-        const std::vector<InputEvent> events =
-            host_.take_events(shows_progress ? kProgressWait : rest);
+        const bool shows_progress = editor_.is_working();
+        const bool rests = frames_to_draw_ == 0;
+        // Restoring is done between the frames, and files in the background.
+        const double progress_rest = editor_.restoration() ? 0.0 : kProgressWait;
+        const std::span<const InputEvent> events = host_.take_events(shows_progress ? progress_rest
+                                                                     : rests        ? kLongestWait
+                                                                                    : 0.0);
         if (!events.empty() || shows_progress) frames_to_draw_ = kSettlingFrames;
         for (const InputEvent& event : events) {
             if (editor_.wants_to_end()) return;
-            interface_.handle(editor_, event);
+            // An event for which there is no memory must not take those behind it along.
+            attempt([&] { interface_.handle(editor_, event); });
         }
     }
 
@@ -171,6 +188,9 @@ class Window {
     WindowViewport viewport_;
     std::unique_ptr<Canvas> canvas_;  // as large as the window
     PictureFigures figures_;
+    // Whether all that is done is kept for recovery. Shared with the thread that waits for signals,
+    // which may outlive the window.
+    std::shared_ptr<std::atomic<bool>> is_kept_ = std::make_shared<std::atomic<bool>>(false);
     int frames_to_draw_ = kSettlingFrames;
 };
 

@@ -2,8 +2,11 @@
 
 #include <cctype>
 #include <filesystem>
+#include <utility>
+#include <vector>
 
 #include "app/execute.h"
+#include "io/file_error.h"
 #include "io/printable.h"
 #include "session/input_summary.h"
 #include "session/settings.h"
@@ -33,31 +36,75 @@ std::string sentence(std::string remark) {
     return remark + ".";
 }
 
-using FileWork = std::function<Workspace::FileTask::Result(const Progress&)>;
-
-// What a command does with a file while the session stays as it is; none for other commands.
-FileWork file_work(const Command& command, const Session& session) {
-    if (const auto* open = std::get_if<command::Open>(&command)) {
-        return [open = *open](const Progress& progress) { return load_model(open, progress); };
-    }
-    const auto* save = std::get_if<command::Save>(&command);
-    const TriMesh& mesh = session.mesh();
-    if (!save || mesh.face_slots() == 0) return {};  // the session says what is missing
-    return [save = *save, &mesh, folders = session.material_folders()](const Progress& progress) {
-        return save_model(mesh, save, progress, folders).text;
-    };
+// All settings as a new session has them, but for the brush's radius and the cage: commands can
+// not say that there is none.
+std::vector<Command> default_settings() {
+    const AdaptSettings adapt;
+    constexpr double kMegabyte = 1e6;
+    return {command::Adapt{.enabled = adapt.enabled,
+                           .theta_max = adapt.theta_max,
+                           .theta_min = adapt.theta_min,
+                           .l_max = adapt.l_max,
+                           .flatness = adapt.flatness,
+                           .floor = adapt.floor,
+                           .budget = adapt.budget,
+                           .propagation = adapt.propagation},
+            command::Brush{.span = LatticeSettings{}.span}, command::Symmetry{},
+            command::History{Setting::of(static_cast<double>(History::kDefaultLimit) / kMegabyte)}};
 }
 
 }  // namespace
 
-Workspace::Outcome Workspace::execute(const Command& command) {
+// What a command does with a file while the session stays as it is; none for other commands.
+Workspace::FileWork Workspace::file_work(const Command& command) const {
+    if (const auto* open = std::get_if<command::Open>(&command)) return opening(*open);
+    const auto* save = std::get_if<command::Save>(&command);
+    // Where there is no object, the session says so.
+    return save && session_.mesh().face_slots() > 0 ? saving(*save) : FileWork();
+}
+
+Workspace::FileWork Workspace::opening(const command::Open& open) const {
+    return [open, is_kept = has_recovery()](const Progress& progress) {
+        const double compared = is_kept ? 0.1 : 0.0;  // of the time that it takes
+        FileTask::Result result;
+        // First: a file that is changed now does not match its fingerprint later.
+        if (is_kept) result.fingerprint = fingerprint(open.path, progress.part(0.0, compared));
+        result.model = load_model(open, progress.part(compared, 1.0));
+        return result;
+    };
+}
+
+Workspace::FileWork Workspace::saving(const command::Save& save) const {
+    std::vector<ModelCopy> copies;
+    if (recovery_) copies = recovery_->copies_before_save(save.path);
+    return [save, copies = std::move(copies), &mesh = session_.mesh(),
+            folders = session_.material_folders()](const Progress& progress) {
+        FileTask::Result result;
+        const double copied = copies.empty() ? 0.0 : 0.2;  // of the time that it takes
+        for (const ModelCopy& copy : copies) {
+            try {
+                make_copy(copy, progress.part(0.0, copied));
+            } catch (const FileError& error) {
+                result.warning =
+                    std::string("this session can no longer be restored after a crash: ") +
+                    error.what();
+            }
+        }
+        result.report = save_model(mesh, save, progress.part(copied, 1.0), folders).text;
+        return result;
+    };
+}
+
+// make_work: gives the work that the command does on a file, if any.
+template <typename MakeWork>
+Workspace::Outcome Workspace::carry_out(const Command& command, MakeWork make_work) {
     if (file_task_) {
         set_message("a file is under way; wait until it is done, or cancel it");
         return Outcome::failed;
     }
     const std::size_t step_number = session_.history().step_number();
     const auto complaint = complaint_about(command, session_, [&]() -> std::optional<std::string> {
-        auto work = file_work(command, session_);
+        FileWork work = make_work();
         if (!work) return session_.execute(command);
         file_task_ = std::make_unique<FileTask>(command, std::move(work));
         return std::nullopt;
@@ -73,48 +120,88 @@ Workspace::Outcome Workspace::execute(const Command& command) {
     return Outcome::done;
 }
 
-Workspace::Outcome Workspace::execute_to_the_end(const Command& command) {
-    Outcome outcome = execute(command);
-    while (outcome == Outcome::under_way) outcome = poll(std::chrono::hours(1));
-    return outcome;
+Workspace::Outcome Workspace::execute(const Command& command) {
+    return carry_out(command, [&] { return file_work(command); });
+}
+
+Workspace::Outcome Workspace::reopen(const command::Open& open, const LostSession& session,
+                                     const std::string& fingerprint) {
+    return carry_out(open, [&]() -> FileWork {
+        const ModelCopy copy{.from = copy_path(session, fingerprint),
+                             .to = has_recovery() ? recovery_->copy_path(fingerprint) : "",
+                             .fingerprint = fingerprint};
+        return [open, copy](const Progress& progress) {
+            return FileTask::Result{.model = load_original(open, copy, progress),
+                                    .fingerprint = copy.fingerprint};
+        };
+    });
 }
 
 Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     if (!file_task_->work.has_ended(longest_wait)) return Outcome::under_way;
     const std::unique_ptr<FileTask> task = std::move(file_task_);
     const bool is_cancelled = task->work.is_cancelled();
-    std::string written;
+    FileTask::Result result;
     const auto complaint =
         complaint_about(task->command, session_, [&]() -> std::optional<std::string> {
-            FileTask::Result result = task->work.take();
-            auto* const model = std::get_if<LoadedModel>(&result);
-            if (model && is_cancelled) throw Cancelled();
-            if (model) {
-                session_.adopt(std::move(*model));
-            } else {
-                written = std::move(std::get<std::string>(result));
-            }
+            result = task->work.take();
+            if (result.model && is_cancelled) throw Cancelled();
+            if (result.model) session_.adopt(std::move(*result.model));
             return std::nullopt;
         });
     if (complaint) {
         if (!is_cancelled) set_message(*complaint);
         return Outcome::failed;
     }
-    finish(task->command);
-    if (!written.empty()) set_message(written);
+    finish(task->command, result.fingerprint);
+    if (!result.report.empty()) set_message(result.report);
+    if (!result.warning.empty()) add_notice(sentence(result.warning));
     return Outcome::done;
 }
 
-void Workspace::set_message(const std::string& message) { message_ = printable(message); }
+void Workspace::begin_anew() {
+    for (const Command& command : default_settings()) record(command);
+    session_ = Session();
+    session_.set_viewport(viewport_);
+    path_.clear();
+    shape_name_ = "untitled";
+    is_modified_ = false;
+}
+
+void Workspace::pass_over(const command::Save& save) {
+    update_file_state(save);
+    keep(save);
+}
+
+void Workspace::set_viewport(Viewport* viewport) {
+    viewport_ = viewport;
+    session_.set_viewport(viewport);
+}
+
+void Workspace::set_message(const std::string& message) { command_message_ = printable(message); }
+
+void Workspace::add_notice(const std::string& message) {
+    notices_ += (notices_.empty() ? "" : "\n") + printable(message);
+}
+
+std::string Workspace::message() const {
+    const bool are_both = !notices_.empty() && !command_message_.empty();
+    return notices_ + (are_both ? "\n" : "") + command_message_;
+}
+
+void Workspace::dismiss() {
+    command_message_.clear();
+    notices_.clear();
+}
 
 // The command is done.
-void Workspace::finish(const Command& command) {
-    dismiss();
+void Workspace::finish(const Command& command, const std::string& fingerprint) {
+    clear_command_message();
     update_file_state(command);
     if (const auto* open = std::get_if<command::Open>(&command)) {
         set_message(input_summary(open->path, session_.input_report(), session_.read_report()));
     }
-    record(command);
+    record(command, fingerprint);
 }
 
 void Workspace::record_drag(const Command& drag, bool has_changed) {
@@ -122,17 +209,22 @@ void Workspace::record_drag(const Command& drag, bool has_changed) {
     record(drag);
 }
 
-void Workspace::record(const Command& command) {
+void Workspace::record(const Command& command, const std::string& fingerprint) {
     try {
         if (recorder_) recorder_->record(command);
     } catch (const std::exception& error) {
-        set_message(error.what());
+        add_notice(error.what());
     }
+    keep(command, fingerprint);
+}
+
+// For recovery.
+void Workspace::keep(const Command& command, const std::string& fingerprint) {
     try {
-        if (recovery_) recovery_->record(command);
+        if (recovery_) recovery_->record(command, fingerprint);
     } catch (const std::exception& error) {
-        recovery_.reset();
-        set_message(std::string("This session is no longer kept for recovery: ") + error.what());
+        add_notice(std::string("From now on this session is not kept for recovery: ") +
+                   error.what());
     }
 }
 
@@ -140,7 +232,7 @@ void Workspace::begin_recovery(const std::string& folder) {
     try {
         recovery_.emplace(folder);
     } catch (const std::exception& error) {
-        set_message(error.what());
+        add_notice(error.what());
     }
 }
 

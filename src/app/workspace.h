@@ -35,22 +35,37 @@ class Workspace {
     void begin_recovery(const std::string& folder);
     // The session ends as it should: nothing of it has to be recovered.
     void end_recovery();
-    bool has_recovery() const { return recovery_.has_value(); }
+    // Whether all that is done is kept.
+    bool has_recovery() const { return recovery_ && !recovery_->has_failed(); }
 
     enum class Outcome { done, failed, under_way };
     // Does and records it, or tells why not and leaves everything as it was. A file that takes
     // longer is under way then: it is read or written in the background, the object stays as it is
     // until poll() says otherwise, and all commands fail.
     Outcome execute(const Command& command);
-    // The same, waiting until a file is read or written, however long that takes.
-    Outcome execute_to_the_end(const Command& command);
     // The same for a drag, of points or of control points, that the session has done already.
     void record_drag(const Command& drag, bool has_changed);
 
+    // --- Restoring another session.
+    // Begins as a new window does, with default settings and without an object. The records get
+    // the commands that reset the settings.
+    void begin_anew();
+    // Opens a model as execute() does, with the contents it had for that session.
+    Outcome reopen(const command::Open& open, const LostSession& session,
+                   const std::string& fingerprint);
+    // The session saved here then: the file stays as it is, and is the one that the object is in.
+    void pass_over(const command::Save& save);
+    // The object is in no file any more, so that a save asks for one.
+    void forget_path() { path_.clear(); }
+
     // --- A file that is under way.
     struct FileTask {
-        // What was read, or what there is to tell of what was written.
-        using Result = std::variant<std::string, LoadedModel>;
+        struct Result {
+            std::optional<LoadedModel> model{};  // that was read
+            std::string fingerprint{};           // of its file; empty if nobody needs it
+            std::string report{};                // on what was written
+            std::string warning{};               // about recovery
+        };
         FileTask(Command begun, std::function<Result(const Progress&)> how)
             : command(std::move(begun)), work(std::move(how)) {}
 
@@ -64,13 +79,21 @@ class Workspace {
     Outcome poll(std::chrono::milliseconds longest_wait = {});
     void cancel_file_task() { file_task_->work.cancel(); }
 
+    // As Session::set_viewport; also for the session of begin_anew().
+    void set_viewport(Viewport* viewport);
     Session& session() { return session_; }
     const Session& session() const { return session_; }
 
-    // Shown until dismissed or until the next command is done; as printable() text.
+    // --- Messages, as printable() text.
+    // Stands until the next command is done or the next drag begins.
     void set_message(const std::string& message);
-    void dismiss() { message_.clear(); }
-    const std::string& message() const { return message_; }
+    const std::string& command_message() const { return command_message_; }
+    void clear_command_message() { command_message_.clear(); }
+    // Stands until it is dismissed.
+    void add_notice(const std::string& message);
+    // All of them, one a line.
+    std::string message() const;
+    void dismiss();
 
     // The file that is open; empty where the object is in none.
     const std::string& path() const { return path_; }
@@ -84,15 +107,23 @@ class Workspace {
     double radius() const;
 
   private:
-    void finish(const Command& command);
+    using FileWork = std::function<FileTask::Result(const Progress&)>;
+    template <typename MakeWork>
+    Outcome carry_out(const Command& command, MakeWork make_work);
+    FileWork file_work(const Command& command) const;
+    FileWork opening(const command::Open& open) const;
+    FileWork saving(const command::Save& save) const;
+    void finish(const Command& command, const std::string& fingerprint = {});
     void update_file_state(const Command& command);
-    void record(const Command& command);
+    void record(const Command& command, const std::string& fingerprint = {});
+    void keep(const Command& command, const std::string& fingerprint = {});
 
     Session session_;
+    Viewport* viewport_ = nullptr;
     std::optional<Recorder> recorder_;
     std::optional<RecoveryFile> recovery_;
     std::chrono::milliseconds patience_;
-    std::string message_;
+    std::string command_message_, notices_;
     std::string path_;
     std::string shape_name_ = "untitled";
     Box box_;

@@ -41,9 +41,10 @@ TemporaryFileEntry& TemporaryFileEntry::operator=(TemporaryFileEntry&& other) no
     return *this;
 }
 
-void remove_temporary_files() noexcept {
-    const std::lock_guard lock(list().mutex);
+std::unique_lock<std::mutex> remove_temporary_files() noexcept {
+    std::unique_lock lock(list().mutex);
     for (const std::string& path : list().paths) ::unlink(path.c_str());
+    return lock;
 }
 
 }  // namespace pectin

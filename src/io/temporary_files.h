@@ -2,6 +2,7 @@
 // program.
 #pragma once
 
+#include <mutex>
 #include <string>
 
 namespace pectin {
@@ -23,7 +24,8 @@ class TemporaryFileEntry {
 };
 
 // Removes all listed files. Call it on an ordinary thread (not in a signal handler) just before the
-// process ends, because files that are still being written are removed, too.
-void remove_temporary_files() noexcept;
+// process ends, because files that are still being written are removed, too. While the returned
+// lock exists, threads that would add a file wait.
+[[nodiscard]] std::unique_lock<std::mutex> remove_temporary_files() noexcept;
 
 }  // namespace pectin

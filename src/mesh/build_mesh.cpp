@@ -232,8 +232,8 @@ void MeshBuilder::exchange_diagonals() {
     std::vector<std::uint32_t> polygons;
     polygons.reserve(mesh_.base_faces_.size());
     for (const auto& face : mesh_.base_faces_) polygons.push_back(face.polygon);
-    const std::vector<std::uint32_t> changed =
-        exchange_shared_diagonals(input_, mesh_.positions_, polygons, cut_, corner_of_);
+    const std::vector<std::uint32_t> changed = exchange_shared_diagonals(
+        input_, mesh_.positions_, mirror_centre_.value_or(Vec3{0.0}), polygons, cut_, corner_of_);
     if (changed.empty()) return;
     for (std::uint32_t polygon : changed) renew_outline(polygon);
     for (std::size_t i = 0; i < corner_of_.size(); ++i) {

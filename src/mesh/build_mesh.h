@@ -23,11 +23,11 @@ struct BuiltMesh {
 // Positions become base vertices in input order, triangles base faces in input order. Corners
 // at one vertex whose normal and texture coordinate are the same share a wedge. Two half-edges
 // that run in opposite directions are twins; edges with more faces, or with two that disagree on
-// direction, are cut: their half-edges become boundaries and siblings. Boundary edges whose ends
-// coincide without being shared are joined at the vertex with the lowest index (UnsharedSeams), and
-// are then twins or siblings in the same way. Polygons keep their corners
-// in InputForm; those without surface, lines and points are there alone.
-// Precondition: indices in range, positions finite, fewer than 2^31 corners of triangles.
+// direction, are cut: their half-edges become boundaries and siblings. Where the ends of a boundary
+// edge coincide with those of other edges without being shared, they are joined at the vertex with
+// the lowest index (UnsharedSeams), and the edges are then twins or siblings in the same way.
+// Polygons keep their corners in InputForm; those without surface, lines and points are there
+// alone. Precondition: indices in range, positions finite, fewer than 2^31 corners of triangles.
 // Cost: O(n log n) at worst, O(n) where no vertex has many faces.
 BuiltMesh build_mesh(IndexedFaceSet input, const BuildOptions& options = {});
 

@@ -10,7 +10,7 @@ class TriMesh;
 // Nothing of it is lost: a save gives back what was cut, triangulated or without surface.
 struct BuildReport {
     std::uint32_t triangulated_polygons = 0;  // polygons with more than three corners
-    std::uint32_t crossing_polygons = 0;      // cross themselves: no triangles cover them exactly
+    std::uint32_t crossing_polygons = 0;      // no triangles found that cover them exactly
     std::uint32_t degenerate_polygons = 0;    // fewer than three different vertices; kept unseen
     std::uint32_t repeated_corners = 0;       // other polygons that name a vertex more than once
     std::uint32_t zero_area_faces = 0;        // triangles whose corners lie on a line

@@ -10,10 +10,10 @@
 namespace pectin {
 namespace {
 
-// Sines and relative squared lengths that differ by less are equal.
+// Sines that are smaller are zero.
 constexpr double kEqual = 1e-7;
-// Flips end by themselves on flat polygons; on others, whose angles in space agree with no plane,
-// they are ended after so many for each corner.
+// Flips end by themselves, but some polygons need n^2 of them. Each pass is ended after so many for
+// each triangle.
 constexpr std::size_t kMostFlips = 64;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -23,17 +23,40 @@ class Flipper {
     Flipper(const FlatPolygon& polygon, std::vector<CornerTriangle>& triangles)
         : polygon_(polygon), triangles_(triangles), twin_(3 * triangles.size(), kNone) {}
 
-    void flip() {
+    // Each triangle with those behind it.
+    std::size_t flip() {
         link_twins();
-        for (std::uint32_t h = 0; h < twin_.size(); ++h) queue(h);
-        std::size_t flips = kMostFlips * triangles_.size();
-        while (!waiting_.empty() && flips > 0) {
-            const std::uint32_t h = waiting_.back();
-            waiting_.pop_back();
-            if (twin_[h] == kNone || !is_worse(h)) continue;
-            flip(h);
-            --flips;
+        const std::size_t most = kMostFlips * triangles_.size();
+        std::size_t flips = 0;
+        for (auto first = static_cast<std::uint32_t>(triangles_.size()); first-- > 0;) {
+            waiting_ = {3 * first, 3 * first + 1, 3 * first + 2};
+            while (!waiting_.empty() && flips < most) {
+                const std::uint32_t h = waiting_.back();
+                waiting_.pop_back();
+                const bool is_inside = twin_[h] != kNone && twin_[h] >= 3 * first;
+                if (!is_inside || sine_of_sum(h) >= -kEqual || !is_convex(h)) continue;
+                flip(h);
+                ++flips;
+            }
         }
+        return flips;
+    }
+
+    // Cuts anew what lies on one circle, where that has more than one triangulation. Returns
+    // whether anything does.
+    bool cut_circles() {
+        std::vector<bool> is_tied(twin_.size(), false), is_met(triangles_.size(), false);
+        bool any_tied = false;
+        for (std::uint32_t h = 0; h < twin_.size(); ++h) {
+            if (twin_[h] == kNone || h > twin_[h] || std::abs(sine_of_sum(h)) > kEqual) continue;
+            any_tied = is_tied[h] = is_tied[twin_[h]] = true;
+        }
+        for (std::uint32_t h = 0; any_tied && h < twin_.size(); ++h) {
+            if (!is_tied[h] || is_met[h / 3]) continue;
+            const std::vector<std::uint32_t> members = joined_to(h / 3, is_tied, is_met);
+            cut_circle(members, outline_of(members, is_tied));
+        }
+        return any_tied;
     }
 
   private:
@@ -42,10 +65,6 @@ class Flipper {
     static std::uint32_t prev(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
     std::uint32_t& origin(std::uint32_t h) { return triangles_[h / 3][h % 3]; }
     std::uint32_t origin(std::uint32_t h) const { return triangles_[h / 3][h % 3]; }
-    void queue(std::uint32_t h) {
-        if (twin_[h] != kNone && h < twin_[h]) waiting_.push_back(h);
-    }
-
     // Each pair of corners has the two half-edges of one diagonal or the one of a side.
     void link_twins() {
         std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> sorted;
@@ -68,21 +87,21 @@ class Flipper {
     //    a --- b
     //     \   /
     //       d
-    bool is_worse(std::uint32_t h) const {
+    // Negative where the angles there sum to more than two right angles.
+    double sine_of_sum(std::uint32_t h) const {
         const std::uint32_t a = origin(h), b = origin(next(h)), c = origin(prev(h)),
                             d = origin(prev(twin_[h]));
-        const auto& p = polygon_.in_space;
+        const auto& p = polygon_.in_plane;
         const Vec3 ca = p[a] - p[c], cb = p[b] - p[c], da = p[a] - p[d], db = p[b] - p[d];
         const double cos_c = glm::dot(ca, cb), sin_c = glm::length(glm::cross(ca, cb));
         const double cos_d = glm::dot(da, db), sin_d = glm::length(glm::cross(da, db));
         const double scale =
             glm::length(ca) * glm::length(cb) * (glm::length(da) * glm::length(db));
-        const double sine = sin_c * cos_d + cos_c * sin_d;  // of the sum, times the scale
-        if (sine > kEqual * scale) return false;
-        if (sine >= -kEqual * scale) {
-            const Vec3 ab = p[b] - p[a], cd = p[d] - p[c];
-            if (glm::dot(cd, cd) >= (1.0 - kEqual) * glm::dot(ab, ab)) return false;
-        }
+        return scale > 0.0 ? (sin_c * cos_d + cos_c * sin_d) / scale : 1.0;
+    }
+    bool is_convex(std::uint32_t h) const {
+        const std::uint32_t a = origin(h), b = origin(next(h)), c = origin(prev(h)),
+                            d = origin(prev(twin_[h]));
         const auto& q = polygon_.points;
         return orientation(q[c], q[a], q[d]) > 0 && orientation(q[d], q[b], q[c]) > 0;
     }
@@ -105,6 +124,52 @@ class Flipper {
         }
     }
 
+    // The triangles that hang together with t across tied diagonals.
+    std::vector<std::uint32_t> joined_to(std::uint32_t t, const std::vector<bool>& is_tied,
+                                         std::vector<bool>& is_met) const {
+        std::vector<std::uint32_t> members{t};
+        is_met[t] = true;
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            for (std::uint32_t h = 3 * members[i]; h < 3 * members[i] + 3; ++h) {
+                if (!is_tied[h] || is_met[twin_[h] / 3]) continue;
+                is_met[twin_[h] / 3] = true;
+                members.push_back(twin_[h] / 3);
+            }
+        }
+        return members;
+    }
+    // Their corners in order.
+    std::vector<std::uint32_t> outline_of(const std::vector<std::uint32_t>& members,
+                                          const std::vector<bool>& is_tied) const {
+        const auto next_outside = [&](std::uint32_t h) {
+            while (is_tied[h]) h = next(twin_[h]);
+            return h;
+        };
+        const std::uint32_t first = next_outside(3 * members.front());
+        std::vector<std::uint32_t> outline{origin(first)};
+        for (std::uint32_t h = next_outside(next(first)); h != first; h = next_outside(next(h))) {
+            outline.push_back(origin(h));
+        }
+        return outline;
+    }
+    void cut_circle(const std::vector<std::uint32_t>& members,
+                    const std::vector<std::uint32_t>& outline) {
+        FlatPolygon inside;
+        for (const std::uint32_t corner : outline) {
+            inside.points.push_back(polygon_.points[corner]);
+            inside.in_space.push_back(polygon_.in_space[corner]);
+            inside.order.push_back(polygon_.order[corner]);
+        }
+        std::vector<CornerTriangle> cut = clip_ears(inside);
+        const auto has_area = [&](const CornerTriangle& t) {
+            return orientation(inside.points[t[0]], inside.points[t[1]], inside.points[t[2]]) > 0;
+        };
+        if (!std::all_of(cut.begin(), cut.end(), has_area)) return;
+        for (std::size_t i = 0; i < members.size(); ++i) {
+            for (std::size_t k = 0; k < 3; ++k) triangles_[members[i]][k] = outline[cut[i][k]];
+        }
+    }
+
     const FlatPolygon& polygon_;
     std::vector<CornerTriangle>& triangles_;
     std::vector<std::uint32_t> twin_;  // n_half_edges; none at sides of the polygon
@@ -113,8 +178,12 @@ class Flipper {
 
 }  // namespace
 
-void flip_to_delaunay(const FlatPolygon& polygon, std::vector<CornerTriangle>& triangles) {
-    Flipper(polygon, triangles).flip();
+std::size_t flip_to_delaunay(const FlatPolygon& polygon, std::vector<CornerTriangle>& triangles) {
+    Flipper flipper(polygon, triangles);
+    std::size_t flips = flipper.flip();
+    // What seems to lie on one circle, quad by quad, may lie on a curve.
+    if (flipper.cut_circles()) flips += Flipper(polygon, triangles).flip();
+    return flips;
 }
 
 }  // namespace pectin

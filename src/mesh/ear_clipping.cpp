@@ -2,6 +2,7 @@
 
 #include <bit>
 #include <functional>
+#include <limits>
 #include <queue>
 #include <tuple>
 
@@ -20,8 +21,9 @@ constexpr int kMostEasings = 16;
 
 class EarClipper {
   public:
-    explicit EarClipper(const FlatPolygon& polygon)
+    EarClipper(const FlatPolygon& polygon, std::size_t most_steps)
         : polygon_(polygon),
+          most_steps_(most_steps),
           next_(polygon.points.size()),
           prev_(polygon.points.size()),
           version_(polygon.points.size(), 0),
@@ -29,10 +31,11 @@ class EarClipper {
           left_(polygon.points.size()),
           blockers_(link_corners()) {}
 
-    std::vector<CornerTriangle> clip() {
+    std::optional<std::vector<CornerTriangle>> clip() {
         triangles_.reserve(polygon_.points.size());
         push_all();
         while (left_ > 3) {
+            if (steps_ > most_steps_) return std::nullopt;
             if (ears_.empty()) {
                 ease_rule();
                 continue;
@@ -78,9 +81,12 @@ class EarClipper {
         return {polygon_.points, std::move(blockers)};
     }
 
+    // Whether nothing is left between the sides at i: the corner was convex and has become flat.
+    bool is_spike(std::uint32_t i) const { return !is_blocker_[i] && turn(i) == 0; }
+
     void push(std::uint32_t tip) {
         const Vec3 diagonal = polygon_.in_space[next_[tip]] - polygon_.in_space[prev_[tip]];
-        const auto squared = static_cast<float>(glm::dot(diagonal, diagonal));
+        const auto squared = static_cast<float>(is_spike(tip) ? 0.0 : glm::dot(diagonal, diagonal));
         constexpr std::uint32_t kEqual = (1u << 10) - 1;  // 2^-13 of a squared length
         ears_.push({std::bit_cast<std::uint32_t>(squared) & ~kEqual, polygon_.order[tip], tip,
                     ++version_[tip]});
@@ -91,19 +97,30 @@ class EarClipper {
         while ((i = next_[i]) != last_);
     }
 
-    bool is_ear(std::uint32_t i) const {
-        if (rule_ == Rule::any) return true;
+    bool is_ear(std::uint32_t i) {
+        if (rule_ == Rule::any || is_spike(i)) return true;
         const int turned = turn(i);
         if (turned < 0 || (turned == 0 && rule_ < Rule::flat)) return false;
         if (blockers_.is_empty() || turned == 0) return true;
         const std::uint32_t before = prev_[i], after = next_[i];
         const Vec2 &a = point(before), &b = point(i), &c = point(after);
         const int least = rule_ == Rule::proper ? 0 : 1;  // whether points on a side are in the way
-        return !blockers_.any_near({a, b, c}, [&](std::uint32_t r) {
+        return !blockers_.any_near({a, b, c}, steps_, [&](std::uint32_t r) {
             const Vec2& p = point(r);
-            return p != a && p != b && p != c && orientation(a, b, p) >= least &&
-                   orientation(b, c, p) >= least && orientation(c, a, p) >= least;
+            if (p == a) return leads_between(r, b, c);
+            if (p == b) return leads_between(r, c, a);
+            if (p == c) return leads_between(r, a, b);
+            return orientation(a, b, p) >= least && orientation(b, c, p) >= least &&
+                   orientation(c, a, p) >= least;
         });
+    }
+    // Whether a side at corner r leads into the open angle from `first` counter-clockwise to
+    // `second`, which is less than two right angles.
+    bool leads_between(std::uint32_t r, const Vec2& first, const Vec2& second) const {
+        const auto lies_between = [&](const Vec2& p) {
+            return orientation(point(r), first, p) > 0 && orientation(second, point(r), p) > 0;
+        };
+        return lies_between(point(prev_[r])) || lies_between(point(next_[r]));
     }
 
     void clip_ear(std::uint32_t i) {
@@ -146,6 +163,7 @@ class EarClipper {
     }
 
     const FlatPolygon& polygon_;
+    std::size_t most_steps_, steps_ = 0;  // of the search for corners in the way of ears
     std::vector<std::uint32_t> next_, prev_;
     std::vector<std::uint32_t> version_;  // an ear of an earlier version is out of date
     std::vector<bool> is_blocker_;
@@ -161,8 +179,13 @@ class EarClipper {
 
 }  // namespace
 
+std::optional<std::vector<CornerTriangle>> clip_ears(const FlatPolygon& polygon,
+                                                     std::size_t most_steps) {
+    return EarClipper(polygon, most_steps).clip();
+}
+
 std::vector<CornerTriangle> clip_ears(const FlatPolygon& polygon) {
-    return EarClipper(polygon).clip();
+    return *clip_ears(polygon, std::numeric_limits<std::size_t>::max());
 }
 
 }  // namespace pectin

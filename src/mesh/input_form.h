@@ -37,10 +37,10 @@ class OutlineCorner {
     std::uint32_t bits_;
 };
 
-// Seams where faces of the input meet without sharing vertices: open edges whose ends coincide. The
-// mesh joins them: of the vertices that coincide at an end its faces use one, the representative,
-// so that both sides move and are refined together. A save gives each side vertices of its own
-// again (UnsharedVertices).
+// Seams where faces of the input meet without sharing vertices: open edges whose ends coincide with
+// those of other edges, open or not. The mesh joins them: of the vertices that coincide at an end
+// its faces use one, the representative, so that both sides move and are refined together. A save
+// gives each side vertices of its own again (UnsharedVertices).
 struct UnsharedSeams {
     std::vector<VertexId> representatives;  // n_base_vertices; itself for most; empty: no seams
     std::vector<VertexId> corner_vertices;  // 3 n_base_faces, or empty; the input's own vertices

@@ -33,6 +33,7 @@ class SeamJoiner {
     struct Edge {
         Ends ends;  // in ascending order
         HalfEdgeId half_edge = HalfEdgeId{0};
+        bool is_boundary = true;
         bool operator<(const Edge& o) const {
             return std::tie(ends, half_edge) < std::tie(o.ends, o.half_edge);
         }
@@ -47,27 +48,41 @@ class SeamJoiner {
         }
     }
 
-    // Gives ends of boundary edges that have equal positions the same site, the lowest of these
-    // vertices. Returns whether any two have one. -0 equals 0.
+    // Gives vertices that lie at an end of a boundary edge and have equal positions the same site,
+    // the lowest of these vertices. Returns whether any two have one. -0 equals 0.
     bool find_equal_positions() {
-        std::vector<std::uint32_t> ends;
-        for (const HalfEdgeId h : boundary_) ends.insert(ends.end(), {origin(h), target(h)});
-        std::sort(ends.begin(), ends.end());
-        ends.erase(std::unique(ends.begin(), ends.end()), ends.end());
-        const auto coordinates = [&](std::uint32_t v) {
-            return std::tie(positions_[v].x, positions_[v].y, positions_[v].z);
-        };
-        std::stable_sort(ends.begin(), ends.end(), [&](std::uint32_t v, std::uint32_t w) {
-            return coordinates(v) < coordinates(w);
-        });
+        const std::vector<std::uint32_t> vertices = vertices_at_boundary();
         site_.assign(positions_.size(), kNone);
         bool any_equal = false;
-        for (std::size_t i = 0; i < ends.size(); ++i) {
-            const bool is_equal = i > 0 && positions_[ends[i]] == positions_[ends[i - 1]];
-            site_[ends[i]] = is_equal ? site_[ends[i - 1]] : ends[i];
+        for (std::size_t i = 0; i < vertices.size(); ++i) {
+            const bool is_equal = i > 0 && positions_[vertices[i]] == positions_[vertices[i - 1]];
+            site_[vertices[i]] = is_equal ? site_[vertices[i - 1]] : vertices[i];
             any_equal = any_equal || is_equal;
         }
         return any_equal;
+    }
+    // The ends of boundary edges and the vertices that coincide with one, by position, then by
+    // index.
+    std::vector<std::uint32_t> vertices_at_boundary() const {
+        std::vector<bool> is_end(positions_.size(), false);
+        for (const HalfEdgeId h : boundary_) is_end[origin(h)] = is_end[target(h)] = true;
+        std::vector<std::uint32_t> vertices, others;
+        for (std::uint32_t v = 0; v < positions_.size(); ++v) {
+            (is_end[v] ? vertices : others).push_back(v);
+        }
+        const auto lies_before = [&](std::uint32_t v, std::uint32_t w) {
+            const Vec3 &p = positions_[v], &q = positions_[w];
+            return std::tie(p.x, p.y, p.z) < std::tie(q.x, q.y, q.z);
+        };
+        std::stable_sort(vertices.begin(), vertices.end(), lies_before);
+        std::erase_if(others, [&](std::uint32_t v) {
+            return !std::binary_search(vertices.begin(), vertices.end(), v, lies_before);
+        });
+        if (others.empty()) return vertices;
+        vertices.insert(vertices.end(), others.begin(), others.end());
+        std::sort(vertices.begin(), vertices.end());
+        std::stable_sort(vertices.begin(), vertices.end(), lies_before);
+        return vertices;
     }
 
     // A face with two corners at one site would lose an edge if they were joined, so the vertices
@@ -92,28 +107,39 @@ class SeamJoiner {
         }
     }
 
+    // Inner edges that coincide with boundary edges lose their twins, as along a cut.
     void join_coinciding() {
-        std::vector<Edge> edges;
-        for (const HalfEdgeId h : boundary_) {
-            const std::uint32_t from = site_[origin(h)], to = site_[target(h)];
-            if (from != kNone && to != kNone) edges.push_back({std::minmax(from, to), h});
-        }
-        std::sort(edges.begin(), edges.end());
+        const std::vector<Edge> edges = edges_between_sites();
         for_each_run(edges, [&](std::span<const Edge> run) {
             const Ends first = ends_by_site(run.front());
-            if (std::all_of(run.begin(), run.end(),
-                            [&](const Edge& e) { return ends_by_site(e) == first; })) {
-                return;
-            }
+            const bool is_joined = std::any_of(
+                run.begin(), run.end(), [&](const Edge& e) { return ends_by_site(e) != first; });
+            const bool has_boundary =
+                std::any_of(run.begin(), run.end(), [](const Edge& e) { return e.is_boundary; });
+            if (!is_joined || !has_boundary) return;
             for (const Edge& e : run) {
                 const Ends ends = ends_by_site(e);
                 vertices_.join(first.first, ends.first);
                 vertices_.join(first.second, ends.second);
                 result_.half_edges.push_back(e.half_edge);
+                if (e.is_boundary) continue;
+                half_edges_[index(e.half_edge)].twin = pectin::kNone<HalfEdgeId>;
+                boundary_.push_back(e.half_edge);
             }
             ++result_.edges;
         });
         std::sort(result_.half_edges.begin(), result_.half_edges.end());
+    }
+    std::vector<Edge> edges_between_sites() const {
+        std::vector<Edge> edges;
+        for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
+            const HalfEdgeId id{h};
+            const std::uint32_t from = site_[origin(id)], to = site_[target(id)];
+            if (from == kNone || to == kNone) continue;
+            edges.push_back({std::minmax(from, to), id, !exists(half_edges_[h].twin)});
+        }
+        std::sort(edges.begin(), edges.end());
+        return edges;
     }
     // The edge's own vertices, in the order of their sites.
     Ends ends_by_site(const Edge& e) const {
@@ -141,7 +167,7 @@ class SeamJoiner {
     void match() {
         std::vector<Edge> edges;
         for (const HalfEdgeId h : boundary_) {
-            edges.push_back({std::minmax(origin(h), target(h)), h});
+            edges.push_back({.ends = std::minmax(origin(h), target(h)), .half_edge = h});
         }
         std::sort(edges.begin(), edges.end());
         for_each_run(edges, [&](std::span<const Edge> run) {

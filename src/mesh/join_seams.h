@@ -22,12 +22,13 @@ struct JoinedSeams {
     std::vector<std::size_t> cut_ends;
 };
 
-// Two or more boundary edges coincide where both their ends have equal positions; their ends are
-// then joined, except vertices of a triangle that has two corners at one position. half_edges (3
-// n_faces) are those of a mesh whose twins share both vertices; their origins become the
-// representatives, which are the lowest of the joined vertices, and two that run in opposite
-// directions along a seam become twins. Nothing if there is no seam. Cost: O(b log b) in the
-// boundary edges, and O(n) if any coincide.
+// Edges coincide where both their ends have equal positions. Where a boundary edge coincides with
+// others, their ends are joined, except vertices of a triangle that has two corners at one
+// position. half_edges (3 n_faces) are those of a mesh whose twins share both vertices; their
+// origins become the representatives, which are the lowest of the joined vertices. Two boundary
+// edges that run in opposite directions become twins; of more, or with an inner edge among them,
+// all half-edges become siblings without a twin.
+// Nothing if there is no seam. Cost: O(n log b), with b boundary edges; O(n) if there are none.
 std::optional<JoinedSeams> join_seams(std::span<const Vec3> positions,
                                       std::span<HalfEdge> half_edges);
 

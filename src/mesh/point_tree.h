@@ -18,7 +18,7 @@ namespace pectin {
 // numbered as in a binary heap.
 class PointTree {
   public:
-    // Of the points with these indices. Cost: O(n log^2 n).
+    // Of the points with these indices. Cost: O(n log n).
     PointTree(std::span<const Vec2> points, std::vector<std::uint32_t> members)
         : points_(points), members_(std::move(members)), is_removed_(points.size(), false) {
         std::size_t leaves = 1;
@@ -36,10 +36,11 @@ class PointTree {
     }
 
     // Whether holds(i) for any point i that may lie in the triangle a, b, c, which turns
-    // counter-clockwise. Nodes beyond one of its sides or outside its box are passed over.
+    // counter-clockwise. Nodes beyond one of its sides or outside its box are passed over. Adds the
+    // number of nodes visited to `steps`.
     template <typename Holds>
-    bool any_near(const std::array<Vec2, 3>& triangle, Holds holds) const {
-        return any_near(1, triangle, holds);
+    bool any_near(const std::array<Vec2, 3>& triangle, std::size_t& steps, Holds holds) const {
+        return any_near(1, triangle, steps, holds);
     }
 
   private:
@@ -84,7 +85,9 @@ class PointTree {
     }
 
     template <typename Holds>
-    bool any_near(std::size_t n, const std::array<Vec2, 3>& t, Holds holds) const {
+    bool any_near(std::size_t n, const std::array<Vec2, 3>& t, std::size_t& steps,
+                  Holds holds) const {
+        ++steps;
         const Node& node = nodes_[n];
         if (node.count == 0) return false;
         const Vec2 low = glm::min(t[0], glm::min(t[1], t[2]));
@@ -97,7 +100,7 @@ class PointTree {
             if (is_right_of(node, t[i], t[(i + 1) % 3])) return false;
         }
         if (2 * n < nodes_.size()) {
-            return any_near(2 * n, t, holds) || any_near(2 * n + 1, t, holds);
+            return any_near(2 * n, t, steps, holds) || any_near(2 * n + 1, t, steps, holds);
         }
         for (std::uint32_t i = node.begin; i < node.end; ++i) {
             if (!is_removed_[members_[i]] && holds(members_[i])) return true;

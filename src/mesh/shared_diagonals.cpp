@@ -1,16 +1,23 @@
 #include "mesh/shared_diagonals.h"
 
 #include <algorithm>
+#include <array>
+#include <bit>
+#include <cmath>
+#include <tuple>
 #include <unordered_map>
+#include <unordered_set>
+#include <utility>
+
+#include "geometry/box.h"
 
 namespace pectin {
 namespace {
 
-// An exchange can only leave diagonals shared that the ones before it have not met, so few passes
-// change anything.
-constexpr int kMostPasses = 8;
 // Of the quad's area; an exchange leaves no smaller triangle.
 constexpr double kSliver = 1e-3;
+// Of the object's size; midpoints closer to each other count as equal.
+constexpr double kEqualDistances = 1e-7;
 
 // A diagonal h = ab of a polygon, with c before and d behind it.
 //       c
@@ -22,27 +29,49 @@ struct Diagonal {
     std::uint32_t h = 0, g = 0;  // its half-edges a -> b and b -> a
 };
 
+// Which of several exchanges comes first. An exchange and its mirror image have the same rank; the
+// side tells these apart.
+struct Key {
+    std::uint32_t length = 0;            // of the new diagonal, squared, as bits of a float
+    std::array<std::int64_t, 6> rank{};  // distances of the midpoints from the mirror planes
+    std::array<std::int64_t, 6> side{};  // the same with signs, positive ones first
+    std::uint64_t corners = 0;           // of the old diagonal
+
+    auto without_side() const { return std::tie(length, rank); }
+    bool operator<(const Key& o) const {
+        return std::tie(length, rank, side, corners) <
+               std::tie(o.length, o.rank, o.side, o.corners);
+    }
+};
+
+struct Candidate {
+    Diagonal diagonal;
+    Key key;
+    std::uint64_t new_ends = 0;  // the two vertices of the new diagonal
+};
+
 class Exchange {
   public:
-    Exchange(const IndexedFaceSet& input, std::span<const Vec3> positions,
+    Exchange(const IndexedFaceSet& input, std::span<const Vec3> positions, const Vec3& centre,
              std::span<const std::uint32_t> polygon_of, std::vector<std::uint32_t>& corner_of)
-        : input_(input), positions_(positions), polygon_of_(polygon_of), corner_of_(corner_of) {}
+        : input_(input),
+          positions_(positions),
+          centre_(centre),
+          polygon_of_(polygon_of),
+          corner_of_(corner_of) {}
 
+    // This ends: the number of half-edges beyond two between the same vertices, summed over all
+    // pairs of vertices, never grows, and the first exchange of each pass lowers it.
     std::vector<std::uint32_t> run(std::span<const HalfEdgeId> half_edges) {
-        std::vector<Diagonal> diagonals = diagonals_among(half_edges);
         std::vector<std::uint32_t> changed;
-        if (diagonals.empty()) return changed;
-        for (std::uint32_t h = 0; h < corner_of_.size(); ++h) ++users_[ends(h)];
-        for (int pass = 0; pass < kMostPasses; ++pass) {
-            const std::vector<Diagonal> chosen = exchangeable(diagonals);
+        if (!find_shared(half_edges)) return changed;
+        prepare(half_edges);
+        for (;;) {
+            const std::vector<Candidate> chosen = without_neighbours(without_rivals(candidates()));
             if (chosen.empty()) break;
-            for (const Diagonal& d : chosen) {
-                // One before it may have changed a triangle of this one. Whether the ends are
-                // still shared is not asked again: diagonals that are each other's mirror image
-                // are both exchanged.
-                if (!is_whole(d) || !leads_elsewhere(d)) continue;
-                exchange(d);
-                changed.push_back(polygon_of_[d.h / 3]);
+            for (const Candidate& candidate : chosen) {
+                exchange(candidate.diagonal);
+                changed.push_back(polygon_of_[candidate.diagonal.h / 3]);
             }
         }
         std::sort(changed.begin(), changed.end());
@@ -56,36 +85,53 @@ class Exchange {
     std::uint32_t vertex(std::uint32_t h) const { return input_.corners[corner_of_[h]].position; }
     const Vec3& point(std::uint32_t h) const { return positions_[vertex(h)]; }
     static std::uint64_t pair_of(std::uint32_t v, std::uint32_t w) {
-        return std::uint64_t{std::min(v, w)} << 32 | std::max(v, w);
+        return std::uint64_t{v} << 32 | w;
     }
-    std::uint64_t ends(std::uint32_t h) const { return pair_of(vertex(h), vertex(next(h))); }
-    std::uint64_t other_ends(const Diagonal& d) const {
-        return pair_of(vertex(prev(d.h)), vertex(prev(d.g)));
+    static std::uint64_t unordered_pair_of(std::uint32_t v, std::uint32_t w) {
+        return pair_of(std::min(v, w), std::max(v, w));
+    }
+    // The corners that h runs from and to.
+    std::uint64_t corners(std::uint32_t h) const {
+        return pair_of(corner_of_[h], corner_of_[next(h)]);
+    }
+    static std::uint64_t reversed(std::uint64_t corners) { return corners << 32 | corners >> 32; }
+    std::uint64_t ends(std::uint32_t h) const {
+        return unordered_pair_of(vertex(h), vertex(next(h)));
+    }
+    std::uint64_t new_ends(const Diagonal& d) const {
+        return unordered_pair_of(vertex(prev(d.h)), vertex(prev(d.g)));
     }
 
-    bool are_opposite(std::uint32_t h, std::uint32_t g) const {
-        return corner_of_[h] == corner_of_[next(g)] && corner_of_[g] == corner_of_[next(h)];
-    }
-    bool is_whole(const Diagonal& d) const { return are_opposite(d.h, d.g); }
-
-    // Half-edges of one polygon that run between the same two corners of it, each way.
-    std::vector<Diagonal> diagonals_among(std::span<const HalfEdgeId> half_edges) const {
-        std::vector<Diagonal> diagonals;
-        std::unordered_map<std::uint64_t, std::uint32_t> by_corners;
-        for (const HalfEdgeId id : half_edges) {
-            const std::uint32_t h = index(id);
-            const auto [other, is_first] =
-                by_corners.try_emplace(pair_of(corner_of_[h], corner_of_[next(h)]), h);
-            if (!is_first && are_opposite(h, other->second))
-                diagonals.push_back({other->second, h});
+    // Diagonals run between the same two corners of one polygon both ways. Returns whether there
+    // are any.
+    bool find_shared(std::span<const HalfEdgeId> half_edges) {
+        std::unordered_set<std::uint64_t> met;
+        for (const HalfEdgeId h : half_edges) {
+            const std::uint64_t pair = corners(index(h));
+            if (met.contains(reversed(pair))) shared_.push_back(pair);
+            met.insert(pair);
         }
-        return diagonals;
+        return !shared_.empty();
     }
 
-    bool is_shared(const Diagonal& d) const { return users_.find(ends(d.h))->second > 2; }
+    void prepare(std::span<const HalfEdgeId> half_edges) {
+        for (std::uint32_t h = 0; h < corner_of_.size(); ++h) ++users_[ends(h)];
+        std::unordered_set<std::uint32_t> polygons;
+        for (const HalfEdgeId h : half_edges) polygons.insert(polygon_of_[index(h) / 3]);
+        for (std::uint32_t f = 0; f < polygon_of_.size(); ++f) {
+            if (polygons.contains(polygon_of_[f])) record_half_edges(f);
+        }
+        Box box;
+        for (const Vec3& p : positions_) box.include(p);
+        cells_per_unit_ = 1.0 / std::max(kEqualDistances * box.diagonal(), 1e-300);
+    }
+    void record_half_edges(std::uint32_t face) {
+        for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) half_edge_of_[corners(h)] = h;
+    }
+
     // Whether the other diagonal is possible and its ends have no edge.
     bool leads_elsewhere(const Diagonal& d) const {
-        const auto other = users_.find(other_ends(d));
+        const auto other = users_.find(new_ends(d));
         return (other == users_.end() || other->second == 0) &&
                vertex(prev(d.h)) != vertex(prev(d.g)) && stays_unfolded(d);
     }
@@ -96,42 +142,99 @@ class Exchange {
         return glm::dot(glm::cross(e - a, c - a), normal) > least &&
                glm::dot(glm::cross(c - b, e - b), normal) > least;
     }
-    std::vector<Diagonal> exchangeable(const std::vector<Diagonal>& diagonals) const {
-        std::vector<Diagonal> chosen;
-        std::unordered_map<std::uint64_t, int> wanted;
-        for (const Diagonal& d : diagonals) {
-            if (!is_whole(d) || !is_shared(d) || !leads_elsewhere(d)) continue;
-            chosen.push_back(d);
-            ++wanted[other_ends(d)];
+
+    Key key_of(const Diagonal& d) const {
+        const Vec3 &a = point(d.h), &b = point(d.g), &c = point(prev(d.h)), &e = point(prev(d.g));
+        constexpr std::uint32_t kEqual = (1u << 10) - 1;  // 2^-13 of a squared length
+        const auto squared = static_cast<float>(glm::dot(e - c, e - c));
+        Key key{.length = std::bit_cast<std::uint32_t>(squared) & ~kEqual, .corners = corners(d.h)};
+        const std::array<Vec3, 2> midpoints{0.5 * (c + e) - centre_, 0.5 * (a + b) - centre_};
+        for (std::size_t i = 0; i < 6; ++i) {
+            const double cells = midpoints[i / 3][static_cast<int>(i % 3)] * cells_per_unit_;
+            key.side[i] = -std::llround(std::clamp(cells, -1e18, 1e18));
+            key.rank[i] = std::abs(key.side[i]);
         }
-        std::erase_if(chosen, [&](const Diagonal& d) { return wanted[other_ends(d)] > 1; });
-        return chosen;
+        return key;
+    }
+
+    // In ascending order. Diagonals that are no longer shared are forgotten.
+    std::vector<Candidate> candidates() {
+        std::erase_if(shared_, [&](std::uint64_t pair) {
+            const auto h = half_edge_of_.find(pair);
+            return h == half_edge_of_.end() || users_[ends(h->second)] <= 2;
+        });
+        std::vector<Candidate> result;
+        for (const std::uint64_t pair : shared_) {
+            const Diagonal d{half_edge_of_[pair], half_edge_of_[reversed(pair)]};
+            if (leads_elsewhere(d)) result.push_back({d, key_of(d), new_ends(d)});
+        }
+        std::sort(result.begin(), result.end(),
+                  [](const Candidate& x, const Candidate& y) { return x.key < y.key; });
+        return result;
+    }
+    // Of those that would meet at the same ends the first, or none if it has the rank of another.
+    static std::vector<Candidate> without_rivals(std::vector<Candidate> candidates) {
+        std::unordered_map<std::uint64_t, std::size_t> first;
+        std::vector<bool> is_kept(candidates.size(), false);
+        for (std::size_t i = 0; i < candidates.size(); ++i) {
+            const auto [found, is_first] = first.try_emplace(candidates[i].new_ends, i);
+            const Key& best = candidates[found->second].key;
+            if (is_first) {
+                is_kept[i] = true;
+            } else if (candidates[i].key.without_side() == best.without_side()) {
+                is_kept[found->second] = false;
+            }
+        }
+        std::size_t i = 0;
+        std::erase_if(candidates, [&](const Candidate&) { return !is_kept[i++]; });
+        return candidates;
+    }
+    // Those that have no triangle in common with one before.
+    static std::vector<Candidate> without_neighbours(std::vector<Candidate> candidates) {
+        std::unordered_set<std::uint32_t> taken;
+        std::erase_if(candidates, [&](const Candidate& candidate) {
+            const std::uint32_t f = candidate.diagonal.h / 3, g = candidate.diagonal.g / 3;
+            if (taken.contains(f) || taken.contains(g)) return true;
+            taken.insert({f, g});
+            return false;
+        });
+        return candidates;
     }
 
     // abc and bad become adc and bcd.
     void exchange(const Diagonal& d) {
         users_[ends(d.h)] -= 2;
+        half_edge_of_.erase(corners(d.h));
+        half_edge_of_.erase(corners(d.g));
         const std::uint32_t before = corner_of_[prev(d.h)], behind = corner_of_[prev(d.g)];
         corner_of_[next(d.h)] = behind;
         corner_of_[next(d.g)] = before;
         users_[ends(next(d.h))] += 2;
+        record_half_edges(d.h / 3);
+        record_half_edges(d.g / 3);
     }
 
     const IndexedFaceSet& input_;
     std::span<const Vec3> positions_;
+    const Vec3& centre_;
     std::span<const std::uint32_t> polygon_of_;
     std::vector<std::uint32_t>& corner_of_;
+    std::vector<std::uint64_t> shared_;  // diagonals, by the corners of one of their half-edges
     std::unordered_map<std::uint64_t, std::uint32_t> users_;  // half-edges between two vertices
+    // Half-edges of polygons with shared edges, by their corners.
+    std::unordered_map<std::uint64_t, std::uint32_t> half_edge_of_;
+    double cells_per_unit_ = 1.0;
 };
 
 }  // namespace
 
 std::vector<std::uint32_t> exchange_shared_diagonals(const IndexedFaceSet& input,
                                                      std::span<const Vec3> positions,
+                                                     const Vec3& centre,
                                                      std::span<const std::uint32_t> polygon_of,
                                                      std::span<const HalfEdgeId> half_edges,
                                                      std::vector<std::uint32_t>& corner_of) {
-    return Exchange(input, positions, polygon_of, corner_of).run(half_edges);
+    return Exchange(input, positions, centre, polygon_of, corner_of).run(half_edges);
 }
 
 }  // namespace pectin

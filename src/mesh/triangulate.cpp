@@ -1,14 +1,17 @@
 #include "mesh/triangulate.h"
 
 #include <algorithm>
+#include <bit>
 #include <cmath>
 #include <numeric>
 #include <tuple>
+#include <utility>
 
 #include "geometry/box.h"
 #include "geometry/orientation.h"
 #include "mesh/delaunay_flips.h"
 #include "mesh/ear_clipping.h"
+#include "mesh/monotone_sweep.h"
 #include "mesh/quad_diagonal.h"
 
 namespace pectin {
@@ -110,13 +113,18 @@ bool has_reversed(const std::vector<Vec2>& points, std::span<const CornerTriangl
     });
 }
 
+// The search for ears may take this many steps for each corner and bit of their number. Smooth and
+// ragged outlines take up to half of it.
+constexpr std::size_t kEarSteps = 4;
+
 class PolygonTriangulator {
   public:
     PolygonTriangulator(std::span<const Vec3> corners, const Vec3& centre)
-        : polygon_{.points = {}, .in_space = scaled(corners), .order = {}} {
+        : polygon_{.points = {}, .in_space = scaled(corners), .in_plane = {}, .order = {}} {
         normal_ = newell_normal(polygon_.in_space);
         polygon_.order = clipping_order(polygon_.in_space, scaled(centre, scale_exponent(corners)));
         polygon_.points.resize(corners.size());
+        polygon_.in_plane.resize(corners.size());
     }
 
     bool triangulate(std::vector<CornerTriangle>& out) {
@@ -129,16 +137,32 @@ class PolygonTriangulator {
     }
 
   private:
+    // Whether a way was found to cover the polygon. Ears give triangles that need few flips, but
+    // thin ones may take long to find; then a sweep does it, unless the polygon touches itself.
     bool clip() {
+        const std::size_t n = polygon_.points.size();
+        if (auto ears = clip_ears(polygon_, kEarSteps * n * std::bit_width(n))) {
+            triangles_ = std::move(*ears);
+            return covers();
+        }
+        if (auto swept = sweep_triangles(polygon_.points)) {
+            triangles_ = std::move(swept->triangles);
+            if (covers()) return true;
+        }
         triangles_ = clip_ears(polygon_);
-        return !has_reversed(polygon_.points, triangles_);
+        return covers();
     }
+    bool covers() const { return !has_reversed(polygon_.points, triangles_); }
     void project_along_axis() {
         const int dropped = dropped_axis(polygon_.in_space, normal_);
         int u = (dropped + 1) % 3, v = (dropped + 2) % 3;
         if (normal_[dropped] < 0.0) std::swap(u, v);
+        const Vec3 slopes = normal_[dropped] != 0.0 ? normal_ / normal_[dropped] : Vec3{0.0};
         for (std::size_t i = 0; i < polygon_.points.size(); ++i) {
-            polygon_.points[i] = {polygon_.in_space[i][u], polygon_.in_space[i][v]};
+            const Vec3& p = polygon_.in_space[i];
+            polygon_.points[i] = {p[u], p[v]};
+            polygon_.in_plane[i] = p;
+            polygon_.in_plane[i][dropped] = -(slopes[u] * p[u] + slopes[v] * p[v]);
         }
     }
     // Projects along the normal, which rounds. False where there is none.
@@ -150,6 +174,7 @@ class PolygonTriangulator {
         for (std::size_t i = 0; i < polygon_.points.size(); ++i) {
             const Vec3& p = polygon_.in_space[i];
             polygon_.points[i] = {glm::dot(p, u), glm::dot(p, v)};
+            polygon_.in_plane[i] = {polygon_.points[i], 0.0};
         }
         return true;
     }

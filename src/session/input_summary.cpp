@@ -20,9 +20,10 @@ struct Finding {
 // In the order in which they are told.
 constexpr std::array kFindings{
     Finding{"triangulated_polygons", &BuildReport::triangulated_polygons},
-    Finding{"crossing_polygons", &BuildReport::crossing_polygons,
-            "polygon crosses itself, so that no triangles cover it exactly",
-            "polygons cross themselves, so that no triangles cover them exactly"},
+    Finding{
+        "crossing_polygons", &BuildReport::crossing_polygons,
+        "polygon could not be triangulated exactly: it crosses itself or is far from flat",
+        "polygons could not be triangulated exactly: they cross themselves or are far from flat"},
     Finding{"boundary_edges", &BuildReport::boundary_edges},
     Finding{"seams", &BuildReport::seams, "seam of unshared vertices is moved together",
             "seams of unshared vertices are moved together"},

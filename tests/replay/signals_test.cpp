@@ -1,12 +1,16 @@
 // Tests how signals end a replay, and what does not end it.
+#include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
 #include <sys/stat.h>
+#include <unistd.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
 
+#include "app/replay.h"
+#include "io/file_descriptor.h"
 #include "replay/program.h"
 #include "support/process.h"
 
@@ -19,11 +23,12 @@ const std::string kBrush = R"({"cmd": "brush", "radius": 0.5})";
 // Starts a program that replays a script from a pipe and so waits for more lines.
 class WaitingReplay {
   public:
-    explicit WaitingReplay(const ScratchFolder& folder, const std::vector<std::string>& lines)
+    // words: the command line of a program that replays its standard input.
+    WaitingReplay(const ScratchFolder& folder, const std::vector<std::string>& lines,
+                  const std::vector<std::string>& words = {PECTIN_BINARY, "replay", "-"})
         : folder_(&folder) {
         ::mkfifo(folder.path("pipe").c_str(), 0600);
-        program_.emplace(std::vector<std::string>{PECTIN_BINARY, "replay", "-"}, Environment{},
-                         folder.path("err"), folder.path("pipe"));
+        program_.emplace(words, Environment{}, folder.path("err"), folder.path("pipe"));
         std::ofstream pipe(folder.path("pipe"));
         pipe << "{\"pectin\": 1}\n";
         for (const std::string& line : lines) pipe << line << '\n';
@@ -90,6 +95,45 @@ TEST(ReplaySignals, StayIgnoredIfTheyWereIgnoredBefore) {
     EXPECT_FALSE(replay.program().wait(std::chrono::milliseconds(300)));
     replay.program().signal(SIGTERM);
     EXPECT_EQ(replay.program().wait(), 143);
+}
+
+// The reader of the error output has stopped reading.
+TEST(ReplaySignals, EndItEvenIfItsErrorOutputIsBlocked) {
+    const ScratchFolder folder;
+    ::mkfifo(folder.path("err").c_str(), 0600);
+    const FileDescriptor reader(folder.path("err").c_str(), O_RDWR | O_NONBLOCK);
+    ASSERT_TRUE(reader.is_open());
+    const std::string filling(4096, 'x');
+    while (::write(reader.get(), filling.data(), filling.size()) > 0) {
+    }
+    WaitingReplay replay(
+        folder, {kSphere, R"({"cmd": "save", "path": ")" + folder.path("done.obj") + R"("})"});
+    ASSERT_TRUE(eventually([&] { return folder.holds("done.obj"); }));
+    replay.program().signal(SIGTERM);
+    EXPECT_EQ(replay.program().wait(std::chrono::seconds(20)), 143);
+}
+
+TEST(ReplayStatus, EscapesControlCharactersOfThePath) {
+    ReplayStatus status;
+    status.begin("a\x1b[31m.jsonl", 3, "save");
+    EXPECT_EQ(status.farewell("SIGINT"),
+              "a\\x1B[31m.jsonl:3: save: ended by SIGINT; 0 commands before it are done");
+}
+
+// Otherwise the first file that is opened would receive the messages.
+TEST(ReplayStandardFiles, AreOpenEvenIfTheyWereClosedAtTheStart) {
+    const ScratchFolder folder;
+    const WaitingReplay replay(
+        folder, {kSphere, R"({"cmd": "save", "path": ")" + folder.path("done.obj") + R"("})"},
+        {"/bin/sh", "-c", "echo $$ >\"$1\"; exec \"$0\" replay - 1>&- 2>&-", PECTIN_BINARY,
+         folder.path("id")});
+    ASSERT_TRUE(eventually([&] { return folder.holds("done.obj"); }));
+    const std::string id = folder.read("id");
+    for (const char* number : {"1", "2"}) {
+        const std::string link = "/proc/" + id.substr(0, id.find('\n')) + "/fd/" + number;
+        std::error_code error;
+        EXPECT_EQ(std::filesystem::read_symlink(link, error), "/dev/null") << error.message();
+    }
 }
 
 // Writes a script whose second command prints a message and whose last command writes a file.

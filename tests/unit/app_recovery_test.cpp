@@ -1,48 +1,20 @@
-// Records that are never overwritten, and sessions that can be restored.
-#include "app/recovery.h"
-
+// What a window leaves in the state folder, and what the next one finds there.
 #include <sys/stat.h>
 
-#include <fstream>
+#include <atomic>
+#include <thread>
 
-#include "io/file_error.h"
-#include "unit/app_editor_fixture.h"
+#include "unit/app_recovery_fixture.h"
 
 namespace pectin {
 namespace {
 
-const command::Shape kSphere{command::Shape::Kind::sphere, 3};
-const command::Drag kDrag{.moves = {{.from = Vec3(0, 0, 1), .to = Vec3(0, 0, 1.4)}}};
-
-class RecoveryTest : public EditorTest {
-  protected:
-    std::string folder() const { return path("state"); }
-    std::size_t file_count() const {
-        if (!fs::exists(folder())) return 0;
-        return static_cast<std::size_t>(
-            std::distance(fs::directory_iterator(folder()), fs::directory_iterator()));
-    }
-    // What a session that did all this leaves when it ends badly.
-    void lose(const std::vector<Command>& commands) const {
-        RecoveryFile file(folder());
-        for (const Command& command : commands) file.record(command);
-    }
-    static std::string error_of(const std::string& path) {
-        try {
-            const Recorder recorder(path);
-            return {};
-        } catch (const FileError& error) {
-            return error.what();
-        }
-    }
-};
-
 TEST_F(RecoveryTest, FindsWhatWasNotSavedAndNothingElse) {
-    EXPECT_TRUE(find_lost_sessions(folder()).empty()) << "no folder yet";
+    EXPECT_TRUE(lost().empty()) << "no folder yet";
     lose({kSphere});                                       // nothing was done
     lose({kSphere, kDrag, command::Save{path("a.obj")}});  // all is saved
     lose({kSphere, kDrag, command::Save{path("b.obj")}, kDrag});
-    const auto sessions = find_lost_sessions(folder());
+    const auto sessions = lost();
     ASSERT_EQ(sessions.size(), 1u);
     EXPECT_EQ(sessions[0].object, "b.obj");
     EXPECT_EQ(sessions[0].unsaved, 1u);
@@ -56,7 +28,7 @@ TEST_F(RecoveryTest, LeavesTheFilesOfRunningWindowsAlone) {
     RecoveryFile running(folder());
     running.record(kSphere);
     running.record(kDrag);
-    EXPECT_TRUE(find_lost_sessions(folder()).empty());
+    EXPECT_TRUE(lost().empty());
     EXPECT_TRUE(fs::exists(running.path()));
     running.remove();
     EXPECT_FALSE(fs::exists(running.path()));
@@ -64,9 +36,9 @@ TEST_F(RecoveryTest, LeavesTheFilesOfRunningWindowsAlone) {
 
 TEST_F(RecoveryTest, ReadsAFileThatWasCutOffInTheMiddleOfALine) {
     lose({kSphere, kDrag, kDrag});
-    const std::string file = find_lost_sessions(folder()).at(0).path;
+    const std::string file = lost().at(0).path;
     fs::resize_file(file, fs::file_size(file) - 20);
-    const auto sessions = find_lost_sessions(folder());
+    const auto sessions = lost();
     ASSERT_EQ(sessions.size(), 1u);
     EXPECT_EQ(sessions[0].commands, (std::vector<Command>{kSphere, kDrag}));
 }
@@ -74,68 +46,47 @@ TEST_F(RecoveryTest, ReadsAFileThatWasCutOffInTheMiddleOfALine) {
 TEST_F(RecoveryTest, LeavesOtherFilesOfTheFolderAlone) {
     fs::create_directory(folder());
     write("state/notes.txt", "mine");
-    write("state/recovery-1-0.jsonl", "not a script");
     ::mkfifo(path("state/recovery-2-0.jsonl").c_str(), 0600);
-    EXPECT_TRUE(find_lost_sessions(folder()).empty());
+    EXPECT_TRUE(lost().empty());
     EXPECT_EQ(read("state/notes.txt"), "mine");
+    EXPECT_EQ(file_count(), 2u);
 }
 
-TEST_F(RecoveryTest, RestoresTheObjectToTheByteAndWritesNoFile) {
-    write("a.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-    const std::vector<Command> commands{
-        command::Open{path("a.obj")}, command::Brush{.radius = 0.8},
-        command::Drag{.moves = {{.from = Vec3(0, 0, 1), .to = Vec3(0, 0.2, 1.4)}}},
-        command::Save{path("a.obj")},
-        command::Drag{.moves = {{.from = Vec3(1, 0, 0), .to = Vec3(1.3, 0, 0)}}}};
-    Session direct;
-    for (const Command& command : commands) {
-        if (!is_restored(command)) continue;
-        ASSERT_FALSE(direct.execute(command));
+TEST_F(RecoveryTest, ADamagedFileIsKeptUnderANameThatIsTold) {
+    const std::string header = "{\"pectin\": 1}\n";
+    const std::string shape = R"({"cmd": "shape", "kind": "sphere", "resolution": 3})"
+                              "\n";
+    const std::string drag = R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0, 0, 2]}]})"
+                             "\n";
+    fs::create_directory(folder());
+    for (const std::string& damaged :
+         {std::string("not a script"), std::string("{\"pectin\": 99}\n"),
+          // Bad lines with others behind them, and at the end, but written to their end.
+          header + shape + "{\"cmd\": \"dra\n" + drag, header + shape + drag + "{\"cmd\": \"dra\n",
+          header + shape + std::string(100, '\0') + "\n" + drag,
+          // What was cut off is all that there would have been to restore.
+          header + shape + drag.substr(0, 20)}) {
+        write("state/recovery-1-0.jsonl", damaged);
+        const LostSessions found = find_lost_sessions(folder());
+        EXPECT_TRUE(found.sessions.empty()) << damaged;
+        EXPECT_EQ(found.damaged,
+                  std::vector<std::string>{path("state/recovery-1-0.jsonl.incomplete")});
+        EXPECT_EQ(read("state/recovery-1-0.jsonl.incomplete"), damaged);
+        EXPECT_TRUE(find_lost_sessions(folder()).damaged.empty()) << "told twice";
     }
-    lose(commands);
-    const std::string before = read("a.obj");
-    Editor editor = this->editor();
-    editor.offer(find_lost_sessions(folder()));
-    ASSERT_TRUE(editor.has_dialog());
-    editor.answer_recovery(Editor::RecoveryAnswer::restore);
-    EXPECT_FALSE(editor.has_dialog());
-    EXPECT_EQ(read("a.obj"), before);
-    EXPECT_EQ(file_count(), 0u);
-    ASSERT_TRUE(editor.workspace().is_modified());
-    editor.execute(command::Save{path("restored.obj")});
-    ASSERT_FALSE(direct.execute(command::Save{path("direct.obj")}));
-    EXPECT_EQ(read("restored.obj"), read("direct.obj"));
+    for (const std::string& empty : {std::string(), header.substr(0, 5), header, header + shape}) {
+        write("state/recovery-1-0.jsonl", empty);
+        EXPECT_TRUE(find_lost_sessions(folder()).damaged.empty()) << empty;
+        EXPECT_FALSE(fs::exists(path("state/recovery-1-0.jsonl"))) << empty;
+    }
 }
 
-TEST_F(RecoveryTest, ASessionBeingRestoredIsKeptItself) {
-    lose({kSphere, kDrag});
-    Editor editor = this->editor();
-    auto sessions = find_lost_sessions(folder());
-    editor.workspace().begin_recovery(folder());
-    editor.offer(std::move(sessions));
-    editor.answer_recovery(Editor::RecoveryAnswer::restore);
-    EXPECT_EQ(file_count(), 1u) << "of this session, which holds the restored commands, too";
-    editor.workspace().end_recovery();
-    EXPECT_EQ(file_count(), 0u);
-}
-
-TEST_F(RecoveryTest, WhatCannotBeRestoredStaysInAFileThatIsNamed) {
-    lose({kSphere, kDrag, command::Open{path("gone.obj")}, kDrag});
-    Editor editor = this->editor();
-    editor.offer(find_lost_sessions(folder()));
-    editor.answer_recovery(Editor::RecoveryAnswer::restore);
-    const std::string message = editor.workspace().message();
-    EXPECT_NE(message.find("Restored up to command 2 of 4"), std::string::npos) << message;
-    EXPECT_NE(message.find(".incomplete"), std::string::npos) << message;
-    EXPECT_EQ(file_count(), 1u);
-    EXPECT_TRUE(find_lost_sessions(folder()).empty()) << "it is not offered again";
-}
-
+// The drags before the save are in the file by then; they act on the model as it was opened.
 TEST_F(RecoveryTest, LaterKeepsAllAndDiscardForgetsOne) {
     lose({kSphere, kDrag});
     lose({kSphere, kDrag});
     Editor editor = this->editor();
-    editor.offer(find_lost_sessions(folder()));
+    editor.offer(lost());
     editor.answer_recovery(Editor::RecoveryAnswer::discard);
     EXPECT_TRUE(editor.offered_session()) << "the second one";
     EXPECT_EQ(file_count(), 1u);
@@ -153,26 +104,89 @@ TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsSaidAndStopsNothing) {
     EXPECT_TRUE(editor.execute(command::Brush{.radius = 0.3}));
 }
 
-TEST_F(RecoveryTest, ARecordGoesOnBesideAnEarlierOne) {
-    const std::string wanted = path("record.jsonl");
-    { Recorder(wanted).record(kSphere); }
-    const std::string first = read("record.jsonl");
-    const Recorder second(wanted), third(wanted);
-    EXPECT_EQ(second.path(), path("record-2.jsonl"));
-    EXPECT_EQ(third.path(), path("record-3.jsonl"));
-    EXPECT_EQ(read("record.jsonl"), first);
-    write("empty.jsonl", "");
-    EXPECT_EQ(Recorder(path("empty.jsonl")).path(), path("empty.jsonl"));
+TEST_F(RecoveryTest, ASessionThatCanNoLongerBeKeptSaysSoAndIsNotTakenForACrash) {
+    for (const bool has_full_disk : {true, false}) {
+        Editor editor = this->editor();
+        editor.workspace().begin_recovery(folder());
+        ASSERT_TRUE(editor.execute(kDrag));
+        ASSERT_TRUE(editor.workspace().has_recovery());
+        if (has_full_disk) {
+            const auto file = *fs::directory_iterator(folder());
+            const FileSizeLimit limit(file.file_size() + 10);
+            ASSERT_TRUE(editor.execute(kDrag));
+        } else {
+            write("caf\xe9.obj", kTetrahedron);
+            ASSERT_TRUE(editor.execute(command::Open{path("caf\xe9.obj")}));
+        }
+        EXPECT_FALSE(editor.workspace().has_recovery());
+        ASSERT_TRUE(editor.execute(command::Brush{.radius = 0.3}));
+        const std::string message = editor.workspace().message();
+        EXPECT_NE(message.find("not kept for recovery"), std::string::npos) << message;
+        EXPECT_TRUE(lost().empty()) << "another window is offered the running one's session";
+        EXPECT_EQ(file_count(), 1u);
+        editor.workspace().end_recovery();
+        EXPECT_EQ(file_count(), 0u);
+    }
 }
 
-TEST_F(RecoveryTest, RecordsGoToOrdinaryFilesOnly) {
-    ::mkfifo(path("pipe").c_str(), 0600);
-    EXPECT_NE(error_of(path("pipe")).find("device or a pipe"), std::string::npos);
-    EXPECT_NE(error_of("/dev/null").find("device or a pipe"), std::string::npos);
-    EXPECT_NE(error_of(path("")).find("cannot be written"), std::string::npos);
-    write("model.obj", "v 0 0 0\n");
-    EXPECT_NE(error_of(path("model.obj")).find("is no record"), std::string::npos);
-    EXPECT_EQ(read("model.obj"), "v 0 0 0\n");
+TEST_F(RecoveryTest, AFullDiskLeavesWholeLines) {
+    std::string file;
+    {
+        RecoveryFile recovery(folder());
+        recovery.record(kSphere);
+        recovery.record(kDrag);
+        file = recovery.path();
+        const FileSizeLimit limit(fs::file_size(file) + 10);
+        EXPECT_THROW(recovery.record(kDrag), FileError);
+    }
+    EXPECT_TRUE(read(file.substr(path("").size())).ends_with("}\n"));
+    EXPECT_EQ(lost().at(0).commands, (std::vector<Command>{kSphere, kDrag}));
+}
+
+// A window that starts looks for files without a lock while another one creates its own.
+TEST_F(RecoveryTest, WindowsThatStartTogetherLoseNoFile) {
+    fs::create_directory(folder());
+    std::atomic<bool> is_over = false;
+    std::thread other([&] {
+        while (!is_over) lost();
+    });
+    for (int i = 0; i < 5000; ++i) {
+        RecoveryFile file(folder());
+        file.record(kSphere);
+        EXPECT_TRUE(fs::exists(file.path())) << "start " << i;
+        file.remove();
+    }
+    is_over = true;
+    other.join();
+}
+
+TEST_F(RecoveryTest, ASessionIsOfferedByOneWindowAtATime) {
+    lose({kSphere, kDrag});
+    {
+        const auto offered = lost();
+        EXPECT_EQ(offered.size(), 1u);
+        EXPECT_TRUE(lost().empty());
+    }
+    EXPECT_EQ(lost().size(), 1u);
+}
+
+// What a window tells at its start is not lost by the commands that it begins with, nor by what is
+// wrong with the model, and what is wrong with the model not by that.
+TEST_F(RecoveryTest, WhatIsToldAtTheStartStaysUntilItIsDismissed) {
+    write("state", "a file in place of the folder");
+    write("letter.obj", "Dear sphere\n");
+    for (const std::string& model : {std::string(), path("letter.obj")}) {
+        Editor editor({}, std::chrono::hours(1));
+        editor.workspace().begin_recovery(folder());
+        editor.workspace().add_notice("this record is in record-2.jsonl");
+        editor.begin(model);
+        const std::string message = editor.workspace().message();
+        EXPECT_NE(message.find("recovery"), std::string::npos) << message;
+        EXPECT_NE(message.find("record-2.jsonl"), std::string::npos) << message;
+        EXPECT_EQ(message.find("letter.obj") != std::string::npos, !model.empty()) << message;
+        key(editor, Key::escape);
+        EXPECT_EQ(editor.workspace().message(), "");
+    }
 }
 
 }  // namespace

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <map>
 #include <numbers>
 #include <set>
 #include <string>
@@ -123,6 +124,88 @@ TEST(LargePolygon, BridgesToHolesAreCoveredExactly) {
     for (std::size_t by = 0; by < ring.size(); by += 37) expect_covered(rotated(ring, by));
 }
 
+TEST(LargePolygon, HolesThatTouchTheOutlineAtACornerAreCoveredExactly) {
+    // The square's corner (0, 0) is the hole's, too; a bridge joins them at another corner.
+    const Ring one{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {8, 5, 0}, {0, 0, 0},
+                   {5, 8, 0}, {8, 5, 0},  {10, 10, 0}, {0, 10, 0}};
+    EXPECT_NEAR(area_of(one), 80.5, 1e-12);
+    for (std::size_t by = 0; by < one.size(); ++by) expect_covered(turned(one, by));
+    // Several of random size, all at the same corner, with bridges to either tip.
+    Random random(15);
+    for (int i = 0; i < 300; ++i) {
+        const int holes = random.integer(1, 4);
+        const double radius = random.uniform(1, 9), step = 0.5 * std::numbers::pi / holes;
+        Ring ring{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}};
+        for (int k = 0; k < holes; ++k) {
+            const auto tip = [&](double low, double high) {
+                const double a = step * (k + random.uniform(low, high));
+                return Vec3{radius * std::cos(a), radius * std::sin(a), 0};
+            };
+            const Vec3 first = tip(0.1, 0.4), second = tip(0.6, 0.9);
+            if (random.chance(0.5)) {
+                ring.insert(ring.end(), {first, {0, 0, 0}, second, first, {10, 10, 0}});
+            } else {
+                ring.insert(ring.end(), {second, first, {0, 0, 0}, second, {10, 10, 0}});
+            }
+        }
+        ring.push_back({0, 10, 0});
+        SCOPED_TRACE("case " + std::to_string(i));
+        expect_covered(turned(ring, static_cast<std::size_t>(random.integer(0, 8))));
+        if (testing::Test::HasFailure()) return;
+    }
+}
+
+// The outline of triangles of a grid, each glued to one before along one side: it touches itself in
+// corners and along slits, at random.
+Ring glued_triangles(Random& random, int size, int triangles) {
+    using Corner = std::pair<int, int>;
+    std::vector<std::array<Corner, 3>> grid;
+    for (int x = 0; x < size; ++x) {
+        for (int y = 0; y < size; ++y) {
+            const Corner a{x, y}, b{x + 1, y}, c{x + 1, y + 1}, d{x, y + 1};
+            const bool joins_a_and_c = random.chance(0.5);
+            grid.push_back({a, b, joins_a_and_c ? c : d});
+            grid.push_back({joins_a_and_c ? a : b, c, d});
+        }
+    }
+    std::map<std::pair<Corner, Corner>, std::size_t> by_side;
+    for (std::size_t t = 0; t < grid.size(); ++t) {
+        for (std::size_t k = 0; k < 3; ++k) by_side[{grid[t][k], grid[t][(k + 1) % 3]}] = t;
+    }
+    std::vector<bool> is_used(grid.size(), false);
+    is_used[0] = true;
+    std::vector<Corner> outline(grid[0].begin(), grid[0].end());
+    for (int tries = 8 * triangles; tries > 0 && triangles > 1; --tries) {
+        const auto i =
+            static_cast<std::size_t>(random.integer(0, static_cast<int>(outline.size()) - 1));
+        const Corner from = outline[i], to = outline[(i + 1) % outline.size()];
+        const auto beyond = by_side.find({to, from});
+        if (beyond == by_side.end() || is_used[beyond->second]) continue;
+        is_used[beyond->second] = true;
+        for (const Corner& tip : grid[beyond->second]) {
+            if (tip == from || tip == to) continue;
+            outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(i) + 1, tip);
+            break;
+        }
+        --triangles;
+    }
+    Ring ring;
+    for (const auto& [x, y] : outline) ring.push_back({x, y, 0.5 * x - 0.25 * y});
+    return ring;
+}
+
+TEST(LargePolygon, OutlinesThatTouchThemselvesAnywhereAreCoveredExactly) {
+    Random random(16);
+    for (int i = 0; i < 2000; ++i) {
+        SCOPED_TRACE("case " + std::to_string(i));
+        const int size = random.integer(2, 12);
+        const Ring ring = glued_triangles(random, size, random.integer(3, 2 * size * size));
+        if (ring.size() < 5) continue;
+        expect_covered(ring);
+        if (testing::Test::HasFailure()) return;
+    }
+}
+
 TEST(LargePolygon, CornersOnGridsWithManyOnOneLineAreCoveredExactly) {
     // The outline of random columns of unit squares: most corners are straight or right angles.
     Random random(4);
@@ -209,6 +292,14 @@ TEST(LargePolygon, ThatCrossesItselfIsReportedAndOthersAreNot) {
     EXPECT_EQ(report_of("f 1 2 3 4 5 6\n").crossing_polygons, 1u);
     EXPECT_EQ(report_of("f 1 2 4 5\nf 1 2 3 4 5 6\n").crossing_polygons, 2u);
     EXPECT_EQ(report_of("f 1 4 3 2 5 6\nf 1 4 2 5\nf 7 8 9\n").crossing_polygons, 0u);
+}
+
+TEST(LargePolygon, ThatIsFarFromFlatIsReportedThoughItDoesNotCrossItself) {
+    // An eight of a small and a large loop, whose sides pass each other at different heights.
+    const Ring ring{{0, 0, 0.1}, {4, 4, 0.1}, {7, 2, 0}, {4, 0, -0.1}, {0, 4, -0.1}, {-1, 2, 0}};
+    Triangles triangles;
+    EXPECT_FALSE(triangulate(ring, triangles));
+    EXPECT_EQ(triangles.size(), ring.size() - 2);
 }
 
 }  // namespace

@@ -149,6 +149,84 @@ TEST(UnsharedSeam, OfThreeSheetsOrOfSheetsThatFaceOppositeWaysIsSplitAtOneVertex
     }
 }
 
+// A ridge of two faces that share its edge, and a wall on it with vertices of its own.
+const std::string kWall =
+    "v 0 0 0\nv 0 1 0\nv 1 0 -1\nv -1 0 -1\nv 0 0 0\nv 0 1 0\nv 0 0 1\n"
+    "f 1 3 2\nf 1 2 4\nf 5 6 7\n";
+
+TEST(UnsharedSeam, JoinsABoundaryToAnInnerEdge) {
+    BuiltMesh built = build(kWall);
+    EXPECT_EQ(built.mesh.validate(), kValid);
+    EXPECT_EQ(built.report.seams, 1u);
+    EXPECT_EQ(built.report.seam_edges, 1u);
+    EXPECT_EQ(built.report.nonmanifold_edges, 0u) << "the file has none";
+    EXPECT_EQ(built.report.nonmanifold_vertices, 0u);
+    EXPECT_EQ(built.report.boundary_edges, 6u);
+    const TriMesh before = built.mesh;
+    EXPECT_EQ(format_obj(build_mesh(parse_obj(format_obj(before), "t.obj")).mesh),
+              format_obj(before));
+    const Split s = built.mesh.split(edge_between(built.mesh, 0, 1));
+    EXPECT_EQ(built.mesh.face_count(), 6u);
+    EXPECT_EQ(built.mesh.validate(), kValid);
+    const std::string text = format_obj(built.mesh);
+    const IndexedFaceSet saved = parse_obj(text, "saved.obj");
+    // The ridge keeps one vertex at the middle, the wall gets one of its own.
+    EXPECT_EQ(vertices_in_use(saved), 9u);
+    EXPECT_EQ(test::open_sides(saved), test::open_edges(built.mesh));
+    EXPECT_EQ(format_obj(build_mesh(saved).mesh), text);
+    const auto star = built.mesh.removable(s.m);
+    ASSERT_TRUE(star.has_value());
+    built.mesh.unsplit(*star);
+    built.mesh.truncate(before.slot_counts());
+    EXPECT_TRUE(built.mesh == before);
+}
+
+TEST(UnsharedSeam, JoinsAWallInsideAClosedSurface) {
+    // No vertex of the octahedron is on a boundary; the wall's four sides lie on its edges.
+    const std::string text =
+        "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\nv 0 0 1\nv 0 0 -1\n"
+        "v 1 0 0\nv 0 1 0\nv -1 0 0\nv 0 -1 0\n"
+        "f 1 2 5\nf 2 3 5\nf 3 4 5\nf 4 1 5\nf 2 1 6\nf 3 2 6\nf 4 3 6\nf 1 4 6\nf 7 8 9 10\n";
+    BuiltMesh built = build(text);
+    EXPECT_EQ(built.mesh.validate(), kValid);
+    EXPECT_EQ(built.report.seams, 1u);
+    EXPECT_EQ(built.report.seam_edges, 4u);
+    EXPECT_EQ(built.report.boundary_edges, 0u);
+    built.mesh.split(edge_between(built.mesh, 0, 1));
+    EXPECT_EQ(built.mesh.face_count(), 13u);
+    EXPECT_EQ(test::open_sides(parse_obj(format_obj(built.mesh), "saved.obj")), 0u);
+}
+
+TEST(UnsharedSeam, LeavesClosedSurfacesThatTouchAlongAnEdgeApart) {
+    // Two tetrahedra with an edge at the same place, and an open triangle at one of its ends.
+    const BuiltMesh built = build(
+        "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv 0 0 1\nv -1 0 0\nv 0 -1 0\n"
+        "v 0 0 0\nv 5 5 0\nv 5 6 0\n"
+        "f 1 3 2\nf 1 4 3\nf 1 2 4\nf 2 3 4\nf 5 7 6\nf 5 8 7\nf 5 6 8\nf 6 7 8\nf 9 10 11\n");
+    EXPECT_EQ(built.report.seams, 0u);
+    EXPECT_TRUE(built.mesh.input_form().seams.is_empty());
+}
+
+// Triangles that stand on sides of random polygons, with vertices of their own.
+void add_walls(IndexedFaceSet& set, Random& random, int count) {
+    const auto polygons = static_cast<int>(set.polygon_count());
+    while (count-- > 0) {
+        const auto p = static_cast<std::size_t>(random.integer(0, polygons - 1));
+        const std::uint32_t begin = set.polygon_begin(p), size = set.polygon_end[p] - begin;
+        const auto k = static_cast<std::uint32_t>(random.integer(0, static_cast<int>(size) - 1));
+        const Vec3 a = set.positions[set.corners[begin + k].position];
+        const Vec3 b = set.positions[set.corners[begin + (k + 1) % size].position];
+        for (const Vec3& point : {a, b, 1.2 * (a + b) + 0.1 * random.direction()}) {
+            IndexedFaceSet::Corner corner;
+            corner.position = static_cast<std::uint32_t>(set.positions.size());
+            set.corners.push_back(corner);
+            set.positions.push_back(point);
+        }
+        set.polygon_end.push_back(static_cast<std::uint32_t>(set.corners.size()));
+        set.polygon_part.push_back(0);
+    }
+}
+
 TEST(UnsharedSeam, SheetsThatShareVerticesOnOneSideStillDoInASave) {
     // Three pages about one spine of shared vertices and a fourth with its own.
     TriMesh mesh = build(
@@ -261,7 +339,8 @@ TEST(UnsharedSeam, IsKeptByABakeToTheByte) {
     for (int i = 0; i < test::case_count(40); ++i) {
         SCOPED_TRACE("case " + std::to_string(i));
         IndexedFaceSet set = make_shape(ShapeKind::cube, random.integer(1, 3));
-        test::unshare_vertices(set, random, random.chance(0.5) ? 1.0 : 0.5);
+        test::unshare_vertices(set, random, random.chance(0.5) ? 1.0 : 0.5 * random.integer(0, 1));
+        if (random.chance(0.5)) add_walls(set, random, random.integer(1, 5));
         if (random.chance(0.5)) add_colors_by_polygon(set, random);
         TriMesh mesh = build_mesh(set).mesh;
         for (int pass = 0; pass < 2; ++pass) {
@@ -273,7 +352,7 @@ TEST(UnsharedSeam, IsKeptByABakeToTheByte) {
             }
             ASSERT_EQ(mesh.validate(), kValid);
             const std::string text = format_obj(mesh);
-            ASSERT_EQ(test::open_sides(parse_obj(text, "t.obj")), 0u);
+            ASSERT_EQ(test::open_sides(parse_obj(text, "t.obj")), test::open_edges(mesh));
             ASSERT_EQ(format_obj(build_mesh(parse_obj(text, "t.obj")).mesh), text);
             TriMesh baked = mesh.baked().mesh;
             ASSERT_EQ(baked.validate(), kValid);

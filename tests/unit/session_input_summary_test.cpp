@@ -49,10 +49,12 @@ TEST(InputSummary, ShowsControlCharactersOfTheFilesNameEscaped) {
 
 TEST(InputSummary, TellsOfSeamsAndCrossingPolygonsInTheSingularAndThePlural) {
     EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 1, .seams = 1, .seam_edges = 4}),
-              "a.obj: 1 polygon crosses itself, so that no triangles cover it exactly; "
+              "a.obj: 1 polygon could not be triangulated exactly: it crosses itself or is far "
+              "from flat; "
               "1 seam of unshared vertices is moved together");
     EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 2, .seams = 12}),
-              "a.obj: 2 polygons cross themselves, so that no triangles cover them exactly; "
+              "a.obj: 2 polygons could not be triangulated exactly: they cross themselves or are "
+              "far from flat; "
               "12 seams of unshared vertices are moved together");
 }
 

@@ -80,6 +80,22 @@ TEST(SessionSeams, AHingeDoesNotCrackAndIsSavedUnshared) {
     EXPECT_EQ(test::open_sides(set), test::open_edges(session.mesh()));
 }
 
+TEST(SessionSeams, AWallOnAnInnerEdgeDoesNotCrackOff) {
+    Session session;
+    open_text(session,
+              "v 0 -1 0\nv 0 1 0\nv 1 0 -1\nv -1 0 -1\nv 0 -1 0\nv 0 1 0\nv 0 0 1\n"
+              "f 1 3 2\nf 1 2 4\nf 5 6 7\n");
+    EXPECT_EQ(input_summary("wall.obj", session.input_report()),
+              "wall.obj: 1 seam of unshared vertices is moved together");
+    expect_done(session, command::Brush{.radius = 1.2});
+    expect_done(session, Drag{.moves = {{{0, 0, 0}, {0.5, 0, 0}}}, .connected = true});
+    EXPECT_GT(session.mesh().face_count(), 50u);
+    EXPECT_EQ(test::open_sides(saved(session)), test::open_edges(session.mesh()));
+    expect_done(session, Drag{.moves = {{{0.5, 0, 0}, {0, 0, 0}}}});
+    EXPECT_EQ(test::open_sides(saved(session)), test::open_edges(session.mesh()));
+    EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
+}
+
 TEST(SessionSeams, ConnectedDragsReachAcross) {
     Session session;
     open_text(session, kHinge);

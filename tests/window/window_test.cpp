@@ -32,12 +32,18 @@ class WindowTest : public testing::Test {
         if (HasFailure() && has_words) std::cerr << "pectin said: " << folder_.read("err");
     }
 
-    void open_window(std::vector<std::string> arguments = {}) {
+    void open_window(const std::vector<std::string>& arguments = {}) {
         std::filesystem::remove(path("record.jsonl"));
+        open_window_beside_record(arguments);
+    }
+    void open_window_beside_record(std::vector<std::string> arguments = {}) {
         arguments.insert(arguments.begin(), {PECTIN_BINARY, "--record", path("record.jsonl")});
         Environment environment = desktop_->environment();
         environment.emplace_back("XDG_STATE_HOME", path("state"));
-        program_ = std::make_unique<Process>(arguments, environment, path("err"));
+        start(arguments, environment);
+    }
+    void start(const std::vector<std::string>& words, const Environment& environment) {
+        program_ = std::make_unique<Process>(words, environment, path("err"));
         ASSERT_TRUE(desktop_->shows_window());
         ASSERT_TRUE(eventually([&] { return recorded("\"shape\"") + recorded("\"open\"") > 0; }));
         desktop_->move(kMiddleX, kMiddleY);
@@ -388,6 +394,67 @@ TEST_F(WindowTest, DoesNotOfferASessionWithoutUnsavedChanges) {
     wait_until_handled();
     quit();
     EXPECT_EQ(recovery_files(), 0u);
+}
+
+// The drags before the save are in the saved file, too.
+TEST_F(WindowTest, RestoresASessionThatHasSavedOverItsModelToTheByte) {
+    folder().write("wedge.obj",
+                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    const std::string opened = folder().read("wedge.obj");
+    open_window({path("wedge.obj")});
+    desktop().drag(kMiddleX, kMiddleY, 700, 360);
+    ASSERT_TRUE(records("\"drag\"", 1)) << record();
+    desktop().key("ctrl+s");
+    ASSERT_TRUE(records("\"save\"")) << record();
+    desktop().drag(kMiddleX, kMiddleY, 610, 350);
+    ASSERT_TRUE(records("\"drag\"", 2)) << record();
+    const std::string crashed = record();
+    program().signal(SIGKILL);
+    ASSERT_EQ(program().wait(), -1);
+    const std::string saved = folder().read("wedge.obj");
+    ASSERT_NE(saved, opened);
+
+    open_window();
+    desktop().key("Return");  // Restore
+    ASSERT_TRUE(records("\"drag\"", 2)) << record();
+    EXPECT_EQ(folder().read("wedge.obj"), saved) << "restoring writes no file";
+    desktop().key("ctrl+s");
+    ASSERT_TRUE(records("\"save\"")) << record();
+    quit();
+    EXPECT_EQ(recovery_files(), 0u);
+    const std::string restored = folder().read("wedge.obj");
+    folder().write("wedge.obj", opened);
+    folder().write("record.jsonl", crashed + "{\"cmd\": \"save\", \"path\": \"at the end\"}\n");
+    // The replay also saves over the model after it has opened it.
+    EXPECT_TRUE(restored == replayed());
+}
+
+// Otherwise messages at the start would be written to the first file that is opened.
+TEST_F(WindowTest, WritesNoMessagesIntoTheRecordIfTheErrorOutputIsClosed) {
+    folder().write("record.jsonl", "{\"pectin\": 1}\n{\"cmd\": \"shape\"}\n");
+    Environment environment = desktop().environment();
+    environment.emplace_back("XDG_STATE_HOME", path("state"));
+    start(
+        {"/bin/sh", "-c", "exec \"$0\" --record \"$1\" 2>&-", PECTIN_BINARY, path("record.jsonl")},
+        environment);
+    ASSERT_TRUE(eventually([&] {
+        return folder().holds("record-2.jsonl") &&
+               folder().read("record-2.jsonl").find("\"symmetry\"") != std::string::npos;
+    }));
+    program().signal(SIGTERM);
+    EXPECT_EQ(program().wait(), 143);
+    const std::string text = folder().read("record-2.jsonl");
+    EXPECT_EQ(text.rfind("{\"pectin\": 1}\n{\"cmd\": \"shape\"", 0), 0u) << text;
+    EXPECT_EQ(text.find("earlier record"), std::string::npos) << text;
+}
+
+TEST_F(WindowTest, DoesNotPromiseRecoveryIfTheStateFolderCannotBeWritten) {
+    folder().write("state", "a file in place of the folder");
+    open_window();
+    wait_until_handled();
+    program().signal(SIGTERM);
+    EXPECT_EQ(program().wait(), 143);
+    EXPECT_EQ(folder().read("err"), "pectin: ended by SIGTERM\n");
 }
 
 // Tests the message and the exit status if no window can be opened.

@@ -8,11 +8,14 @@
 #include <cctype>
 #include <cstdlib>
 #include <cstring>
+#include <new>
 #include <optional>
 #include <utility>
 
 namespace pectin {
 namespace {
+
+constexpr std::size_t kReservedEvents = 1024;
 
 std::string last_error() {
     const char* description = nullptr;
@@ -179,19 +182,42 @@ WindowHost::WindowHost(const std::string& title, const IVec2& size)
     gl_ = load_gl(glfwGetProcAddress);
     glfwSwapInterval(1);
     glfwSetWindowSizeLimits(window_.get(), 640, 400, GLFW_DONT_CARE, GLFW_DONT_CARE);
+    events_.reserve(kReservedEvents);
+    taken_.reserve(kReservedEvents);
     install_callbacks();
-    events_.push_back(event::Resize{this->size()});
+    add(event::Resize{this->size()});
 }
 
 WindowHost::~WindowHost() = default;
 
-std::vector<InputEvent> WindowHost::take_events(double longest_wait) {
+// Called from within GLFW, through whose C functions nothing may be thrown. More events than are
+// reserved may find no memory: the newest one then takes the place of the one before, so that a
+// button does not stay pressed.
+void WindowHost::add(InputEvent event) noexcept {
+    try {
+        events_.push_back(std::move(event));
+    } catch (const std::bad_alloc&) {
+        events_.back() = std::move(event);
+    }
+}
+
+void WindowHost::add_drop(std::span<const char*> paths) noexcept {
+    try {
+        add(event::Drop{{paths.begin(), paths.end()}});
+    } catch (const std::bad_alloc&) {
+        // The file is not opened; the user can drop it again.
+    }
+}
+
+std::span<const InputEvent> WindowHost::take_events(double longest_wait) {
     if (longest_wait > 0.0 && events_.empty()) {
         glfwWaitEventsTimeout(longest_wait);
     } else {
         glfwPollEvents();
     }
-    return std::exchange(events_, {});
+    taken_.clear();
+    taken_.swap(events_);
+    return taken_;
 }
 
 void WindowHost::show() { glfwSwapBuffers(window_.get()); }
@@ -253,24 +279,24 @@ void WindowHost::listen_to_mouse() {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         WindowHost& host = host_of(w);
         host.cursor_ = {x, y};
-        host.events_.push_back(event::Move{host.cursor_, held_modifiers(w)});
+        host.add(event::Move{host.cursor_, held_modifiers(w)});
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
-        if (!entered) host_of(w).events_.push_back(event::Leave{});
+        if (!entered) host_of(w).add(event::Leave{});
     });
     glfwSetMouseButtonCallback(window, [](GLFWwindow* w, int button, int action, int mods) {
         WindowHost& host = host_of(w);
         const auto which = button_of(button);
         if (!which) return;
         if (action == GLFW_PRESS) {
-            host.events_.push_back(event::Press{*which, host.cursor_, modifiers_of(mods)});
+            host.add(event::Press{*which, host.cursor_, modifiers_of(mods)});
         } else {
-            host.events_.push_back(event::Release{*which, host.cursor_, modifiers_of(mods)});
+            host.add(event::Release{*which, host.cursor_, modifiers_of(mods)});
         }
     });
     glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
         WindowHost& host = host_of(w);
-        host.events_.push_back(event::Scroll{y, host.cursor_});
+        host.add(event::Scroll{y, host.cursor_});
     });
 }
 
@@ -280,40 +306,36 @@ void WindowHost::listen_to_keyboard() {
         WindowHost& host = host_of(w);
         const Key which = key_of(key, scancode);
         if (is_modifier(key)) {
-            host.events_.push_back(event::Move{host.cursor_, held_modifiers(w)});
+            host.add(event::Move{host.cursor_, held_modifiers(w)});
         } else if (action == GLFW_RELEASE) {
-            host.events_.push_back(event::KeyUp{which});
+            host.add(event::KeyUp{which});
         } else {
-            host.events_.push_back(
-                event::KeyDown{which, modifiers_of(mods), action == GLFW_REPEAT});
+            host.add(event::KeyDown{which, modifiers_of(mods), action == GLFW_REPEAT});
         }
     });
-    glfwSetCharCallback(window, [](GLFWwindow* w, unsigned int code) {
-        host_of(w).events_.push_back(event::Character{code});
-    });
+    glfwSetCharCallback(
+        window, [](GLFWwindow* w, unsigned int code) { host_of(w).add(event::Character{code}); });
 }
 
 void WindowHost::listen_to_window() {
     GLFWwindow* const window = window_.get();
     glfwSetDropCallback(window, [](GLFWwindow* w, int count, const char** paths) {
-        host_of(w).events_.push_back(event::Drop{{paths, paths + count}});
+        host_of(w).add_drop({paths, static_cast<std::size_t>(count)});
     });
     glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int width, int height) {
-        host_of(w).events_.push_back(event::Resize{{width, height}});
+        host_of(w).add(event::Resize{{width, height}});
     });
     // Uncovered, restored, or with another scale: what is shown has to be drawn again.
-    glfwSetWindowRefreshCallback(window, [](GLFWwindow* w) {
-        host_of(w).events_.push_back(event::Resize{host_of(w).size()});
-    });
-    glfwSetFramebufferSizeCallback(window, [](GLFWwindow* w, int, int) {
-        host_of(w).events_.push_back(event::Resize{host_of(w).size()});
-    });
+    glfwSetWindowRefreshCallback(
+        window, [](GLFWwindow* w) { host_of(w).add(event::Resize{host_of(w).size()}); });
+    glfwSetFramebufferSizeCallback(
+        window, [](GLFWwindow* w, int, int) { host_of(w).add(event::Resize{host_of(w).size()}); });
     glfwSetWindowFocusCallback(window, [](GLFWwindow* w, int focused) {
-        host_of(w).events_.push_back(event::Focus{focused == GLFW_TRUE});
+        host_of(w).add(event::Focus{focused == GLFW_TRUE});
     });
     glfwSetWindowCloseCallback(window, [](GLFWwindow* w) {
         glfwSetWindowShouldClose(w, GLFW_FALSE);  // the program decides
-        host_of(w).events_.push_back(event::Close{});
+        host_of(w).add(event::Close{});
     });
 }
 

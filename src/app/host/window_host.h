@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -27,7 +28,8 @@ class WindowHost {
     const Gl& gl() const { return gl_; }
 
     // What has been done since the last call; waits for something, as many seconds as this.
-    std::vector<InputEvent> take_events(double longest_wait);
+    // Valid until the next call.
+    std::span<const InputEvent> take_events(double longest_wait);
     void show();  // what has been drawn
     void set_title(const std::string& title);
     void set_cursor(CursorShape shape);
@@ -46,6 +48,8 @@ class WindowHost {
     struct Destroy {
         void operator()(GLFWwindow* window) const;
     };
+    void add(InputEvent event) noexcept;
+    void add_drop(std::span<const char*> paths) noexcept;
     void install_callbacks();
     void listen_to_mouse();
     void listen_to_keyboard();
@@ -54,7 +58,7 @@ class WindowHost {
     Library library_;
     std::unique_ptr<GLFWwindow, Destroy> window_;
     Gl gl_{};
-    std::vector<InputEvent> events_;
+    std::vector<InputEvent> events_, taken_;
     Vec2 cursor_{0.0};  // as the cursor callback last said
     std::string title_;
     CursorShape cursor_shape_ = CursorShape::arrow;

@@ -1,6 +1,7 @@
 #include "app/ui/interface.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <utility>
@@ -107,7 +108,14 @@ void Interface::begin_layout(Editor& editor) {
     ImGui::GetIO().DeltaTime = std::max(passed.count(), kShortestLayout);
     has_moved_ = false;
     ImGui::NewFrame();
-    panels_.draw(editor, figures_);
+    try {
+        panels_.draw(editor, figures_);
+    } catch (...) {
+        // Windows and groups that were begun are ended, so that the next layout can begin.
+        ImGui::ErrorCheckEndFrameRecover(nullptr);
+        ImGui::EndFrame();
+        throw;
+    }
 }
 
 void Interface::lay_out(Editor& editor, const PictureFigures& figures) {

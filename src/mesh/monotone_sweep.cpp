@@ -1,0 +1,227 @@
+#include "mesh/monotone_sweep.h"
+
+#include <algorithm>
+#include <cstdint>
+#include <iterator>
+#include <memory>
+#include <numeric>
+#include <set>
+#include <tuple>
+#include <utility>
+
+#include "geometry/orientation.h"
+
+namespace pectin {
+namespace {
+
+enum class Bound { lower, upper };
+
+// Corners along one bound of a piece of the polygon that wait for their triangles, from left to
+// right. The first is the left end of the piece or on its other bound. No triangle of three
+// successive ones lies inside.
+struct Chain {
+    Bound bound = Bound::lower;
+    std::vector<std::uint32_t> corners;
+};
+
+// A stretch of the sweep line inside the polygon, between two sides. Side i runs from corner i to
+// the next; lower sides lead to the right, upper ones to the left.
+struct Interval {
+    std::uint32_t lower = 0, upper = 0;
+    Chain chain;
+    // Where two intervals have met at a corner and none has been passed since: what waits above
+    // that corner. `chain` is what waits below it then. Empty otherwise.
+    Chain above;
+    bool has_two_pieces() const { return !above.corners.empty(); }
+};
+
+class Sweep {
+  public:
+    explicit Sweep(std::span<const Vec2> points)
+        : points_(points), interval_of_(points.size(), intervals_.end()) {}
+
+    std::optional<SweptPolygon> run() {
+        const auto n = static_cast<std::uint32_t>(points_.size());
+        std::vector<std::uint32_t> order(n);
+        std::iota(order.begin(), order.end(), 0u);
+        std::sort(order.begin(), order.end(),
+                  [&](std::uint32_t i, std::uint32_t j) { return is_left_of(i, j); });
+        for (std::size_t i = 0; i < order.size() && is_simple_; ++i) {
+            if (i > 0 && points_[order[i]] == points_[order[i - 1]]) return std::nullopt;
+            pass(order[i]);
+        }
+        if (!is_simple_ || result_.triangles.size() != points_.size() - 2) return std::nullopt;
+        return std::move(result_);
+    }
+
+  private:
+    using Pointer = std::unique_ptr<Interval>;
+    // Intervals from the lowest to the highest. A bound that is replaced leaves them in order.
+    struct IsBelow {
+        using is_transparent = void;
+        Sweep* sweep;
+        // The later of the lower sides begins at the sweep line.
+        bool operator()(const Pointer& i, const Pointer& j) const {
+            if (sweep->is_left_of(i->lower, j->lower)) return sweep->is_below(i->lower, j->lower);
+            return i != j && !sweep->is_below(j->lower, i->lower);
+        }
+        bool operator()(const Pointer& i, std::uint32_t corner) const {
+            return sweep->is_below(i->lower, corner);
+        }
+    };
+    using Intervals = std::set<Pointer, IsBelow>;
+    using Place = Intervals::iterator;
+
+    std::uint32_t next(std::uint32_t i) const { return i + 1 < points_.size() ? i + 1 : 0; }
+    std::uint32_t prev(std::uint32_t i) const {
+        return i > 0 ? i - 1 : static_cast<std::uint32_t>(points_.size() - 1);
+    }
+    bool is_left_of(std::uint32_t i, std::uint32_t j) const {
+        const Vec2 &p = points_[i], &q = points_[j];
+        return std::tie(p.x, p.y) < std::tie(q.x, q.y);
+    }
+    int turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
+        ++result_.steps;
+        return orientation(points_[i], points_[j], points_[k]);
+    }
+    // Of a side that the sweep line meets and a corner on that line.
+    bool is_below(std::uint32_t side, std::uint32_t corner) {
+        std::uint32_t left = side, right = next(side);
+        if (is_left_of(right, left)) std::swap(left, right);
+        const int turned = turn(left, right, corner);
+        is_simple_ = is_simple_ && turned != 0;
+        return turned > 0;
+    }
+
+    void pass(std::uint32_t v) {
+        const std::uint32_t before = prev(v), after = next(v);
+        const bool comes_from_left = is_left_of(before, v), leads_left = is_left_of(after, v);
+        if (comes_from_left && leads_left) {
+            interval_of_[before] == interval_of_[v] ? end(v) : merge(v);
+        } else if (comes_from_left) {
+            move_bound(v, Bound::lower);
+        } else if (leads_left) {
+            move_bound(v, Bound::upper);
+        } else {
+            open(v);
+        }
+    }
+
+    //    \ .          The side that ends at v is replaced by the one that begins there.
+    //     v----
+    void move_bound(std::uint32_t v, Bound bound) {
+        const std::uint32_t ending = bound == Bound::lower ? prev(v) : v;
+        const std::uint32_t beginning = bound == Bound::lower ? v : prev(v);
+        const Place place = interval_of_[ending];
+        Interval& interval = **place;
+        add(interval, v, bound);
+        (bound == Bound::lower ? interval.lower : interval.upper) = beginning;
+        interval_of_[beginning] = place;
+    }
+
+    //      /          v begins an interval, or a part of the outside that splits one.
+    //     v
+    //      \ .
+    void open(std::uint32_t v) {
+        const Place above = intervals_.lower_bound(v);
+        const bool is_convex = turn(prev(v), v, next(v)) > 0;
+        const bool has_below = above != intervals_.begin();
+        const bool is_inside = has_below && !is_below((*std::prev(above))->upper, v);
+        is_simple_ = is_simple_ && is_inside != is_convex;
+        if (!is_simple_) return;
+        auto opened = std::make_unique<Interval>(
+            Interval{.lower = v, .upper = prev(v), .chain = {Bound::lower, {v}}, .above = {}});
+        if (is_inside) split(**std::prev(above), v, *opened);
+        const Place place = intervals_.insert(above, std::move(opened));
+        interval_of_[(*place)->lower] = interval_of_[(*place)->upper] = place;
+    }
+    // Leaves in `below` what is below v, and moves what is above it to `opened`.
+    void split(Interval& below, std::uint32_t v, Interval& opened) {
+        std::swap(below.upper, opened.upper);
+        const std::uint32_t last = below.chain.corners.back();
+        interval_of_[below.upper] = interval_of_[below.lower];
+        if (below.has_two_pieces()) {
+            opened.chain = std::exchange(below.above, {});
+            extend(opened.chain, v);
+            extend(below.chain, v);
+        } else if (below.chain.bound == Bound::lower) {
+            opened.chain = std::exchange(below.chain, {Bound::upper, {last, v}});
+            extend(opened.chain, v);
+        } else {
+            opened.chain = {Bound::lower, {last, v}};
+            extend(below.chain, v);
+        }
+    }
+
+    //     \           The interval above v and that below it become one.
+    //      v
+    //     /
+    void merge(std::uint32_t v) {
+        const Place above = interval_of_[prev(v)], below = interval_of_[v];
+        is_simple_ = is_simple_ && std::next(below) == above;
+        if (!is_simple_) return;
+        add(**above, v, Bound::lower);
+        add(**below, v, Bound::upper);
+        (*below)->above = std::move((*above)->chain);
+        (*below)->upper = (*above)->upper;
+        interval_of_[(*above)->upper] = below;
+        intervals_.erase(above);
+    }
+    void end(std::uint32_t v) {
+        const Place place = interval_of_[v];
+        close((*place)->chain, v);
+        close((*place)->above, v);
+        intervals_.erase(place);
+    }
+
+    // Adds a corner on one of the interval's bounds.
+    void add(Interval& interval, std::uint32_t v, Bound bound) {
+        if (interval.has_two_pieces()) {
+            Chain closed = std::exchange(interval.above, {});
+            if (bound == Bound::lower) std::swap(interval.chain, closed);
+            close(closed, v);
+        }
+        if (interval.chain.bound == bound) {
+            extend(interval.chain, v);
+        } else {
+            close(interval.chain, v);
+            interval.chain = {bound, {interval.chain.corners.back(), v}};
+        }
+    }
+    // Adds a corner on the chain's own bound, with the triangles that lie inside.
+    void extend(Chain& chain, std::uint32_t v) {
+        std::vector<std::uint32_t>& corners = chain.corners;
+        const int inside = chain.bound == Bound::lower ? 1 : -1;
+        while (corners.size() > 1) {
+            const std::uint32_t last = corners.back(), before = corners[corners.size() - 2];
+            if (turn(before, last, v) != inside) break;
+            add_triangle(chain.bound, before, last, v);
+            corners.pop_back();
+        }
+        corners.push_back(v);
+    }
+    // Joins all of the chain to a corner on the other bound or at the right end.
+    void close(const Chain& chain, std::uint32_t v) {
+        for (std::size_t i = 1; i < chain.corners.size(); ++i) {
+            add_triangle(chain.bound, chain.corners[i - 1], chain.corners[i], v);
+        }
+    }
+    void add_triangle(Bound bound, std::uint32_t a, std::uint32_t b, std::uint32_t v) {
+        if (bound == Bound::upper) std::swap(a, b);
+        result_.triangles.push_back({a, b, v});
+    }
+
+    std::span<const Vec2> points_;
+    Intervals intervals_{IsBelow{this}};
+    std::vector<Place> interval_of_;  // n; the interval that a side bounds
+    SweptPolygon result_;
+    bool is_simple_ = true;  // as far as is known
+};
+
+}  // namespace
+
+std::optional<SweptPolygon> sweep_triangles(std::span<const Vec2> points) {
+    return Sweep(points).run();
+}
+
+}  // namespace pectin
