@@ -64,9 +64,13 @@ bool has_extension(std::string_view path, std::string_view extension) {
         [](char y, char x) { return std::tolower(static_cast<unsigned char>(x)) == y; });
 }
 
-IndexedFaceSet read_model(const std::string& path, const Progress& progress, ReadReport* report) {
+const ModelFormat& format_for_reading(const std::string& path) {
     const ModelFormat* const format = format_of(path);
-    return (format ? *format : kFormats.front()).read(path, progress, report);
+    return format ? *format : kFormats.front();
+}
+
+IndexedFaceSet read_model(const std::string& path, const Progress& progress, ReadReport* report) {
+    return format_for_reading(path).read(path, progress, report);
 }
 
 void write_model(const TriMesh& mesh, const std::string& path, const Progress& progress) {

@@ -36,9 +36,12 @@ std::vector<std::string> writable_extensions();
 // Whether the path ends in the extension, in upper or lower case. extension: in lower case.
 bool has_extension(std::string_view path, std::string_view extension);
 
-// Reads the file in the format of its extension. Files with other extensions are read in the first
-// format, whose reader says what kind of file it is if it cannot read it.
-// Throws FileError, Cancelled. Cost: O(n).
+// The format in which read_model() reads the file: that of its extension. Files with other
+// extensions are read in the first format, whose reader says what kind of file it cannot read.
+const ModelFormat& format_for_reading(const std::string& path);
+
+// Reads a model. report: receives what was dropped, if not null. Throws FileError, Cancelled.
+// Cost: O(n).
 IndexedFaceSet read_model(const std::string& path, const Progress& progress = {},
                           ReadReport* report = nullptr);
 

@@ -38,6 +38,12 @@ TEST(ModelFormats, AreRecognisedByExtensionInUpperAndLowerCase) {
     EXPECT_FALSE(has_extension("obj", ".obj"));
 }
 
+TEST(ModelFormats, OfUnknownExtensionsAreTheFirst) {
+    EXPECT_EQ(format_for_reading("a.obj").name, "OBJ");
+    EXPECT_EQ(format_for_reading("a.unknown").name, model_formats().front().name);
+    EXPECT_EQ(format_for_reading("a").name, model_formats().front().name);
+}
+
 TEST(ModelFormats, RefuseToWriteAnUnknownExtensionAndNameTheKnownOnes) {
     const BuiltMesh triangle =
         build_mesh(parse_obj("v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", "triangle"), {});
