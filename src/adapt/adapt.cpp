@@ -28,7 +28,7 @@ Adaptation timed(Refine refine, Decimate decimate) {
     return result;
 }
 
-// More rounds halve an edge more often than numbers have digits.
+// An edge cannot be halved more often than this: doubles have 53 binary digits.
 constexpr int kMostRounds = 64;
 
 void add(Refinement& result, const Refinement& more) {
@@ -40,7 +40,7 @@ void add(Refinement& result, const Refinement& more) {
     result.blocked.insert(result.blocked.end(), more.blocked.begin(), more.blocked.end());
 }
 
-// What ends the search after a round, with these cuts left.
+// Why the search ends after this round with these intersections left; `none` if it goes on.
 IntersectionLimit limit_after(const SelfIntersections& self_intersections,
                               const std::vector<SelfIntersection>& found,
                               const Refinement& refinement, int round) {
@@ -110,10 +110,10 @@ Assessment assess(const ActiveSet& active, const Criteria& criteria,
         if (!mesh.is_live(e) || !is_first(e)) continue;
         const HalfEdgeId h = mesh.half_edge(e);
         if (mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h))) {
-            greatest = std::max(greatest, Criteria::full_divergence(mesh, e));
+            greatest = std::max(greatest, NormalDivergence::largest_on_any_side(mesh, e));
         }
         const bool needs = criteria.needs_refinement(active, e);
-        if (!needs && !criteria.diverges(mesh, e)) continue;
+        if (!needs && !criteria.diverges_on_any_side(mesh, e)) continue;
         const bool held = criteria.is_below_floor(mesh, e) || !mesh.may_split(e) ||
                           std::binary_search(blocked.begin(), blocked.end(), e);
         if (held) {

@@ -1,8 +1,9 @@
 // Adaptive meshing of an active set: refinement, then decimation.
 //
-// With the tests and guards of Criteria this terminates, is a fixed point (run again at once it
-// does nothing), is reversible (all limits off: the base mesh again) and leaves no edge that
-// needs refinement and may be split, as long as the budget is not hit.
+// With the triggers and guards of Criteria, and as long as the budget is not hit, it has these
+// properties. It terminates (see refine.h). It is a fixed point: run again at once, it does
+// nothing. It is reversible: with all limits off, it restores the base mesh. It leaves no edge that
+// needs refinement and may be split.
 #pragma once
 
 #include <span>
@@ -20,24 +21,25 @@ struct Adaptation {
 
 Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria);
 
-// The same for a warp that folds nothing, until no active face cuts another (see SelfIntersections)
-// but where floor, budget or the end of the search forbid (Refinement::self_intersections); then
-// thins as far as that stays so. Without steps nothing can have come to cut, and only the thinning
-// takes care. Without a flatness limit, which says that places matter, it thins as adapt() does.
-// Cost: in addition O(n log n) in the active faces, then O(cuts * steps) for each of some rounds.
+// The same for a warp that does not fold space. Afterwards no two active faces intersect
+// (SelfIntersections), unless the floor, the budget or the end of the search prevent it
+// (Refinement::intersection_limit); decimation keeps it so. Without a step of the warp nothing can
+// have come to intersect, so only decimation is guarded. Without a flatness limit decimation is not
+// guarded: then positions do not matter to the user. Cost: that of adapt(), plus O(n log n) in the
+// number of active faces, plus O(intersections * steps) for each of a few rounds.
 Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedding,
                                             const Criteria& criteria);
 
-// An edge scan without edits: what the whole mesh looks like to the criteria. Edges along a cut
-// count as one.
+// What the criteria say about all edges of a mesh. Edges along a cut count as one.
 struct Assessment {
-    std::uint64_t needing_refinement = 0;  // edges that need it and may be split
-    std::uint64_t held_back = 0;           // edges that need it but may not
+    std::uint64_t needing_refinement = 0;  // edges that need refinement and may be split
+    std::uint64_t held_back = 0;           // edges that need refinement but may not be split
     double divergence_max_deg = 0.0;       // over edges with a deformed end
 };
 
-// `active` may be idle: rest is then the present. `blocked`: sorted edges that refinement found
-// blocked (Refinement::blocked); where they still need it they are held back. Cost: O(n).
+// A scan without edits. `active` may be idle, then the present state counts as rest. `blocked`: the
+// edges that refinement found blocked (Refinement::blocked), sorted; those that still need
+// refinement count as held back. Cost: O(n).
 Assessment assess(const ActiveSet& active, const Criteria& criteria,
                   std::span<const EdgeId> blocked);
 

@@ -12,7 +12,6 @@ namespace {
 
 using Levels = std::vector<std::vector<VertexId>>;
 
-// Of entries in the order of their ids base vertices come first; none of them is ever removed.
 void add_inserted(const TriMesh& mesh, std::span<const VertexId> entries, Levels& levels) {
     for (VertexId v : entries) {
         if (!exists(v) || mesh.is_base(v)) continue;
@@ -22,13 +21,16 @@ void add_inserted(const TriMesh& mesh, std::span<const VertexId> entries, Levels
     }
 }
 
+// The vertices that splits have inserted. Precondition: the vertices are sorted by id, so that base
+// vertices come first.
 std::span<const VertexId> without_base(const TriMesh& mesh, std::span<const VertexId> by_id) {
     const auto first = std::partition_point(by_id.begin(), by_id.end(),
                                             [&](VertexId v) { return mesh.is_base(v); });
     return by_id.subspan(static_cast<std::size_t>(first - by_id.begin()));
 }
 
-// Inserted vertices of the active set, by level.
+// The inserted vertices of the active set, grouped by level. Base vertices (level 0) are no
+// candidates: none of them is ever removed. ActiveSet says how its entries are sorted.
 Levels candidates_by_level(const ActiveSet& active) {
     const TriMesh& mesh = active.mesh();
     const std::uint32_t influenced = active.influenced_at_begin();
@@ -42,45 +44,83 @@ Levels candidates_by_level(const ActiveSet& active) {
     return levels;
 }
 
-// Whether any was kept for the cuts alone.
-bool decimate_once(ActiveSet& active, const Criteria& criteria,
-                   SelfIntersections* self_intersections, Decimation& result) {
-    bool any_kept = false;
-    const auto levels = candidates_by_level(active);
-    ConcurrentUnsplits concurrent_unsplits(active, criteria);
-    for (std::size_t level = levels.size(); level-- > 1;) {
-        if (!self_intersections &&
-            are_worth_partitioning(levels[level].size(), criteria.limits().partition_batch)) {
-            const std::uint64_t removed = concurrent_unsplits.unsplit(levels[level]);
-            result.unsplits += removed;
-            result.concurrent_unsplits += removed;
-            continue;
+class Decimator {
+  public:
+    Decimator(ActiveSet& active, const Criteria& criteria, SelfIntersections* self_intersections)
+        : active_(active),
+          criteria_(criteria),
+          self_intersections_(self_intersections),
+          concurrent_unsplits_(active, criteria) {}
+
+    // One pass over all levels. Returns whether a vertex was kept only for self-intersections.
+    bool run() {
+        bool any_kept = false;
+        const Levels levels = candidates_by_level(active_);
+        for (std::size_t level = levels.size(); level-- > 1;) {
+            if (!self_intersections_ && concurrent_unsplits_.is_worth(levels[level])) {
+                const std::uint64_t removed = concurrent_unsplits_.unsplit(levels[level]);
+                result_.unsplits += removed;
+                result_.concurrent_unsplits += removed;
+            } else {
+                any_kept |= unsplit_one_by_one(levels[level]);
+            }
         }
-        for (VertexId m : levels[level]) {
-            const auto star = active.mesh().removable(m);
-            if (!star || !criteria.may_unsplit(active, *star)) continue;
-            if (self_intersections && self_intersections->would_intersect(*star)) {
+        return any_kept;
+    }
+
+    const Decimation& result() const { return result_; }
+
+  private:
+    bool unsplit_one_by_one(std::span<const VertexId> level) {
+        bool any_kept = false;
+        for (VertexId m : level) {
+            const auto star = removable_star(active_, criteria_, m);
+            if (!star) continue;
+            if (self_intersections_ && self_intersections_->would_intersect(*star)) {
                 any_kept = true;
                 continue;
             }
-            active.unsplit(*star);
-            ++result.unsplits;
+            active_.unsplit(*star);
+            ++result_.unsplits;
         }
+        return any_kept;
     }
-    return any_kept;
-}
+
+    ActiveSet& active_;
+    const Criteria& criteria_;
+    SelfIntersections* self_intersections_;
+    ConcurrentUnsplits concurrent_unsplits_;
+    Decimation result_;
+};
 
 }  // namespace
 
+//          a                  a
+//         /|\                / \         The split that inserted m is undone: m, ma and md go, and
+//        / | \              /   \        bm and mc merge into bc. On a boundary there is no d, and
+//       b--m--c    --->    b-----c       three edges meet at m. Along a cut this happens in all
+//        \ | /              \   /        sheets.
+//         \|/                \ /
+//          d                  d
+std::optional<Star> removable_star(const ActiveSet& active, const Criteria& criteria, VertexId m) {
+    // The connectivity of (a): exactly four edges are incident on m. And (b): all four adjacent
+    // vertices are at the level of m or lower.
+    const std::optional<Star> star = active.mesh().removable(m);
+    // The rest of (a): all four edges pass the decimation test. And the guards.
+    if (!star || !criteria.may_unsplit(active, *star)) return std::nullopt;
+    return star;
+}
+
 Decimation decimate(ActiveSet& active, const Criteria& criteria,
                     SelfIntersections* self_intersections) {
-    Decimation result;
+    Decimator decimator(active, criteria, self_intersections);
     std::uint64_t before = 0;
+    bool any_kept = false;
     do {
-        before = result.unsplits;
-    } while (decimate_once(active, criteria, self_intersections, result) &&
-             result.unsplits > before);
-    return result;
+        before = decimator.result().unsplits;
+        any_kept = decimator.run();
+    } while (any_kept && decimator.result().unsplits > before);
+    return decimator.result();
 }
 
 }  // namespace pectin

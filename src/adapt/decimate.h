@@ -1,7 +1,11 @@
 // Decimation: undoes splits where the surface has become flat.
+//
+// Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
+// Eurographics UK 1999. Section 4.
 #pragma once
 
 #include <cstdint>
+#include <optional>
 
 #include "adapt/criteria.h"
 #include "mesh/active_set.h"
@@ -12,23 +16,27 @@ class SelfIntersections;
 
 struct Decimation {
     std::uint64_t unsplits = 0;
-    std::uint64_t concurrent_unsplits = 0;  // of these, together with others of their level
+    std::uint64_t concurrent_unsplits = 0;  // those of `unsplits` that adapt/concurrent made
 };
 
-// The active vertices by level, highest first, so that later refinements go before earlier ones
-// (Gain & Dodgson 1999, section 4, figure 6). A vertex goes if it is the midpoint its split left,
-// with four edges (three on a boundary), neighbours at its level or lower, all edges pass the
-// decimation test, the merged edge would not need refinement, and it lies flat.
+// Removes vertices of the active set that refinement has inserted, level by level, highest level
+// first, so that later refinements are undone before earlier ones (the paper's figure 6). Which
+// vertices may be removed is said at removable_star().
 //
-// Two inserted vertices of one level are never neighbours (a midpoint's level is above those of
-// all its neighbours), so neither the order within a level matters nor can removing one change
-// what another of its level or above sees: one pass is enough, and where a level has thousands it
-// goes on up to four threads (ConcurrentUnsplits).
+// One pass is enough. Two inserted vertices of the same level are never neighbours, since the level
+// of a midpoint is above the levels of all its neighbours. So the order within a level does not
+// matter, and the removal of a vertex does not change whether another one of its level or above may
+// be removed. Levels with thousands of vertices are decimated on several threads
+// (ConcurrentUnsplits).
 //
-// self_intersections: none goes whose restored faces would intersect. That does depend on the
-// order; where removing others may have made room, it is tried again. Cost: O(active vertices),
-// with cuts times O(log n) for those that could go.
+// self_intersections: if given, no vertex is removed whose restored faces would intersect others.
+// That depends on the order, so passes are repeated as long as a vertex was kept for this reason
+// and others were removed. Cost: O(active vertices), and O(log n) for each vertex whose restored
+// faces are tested for intersections.
 Decimation decimate(ActiveSet& active, const Criteria& criteria,
                     SelfIntersections* self_intersections = nullptr);
+
+// The star of m, if m may be removed; none otherwise. Cost: O(1) for each sheet.
+std::optional<Star> removable_star(const ActiveSet& active, const Criteria& criteria, VertexId m);
 
 }  // namespace pectin

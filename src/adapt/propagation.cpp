@@ -5,11 +5,11 @@
 namespace pectin {
 namespace {
 
-// An edge that the floor keeps from being split (where the warp crushes it) is not waited for,
-// however long it is at rest. Splitting beside it thins triangles at rest; they may become this
-// thin, as twice the area over the square of the longest edge, and no thinner. That their shape
-// stays bounded is what makes refinement end: without it, splits beside one crushed edge go on for
-// ever. An equilateral triangle has 0.87, and each such split halves it.
+// The 1:512 rule. An edge that the floor keeps from being split, because the warp crushes it, is
+// not waited for, however long it is at rest. Splits beside it make triangles thinner at rest.
+// Twice the area over the square of the longest edge must not fall below this value, since
+// refinement terminates only if shapes are bounded (see refine.h). An equilateral triangle has
+// 0.87, and each such split halves the value.
 constexpr double kThinnestBesideBlocked = 1.0 / 512.0;
 
 }  // namespace
@@ -31,8 +31,8 @@ bool Propagation::extend(std::vector<EdgeId>& chain) {
     return true;
 }
 
-// Of the other edges of e's faces that may be split and go before e, the one that goes first; e
-// itself if there is none.
+// Among the other edges of e's faces that may be split and precede e, the one that precedes the
+// others; e itself if there is none.
 Propagation::Next Propagation::first_neighbour(EdgeId e) {
     const RestEdge own = rest_edge(e);
     RestEdge first = own;
@@ -52,14 +52,18 @@ Propagation::Next Propagation::first_neighbour(EdgeId e) {
     return next;
 }
 
-// Precondition: nothing goes before e, so no edge more than rho times as long is waited for.
+// Whether a split of e would leave too thin a triangle. Precondition: no edge that may be split
+// precedes e, so edges more than rho times as long are not waited for.
 bool Propagation::is_too_thin_beside_blocked(EdgeId e) {
     bool any = false;
     active_.mesh().for_each_side(e, [&](HalfEdgeId h) { any = any || halves_are_too_thin(h); });
     return any;
 }
 
-// Whether halving h's face across h leaves it too thin, beside an edge that is longer.
+//          a
+//         /|\        The face of h = bc is split into bma and mca. Only a face with an edge that is
+//        / | \       too long beside bc is tested: bisections at the longest edge keep shapes
+//       b--m--c      bounded by themselves.
 bool Propagation::halves_are_too_thin(HalfEdgeId h) {
     const TriMesh& mesh = active_.mesh();
     const double longest = std::max(rest_length(mesh.edge(TriMesh::next(h))),

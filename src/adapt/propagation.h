@@ -1,5 +1,7 @@
-// Longest-edge propagation: what has to be split before an edge.
-// Source: Rivara 1984; lengths are those at rest, so that chains end.
+// Longest-edge propagation: the edges that have to be split before a given edge.
+//
+// Source: M.-C. Rivara. Algorithms for refining triangular grids suitable for adaptive and
+// multigrid techniques. International Journal for Numerical Methods in Engineering 20 (1984).
 #pragma once
 
 #include <cstdint>
@@ -8,37 +10,43 @@
 #include <utility>
 #include <vector>
 
+#include "adapt/criteria.h"
 #include "adapt/split_order.h"
 #include "mesh/active_set.h"
 
 namespace pectin {
 
 // Before an edge is split, any edge of its faces that is more than rho times as long at rest is
-// split first (AdaptLimits::propagation), repeatedly. An edge that may not be split is not waited
-// for. All it asks of the mesh is at rest; may_split may place what has been split so far.
+// split first (AdaptLimits::propagation), and so on from that edge. With rho = 1 every edge is the
+// longest of both its faces when it is split. An edge that may not be split is not waited for.
+// Lengths are those at rest, so that chains end (see refine.h).
 class Propagation {
   public:
+    // Whether an edge may be split. It may embed the vertices inserted so far, as all that
+    // propagation reads itself is at rest.
     using MaySplit = std::function<bool(EdgeId)>;
     Propagation(ActiveSet& active, const AdaptLimits& limits, MaySplit may_split)
         : active_(active),
-          order_(limits),
+          order_(limits.propagation, limits.symmetry),
           may_pass_longer_(limits.symmetry.has_value()),
           may_split_(std::move(may_split)) {}
 
-    // From the last edge of the chain to the neighbour that precedes it, and on from there, until
-    // nothing precedes the last edge. Whether splitting that one leaves too thin a face, beside an
-    // edge that is not waited for. Precondition: the chain is not empty. Cost: O(edges added).
-    // Where it does, all edges of the chain are remembered to lead there, until mesh_has_changed().
+    // Appends to the chain the edge that has to be split before its last edge, and so on, until
+    // nothing precedes the last edge. Returns true if that one must not be split either, since it
+    // would leave too thin a triangle beside an edge that is not waited for. All edges of such a
+    // chain are remembered as dead ends until mesh_has_changed(). Precondition: the chain is not
+    // empty. Cost: O(edges appended).
     bool extend(std::vector<EdgeId>& chain);
+    // To be called after each split and after concurrent splits.
     void mesh_has_changed() {
         if (!dead_ends_.empty()) dead_ends_ = {};
     }
-    // How many edges have been compared with their neighbours.
+    // The number of edges that were compared with their neighbours so far.
     std::uint64_t steps() const { return steps_; }
 
   private:
-    // An edge that goes before another, or that other one, and whether longer ones are not waited
-    // for then (at least: there may be none).
+    // The edge to be split before a given edge, or that edge itself. any_blocked: a longer edge may
+    // have been passed over. False only if there is none.
     struct Next {
         EdgeId edge;
         bool any_blocked = false;
@@ -60,10 +68,10 @@ class Propagation {
 
     ActiveSet& active_;
     SplitOrder order_;
-    bool may_pass_longer_;  // with symmetry on, by edges between mirrored ends
+    bool may_pass_longer_;  // with symmetry on, edges between mirrored ends precede longer ones
     MaySplit may_split_;
     std::uint64_t steps_ = 0;
-    std::unordered_set<EdgeId> dead_ends_;  // edges whose chains end where nothing may be split
+    std::unordered_set<EdgeId> dead_ends_;  // edges whose chains end where no split is allowed
 };
 
 }  // namespace pectin

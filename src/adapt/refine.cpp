@@ -21,161 +21,158 @@ class Refiner {
           classifier_(active, criteria),
           propagation_(active, criteria.limits(), [this](EdgeId e) { return may_split(e); }),
           concurrent_splits_(active, embedding, classifier_, criteria.limits()),
-          queue_(criteria.limits().partition_batch) {}
+          queue_(criteria.limits().partitioning) {}
 
-    Refinement run() {
-        push_all_needed();
-        split_queued();
-        result_.chain_steps = propagation_.steps();
-        return result_;
+    Refinement refine() {
+        queue_needed_edges();
+        split_queued_edges();
+        return result();
     }
 
-    Refinement run_at(std::span<const EdgeId> edges) {
+    Refinement refine_at(std::span<const EdgeId> edges) {
         for (EdgeId e : edges) {
-            const bool below = criteria_.is_below_floor(active_.mesh(), e);
-            result_.floor_hit |= below;
-            if (!below) batch_.push_back({e, end_of(e)});
+            const bool is_below = criteria_.is_below_floor(active_.mesh(), e);
+            result_.floor_hit |= is_below;
+            if (!is_below) pending_.splits.push_back({e, end_of(e)});
         }
-        split_batch();
-        split_queued();
-        result_.chain_steps = propagation_.steps();
-        return result_;
+        split_one_by_one(pending_);
+        split_queued_edges();
+        return result();
     }
 
   private:
-    // An edge to be split, where it ended when that was found, and the lane of what it makes.
-    struct PendingSplit {
-        EdgeId edge;
-        VertexId end;
-        std::size_t partition = 0;
-    };
-
-    // Edges that are split before those round the new vertices are looked at have their
-    // surroundings in the cache.
-    void split_queued() {
+    void split_queued_edges() {
         while (!result_.budget_hit && !queue_.is_empty()) {
-            const RefinementQueue::Entries next = queue_.take();
-            if (next.is_one_partition) {
-                append_to_batch(next);
+            const RefinementQueue::Batch batch = queue_.take();
+            if (batch.is_serial) {
+                test_again(batch);
+                split_one_by_one(pending_);
             } else {
-                split_concurrently(next);
-            }
-            split_batch();
-        }
-    }
-
-    void append_to_batch(const RefinementQueue::Entries& next) {
-        for (std::size_t partition = 0; partition < next.partitions.size(); ++partition) {
-            for (EdgeId e : next.partitions[partition]) {
-                if (classifier_.still_needs_split(e, next.octave))
-                    batch_.push_back({e, end_of(e), partition});
+                split_concurrently(batch);
             }
         }
     }
 
-    // Takes what the lanes have split. What they have left over waits for its turn again, behind
-    // those that it may have to wait for, as long as that is little; else it is split one by one.
-    void split_concurrently(const RefinementQueue::Entries& next) {
-        concurrent_splits_.split(next);
-        result_.splits += concurrent_splits_.split_count();
-        result_.concurrent_splits += concurrent_splits_.split_count();
-        concurrent_splits_.for_each_new(
-            [this](std::size_t partition, EdgeId e, std::uint16_t octave) {
-                push(e, octave, partition);
-            });
-        const bool again = concurrent_splits_.accepted_most();
-        concurrent_splits_.for_each_deferred([&](std::size_t partition, EdgeId e, VertexId end) {
-            if (again) {
-                queue_.push(e, next.octave, partition);
-            } else {
-                batch_.push_back({e, end, partition});
-            }
-        });
+    void test_again(const RefinementQueue::Batch& batch) {
+        pending_.partition = batch.partition;
+        pending_.splits.clear();
+        for (EdgeId e : batch.serial_edges()) {
+            if (classifier_.still_needs_split(e, batch.octave))
+                pending_.splits.push_back({e, end_of(e)});
+        }
     }
 
-    void split_batch() {
-        for (const PendingSplit& next : batch_) {
+    // Splits all edges before it embeds and tests what they have inserted, so that each phase finds
+    // its surroundings in the cache.
+    void split_one_by_one(const PendingSplits& pending) {
+        partition_ = pending.partition;
+        for (const PendingSplit& next : pending.splits) {
             if (result_.budget_hit) break;
-            if (end_of(next.edge) != next.end) continue;  // its half now: that has been looked at
-            if (next.partition != partition_) embed_inserted();
-            partition_ = next.partition;
-            split_with_propagation(next.edge);
+            // Another chain may have split the edge; its halves have been tested since.
+            if (end_of(next.edge) == next.end) split_with_propagation(next.edge);
         }
-        batch_.clear();
         embed_inserted();
+    }
+
+    void split_concurrently(const RefinementQueue::Batch& batch) {
+        const ConcurrentSplits::Result done = concurrent_splits_.split(batch, queue_);
+        propagation_.mesh_has_changed();
+        result_.splits += done.splits;
+        result_.concurrent_splits += done.splits;
+        result_.floor_hit |= done.floor_hit;
+        for (const PendingSplits& deferred : done.deferred) split_one_by_one(deferred);
     }
 
     VertexId end_of(EdgeId e) const { return active_.mesh().target(active_.mesh().half_edge(e)); }
 
-    // Looks at the edges on all threads, then queues them in their order. Of those along one cut
-    // only the first is looked at, since that looks at all of them.
-    void push_all_needed() {
+    Refinement result() {
+        result_.chain_steps = propagation_.steps();
+        return result_;
+    }
+
+    // --- The scan: all active edges are tested on all threads, then queued in their order.
+
+    void queue_needed_edges() {
+        const bool may_be_long = !(embedding_.longest_edge_bound() <= criteria_.limits().l_max);
+        const std::span<std::uint8_t> needs = active_.scratch_of_edges();
+        for_pieces(0, static_cast<std::uint32_t>(needs.size()),
+                   [&](std::uint32_t first, std::uint32_t end) {
+                       test_edges(first, end, may_be_long, needs);
+                   });
+        queue_edges_found(needs);
+        if (!may_be_long) return;
+        for_each_equal(needs, SplitNeed::another,
+                       [&](std::size_t i) { push_needed_adjacent(active_.edges()[i]); });
+    }
+
+    // Writes a SplitNeed for each edge. An edge along a cut is only marked here, as `itself`, and
+    // tested by queue_edges_found(), once for all its siblings.
+    void test_edges(std::uint32_t first, std::uint32_t end, bool may_be_long,
+                    std::span<std::uint8_t> needs) const {
         const TriMesh& mesh = active_.mesh();
         const std::span<const EdgeId> edges = active_.edges();
         const std::span<const std::uint8_t> smooth = active_.smooth_edges();
-        const auto count = static_cast<std::uint32_t>(edges.size());
-        const auto is_along_cut = [&](EdgeId e) { return mesh.sibling(e) != e; };
-        const bool may_be_long = !(embedding_.longest_edge_bound() <= criteria_.limits().l_max);
         const auto need = [&](std::uint32_t i) {
             const EdgeId e = edges[i];
-            if (!mesh.is_live(e)) return EdgeClassifier::kNone;
+            if (!mesh.is_live(e)) return SplitNeed::none;
             if (smooth[i] != 0 && criteria_.satisfies_criteria_fast(mesh, e, may_be_long)) {
-                return EdgeClassifier::kNone;
+                return SplitNeed::none;
             }
-            return is_along_cut(e) ? EdgeClassifier::kItself : classifier_.classify(e);
+            return is_along_cut(e) ? SplitNeed::itself : criteria_.need(active_, e);
         };
-        const std::span<std::uint8_t> needs = active_.scratch_of_edges();
-        for_pieces(0, count, [&](std::uint32_t first, std::uint32_t end) {
-            for (std::uint32_t i = first; i < end; ++i) needs[i] = need(i);
-        });
-        FirstOfSiblings is_first(mesh);
-        for_each_equal(needs, EdgeClassifier::kItself, [&](std::size_t i) {
-            const EdgeId e = edges[i];
-            if (!is_first(e)) return;
-            const EdgeClassifier::Need found =
-                is_along_cut(e) ? classifier_.classify(e) : EdgeClassifier::kItself;
-            if (found == EdgeClassifier::kItself) push(e, classifier_.octave_of(e), 0);
-            if (found == EdgeClassifier::kAnother) push_needed_adjacent(e);
-        });
-        if (!may_be_long) return;
-        for_each_equal(needs, EdgeClassifier::kAnother,
-                       [&](std::size_t i) { push_needed_adjacent(edges[i]); });
+        for (std::uint32_t i = first; i < end; ++i) {
+            needs[i] = static_cast<std::uint8_t>(need(i));
+        }
     }
+
+    void queue_edges_found(std::span<const std::uint8_t> needs) {
+        FirstOfSiblings is_first(active_.mesh());
+        for_each_equal(needs, SplitNeed::itself, [&](std::size_t i) {
+            const EdgeId e = active_.edges()[i];
+            if (!is_first(e)) return;
+            const SplitNeed need = is_along_cut(e) ? criteria_.need(active_, e) : SplitNeed::itself;
+            if (need == SplitNeed::itself) push(e, classifier_.octave_of(e));
+            if (need == SplitNeed::another) push_needed_adjacent(e);
+        });
+    }
+
+    bool is_along_cut(EdgeId e) const { return active_.mesh().sibling(e) != e; }
 
     void push_needed_adjacent(EdgeId e) {
         classifier_.for_each_needed_adjacent(
-            e, [this](EdgeId first, std::uint16_t octave) { push(first, octave, 0); });
+            e, [this](EdgeId adjacent, std::uint16_t octave) { push(adjacent, octave); });
     }
 
-    // visit(index of each byte that has this value), in order.
+    void push(EdgeId e, std::uint16_t octave) {
+        if (octave == EdgeClassifier::kBelowFloor) {
+            result_.floor_hit = true;
+        } else {
+            queue_.push(e, octave, partition_);
+        }
+    }
+
+    // Calls visit(i) for each needs[i] that has this value, in order.
     template <typename Visit>
-    static void for_each_equal(std::span<const std::uint8_t> bytes, std::uint8_t value,
-                               Visit visit) {
-        for (std::size_t i = 0; i < bytes.size(); ++i) {
-            const void* const next = std::memchr(bytes.data() + i, value, bytes.size() - i);
+    static void for_each_equal(std::span<const std::uint8_t> needs, SplitNeed need, Visit visit) {
+        for (std::size_t i = 0; i < needs.size(); ++i) {
+            const void* const next =
+                std::memchr(needs.data() + i, static_cast<int>(need), needs.size() - i);
             if (!next) return;
-            i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(next) - bytes.data());
+            i = static_cast<std::size_t>(static_cast<const std::uint8_t*>(next) - needs.data());
             visit(i);
         }
     }
 
-    void push(EdgeId e, std::uint16_t octave, std::size_t partition) {
-        if (octave == EdgeClassifier::kBelowFloor) {
-            result_.floor_hit = true;
-        } else {
-            queue_.push(e, octave, partition);
-        }
-    }
+    // --- One edge.
 
-    // Splits what precedes e, then e. A split changes only what precedes the edge before it in the
-    // chain, so the chain is followed on from there and not from e again.
+    // Splits e after all that precedes it. A split only changes what precedes the edge before it in
+    // the chain, so the chain is extended from that edge and not from e again.
     void split_with_propagation(EdgeId e) {
         chain_.assign(1, e);
         while (!chain_.empty()) {
             const bool leaves_sliver = propagation_.extend(chain_);
             if (leaves_sliver) {
-                active_.mesh().for_each_side(e, [this](HalfEdgeId h) { block(h); });
-                result_.floor_hit = true;
+                report_blocked(e);
                 return;
             }
             const EdgeId first = chain_.back();
@@ -184,13 +181,16 @@ class Refiner {
         }
     }
 
-    // Once an edge, also where it has two sides.
-    void block(HalfEdgeId h) {
-        const EdgeId e = active_.mesh().edge(h);
-        if (active_.mesh().half_edge(e) == h) result_.blocked.push_back(e);
+    void report_blocked(EdgeId e) {
+        const TriMesh& mesh = active_.mesh();
+        mesh.for_each_side(e, [&](HalfEdgeId h) {
+            // All siblings along a cut, but an edge with two sides once.
+            if (mesh.half_edge(mesh.edge(h)) == h) result_.blocked.push_back(mesh.edge(h));
+        });
+        result_.floor_hit = true;
     }
 
-    // Goes by where its ends are.
+    // The floor is compared with the deformed length, so both ends have to be embedded.
     bool may_split(EdgeId e) {
         if (has_end_not_embedded(e)) embed_inserted();
         return !criteria_.is_below_floor(active_.mesh(), e) && active_.mesh().may_split(e);
@@ -206,6 +206,13 @@ class Refiner {
                is_not_embedded(active_.mesh().target(h));
     }
 
+    //          a                  a
+    //         / \                /|\        m is inserted at the midpoint of bc, with level
+    //        /   \              / | \       max(a, b, c, d) + 1. On a boundary there is no d. Along
+    //       b-----c    --->    b--m--c      a cut there is an a for each sheet.
+    //        \   /              \ | /
+    //         \ /                \|/
+    //          d                  d
     bool split(EdgeId e) {
         const TriMesh& mesh = active_.mesh();
         std::uint32_t added = 0;
@@ -214,8 +221,8 @@ class Refiner {
             result_.budget_hit = true;
             return false;
         }
-        if (has_end_not_embedded(e))
-            embed_inserted();  // the midpoint inherits the mark of its ends
+        // Whether m is deformed follows from its ends.
+        if (has_end_not_embedded(e)) embed_inserted();
         active_.split(e, inserted_);
         propagation_.mesh_has_changed();
         const std::size_t entry = inserted_.back().vertex_entry;
@@ -225,7 +232,7 @@ class Refiner {
         return true;
     }
 
-    // Where the warp takes what has been inserted, then which edges round it wait now.
+    // Moves the inserted vertices to where the warp takes them, then tests the edges around them.
     void embed_inserted() {
         if (inserted_.empty()) return;
         embedding_.fit_to_entries();
@@ -233,7 +240,7 @@ class Refiner {
         for (const ActiveSet::Inserted& made : inserted_) {
             not_embedded_[made.vertex_entry] = 0;
             classifier_.classify_one_ring(
-                made, [this](EdgeId e, std::uint16_t octave) { push(e, octave, partition_); });
+                made, [this](EdgeId e, std::uint16_t octave) { push(e, octave); });
         }
         inserted_.clear();
     }
@@ -245,23 +252,23 @@ class Refiner {
     Propagation propagation_;
     ConcurrentSplits concurrent_splits_;
     RefinementQueue queue_;
-    std::vector<EdgeId> chain_;  // from an edge to what precedes it, and on
-    std::vector<PendingSplit> batch_;
-    std::size_t partition_ = 0;                  // of what is split now
-    std::vector<ActiveSet::Inserted> inserted_;  // since the last embed_inserted
-    std::vector<std::uint8_t> not_embedded_;     // vertex entries: whether they are among these
+    PendingSplits pending_;
+    std::size_t partition_ = 0;  // the part of the queue that edges made now join
+    std::vector<EdgeId> chain_;  // from an edge to what precedes it, and on from there
+    std::vector<ActiveSet::Inserted> inserted_;  // not embedded yet
+    std::vector<std::uint8_t> not_embedded_;     // vertex entries: 1 for those in inserted_
     Refinement result_;
 };
 
 }  // namespace
 
 Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
-    return Refiner(active, embedding, criteria).run();
+    return Refiner(active, embedding, criteria).refine();
 }
 
 Refinement refine_at(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
                      std::span<const EdgeId> edges) {
-    return Refiner(active, embedding, criteria).run_at(edges);
+    return Refiner(active, embedding, criteria).refine_at(edges);
 }
 
 }  // namespace pectin

@@ -1,4 +1,7 @@
-// Edges waiting to be split, longest first by octave of squared length.
+// The edges that wait for a split, longest first.
+//
+// Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
+// Eurographics UK 1999. Section 4, the refinement heap, and point 3.
 #pragma once
 
 #include <algorithm>
@@ -13,26 +16,44 @@
 
 namespace pectin {
 
-// Within an octave edges wait in lanes, first come, first served in each. Where many wait, all
-// lanes are served at once, so that each may have a thread. An edge goes to the lane of what it
-// came of, and a lane that has run out takes over half of the longest, so each has a part of the
-// surface to itself and that part stays in a thread's cache. push: O(1). take: O(1), but for
-// octaves passed and edges taken over. The queue alone is several times as fast as a binary heap by
-// length (tests/bench/queue_bench.cpp).
+// An edge that is to be split, and its end when that was decided. If the edge ends elsewhere when
+// its turn comes, it has been split in the meantime and its id stands for one of its halves.
+struct PendingSplit {
+    EdgeId edge;
+    VertexId end;
+};
+
+// Edges to be split one by one, in this order. The edges that their splits produce are queued in
+// `partition` (see RefinementQueue).
+struct PendingSplits {
+    std::vector<PendingSplit> splits;
+    std::size_t partition = 0;
+};
+
+// Takes the place of the paper's heap by decreasing edge length: a bucket queue, ordered by octave
+// of squared length, longest first, and FIFO within an octave. It is several times as fast as a
+// binary heap (tests/bench/queue_bench.cpp).
+//
+// Each octave is divided into partitions, so that threads can drain them independently. New edges
+// join the partition of the edge that produced them; an empty partition takes over half of the
+// longest one. This keeps each partition's part of the surface in one thread's cache. push costs
+// O(1); take costs O(1) apart from octaves passed over and edges taken over.
 class RefinementQueue {
   public:
     static constexpr std::size_t kOctaves = 2048;      // the exponents of a double
-    static constexpr std::size_t kSerialBatch = 1024;  // taken at a time, where one lane is served
+    static constexpr std::size_t kSerialBatch = 1024;  // edges in a serial batch, at most
 
-    struct Entries {
+    // Edges of one octave, taken together. A serial batch has edges of one partition.
+    struct Batch {
         std::array<std::span<const EdgeId>, kPartitions> partitions;
         std::size_t octave = 0;
-        bool is_one_partition = false;
+        bool is_serial = false;
+        std::size_t partition = 0;  // of a serial batch
+
+        std::span<const EdgeId> serial_edges() const { return partitions[partition]; }
     };
 
-    // partition_batch: taken from each lane at a time, where all are served.
-    explicit RefinementQueue(std::size_t partition_batch = kPartitionBatch)
-        : partition_batch_(partition_batch) {}
+    explicit RefinementQueue(const Partitioning& partitioning = {}) : partitioning_(partitioning) {}
 
     void push(EdgeId e, std::size_t octave, std::size_t partition = 0) {
         if (buckets_.empty()) lowest_ = octave;
@@ -47,18 +68,19 @@ class RefinementQueue {
         longest_ = std::max(longest_, bucket);
     }
 
-    // Whether none waits. Goes on to the longest octave that has some.
+    // Also advances to the longest octave in which edges wait.
     bool is_empty() {
         if (buckets_.empty()) return true;
         while (buckets_[longest_].is_empty() && longest_ > 0) --longest_;
         return buckets_[longest_].is_empty();
     }
 
-    // Some of the longest octave. Valid until the next push. Precondition: not is_empty().
-    Entries take() {
-        Entries entries = buckets_[longest_].take(partition_batch_);
-        entries.octave = lowest_ + longest_;
-        return entries;
+    // Removes edges of the longest octave. The batch is valid until the next push. Precondition:
+    // is_empty() has just returned false.
+    Batch take() {
+        Batch batch = buckets_[longest_].take(partitioning_);
+        batch.octave = lowest_ + longest_;
+        return batch;
     }
 
     static std::size_t octave_of(double squared_length) {
@@ -91,6 +113,7 @@ class RefinementQueue {
         }
     };
 
+    // One octave.
     class Bucket {
       public:
         bool is_empty() const { return waiting_ == 0; }
@@ -98,37 +121,44 @@ class RefinementQueue {
             partitions_[partition].push(e);
             ++waiting_;
         }
-        Entries take(std::size_t partition_batch) {
-            Entries entries;
-            entries.is_one_partition = !are_worth_partitioning(waiting_, partition_batch);
-            if (!entries.is_one_partition) fill_empty_partitions(partition_batch);
-            for (std::size_t i = 0; i < kPartitions; ++i) {
-                if (partitions_[i].waiting() == 0) continue;
-                entries.partitions[i] =
-                    partitions_[i].take(entries.is_one_partition ? kSerialBatch : partition_batch);
-                waiting_ -= entries.partitions[i].size();
-                if (entries.is_one_partition) break;
-            }
-            return entries;
+        Batch take(const Partitioning& partitioning) {
+            return partitioning.is_worth(waiting_) ? take_from_all(partitioning) : take_from_one();
         }
 
       private:
-        void fill_empty_partitions(std::size_t partition_batch) {
-            for (Partition& partition : partitions_) {
-                if (partition.waiting() > 0) continue;
+        Batch take_from_one() {
+            Batch batch;
+            batch.is_serial = true;
+            while (partitions_[batch.partition].waiting() == 0) ++batch.partition;
+            take_some(batch, batch.partition, kSerialBatch);
+            return batch;
+        }
+        Batch take_from_all(const Partitioning& partitioning) {
+            fill_empty_partitions(partitioning);
+            Batch batch;
+            for (std::size_t i = 0; i < kPartitions; ++i) take_some(batch, i, partitioning.batch);
+            return batch;
+        }
+        void take_some(Batch& batch, std::size_t partition, std::size_t most) {
+            batch.partitions[partition] = partitions_[partition].take(most);
+            waiting_ -= batch.partitions[partition].size();
+        }
+        void fill_empty_partitions(const Partitioning& partitioning) {
+            for (std::size_t i = 0; i < partitioning.count; ++i) {
+                if (partitions_[i].waiting() > 0) continue;
                 Partition& longest =
                     *std::ranges::max_element(partitions_, {}, &Partition::waiting);
-                if (longest.waiting() > 2 * partition_batch) longest.give_half(partition);
+                if (longest.waiting() > 2 * partitioning.batch) longest.give_half(partitions_[i]);
             }
         }
         std::array<Partition, kPartitions> partitions_;
-        std::size_t waiting_ = 0;  // in all of them
+        std::size_t waiting_ = 0;  // in all partitions
     };
 
-    std::size_t partition_batch_;
-    std::vector<Bucket> buckets_;  // of the octaves from lowest_ on
+    Partitioning partitioning_;
+    std::vector<Bucket> buckets_;  // one for each octave from lowest_ on
     std::size_t lowest_ = 0;
-    std::size_t longest_ = 0;  // the last bucket that is not empty, or beyond
+    std::size_t longest_ = 0;  // no bucket after this one has edges
 };
 
 }  // namespace pectin

@@ -10,10 +10,11 @@
 namespace pectin {
 namespace {
 
-// What is this near at rest, in lengths of the edge, touches: boundaries that lie along each other
-// without sharing vertices, up to rounding.
+// An edge and a face closer than this at rest, as a fraction of the edge's length, touch.
+// Boundaries may lie along each other without sharing vertices, and rounding must not count as
+// distance.
 constexpr double kTouchingFraction = 1e-9;
-// Of the faces: when more were edited, a new tree is better than one that was kept up.
+// If more than one in this many faces was edited, a new tree is better than an updated one.
 constexpr std::size_t kRebuildDivisor = 8;
 
 using Corners = std::array<VertexId, 3>;
@@ -27,7 +28,7 @@ bool has(const Corners& corners, VertexId v) {
     return corners[0] == v || corners[1] == v || corners[2] == v;
 }
 
-// Those that are live, each once, in order.
+// The live ones among the faces, sorted, each once.
 std::vector<FaceId> live(const TriMesh& mesh, std::vector<FaceId> faces) {
     std::erase_if(faces,
                   [&](FaceId f) { return index(f) >= mesh.face_slots() || !mesh.is_live(f); });
@@ -55,13 +56,13 @@ bool passes_through(const TriMesh& mesh, VertexId p, VertexId q, const Corners& 
                    mesh.position(face[1]), mesh.position(face[2]));
 }
 
-// Whether all of g's corners lie on one side of f's plane, or on it.
+// Whether all corners of g lie on one side of the plane of f, or on it.
 bool is_on_one_side(const TriMesh& mesh, const Corners& f, const Corners& g) {
     const Vec3& at = mesh.position(f[0]);
     const Vec3 normal = glm::cross(mesh.position(f[1]) - at, mesh.position(f[2]) - at);
     double least = 0.0, greatest = 0.0;
     for (VertexId v : g) {
-        // A corner in common lies in the plane, however it is rounded.
+        // A shared corner lies in the plane, whatever rounding says.
         const double height = has(f, v) ? 0.0 : glm::dot(normal, mesh.position(v) - at);
         least = std::min(least, height);
         greatest = std::max(greatest, height);
@@ -118,7 +119,7 @@ const std::vector<SelfIntersection>& SelfIntersections::find() {
     return found_;
 }
 
-// Edited since, or in a cut.
+// The faces that were edited since the last search or intersected then.
 std::vector<FaceId> SelfIntersections::changed_faces() const {
     const TriMesh& mesh = active_.mesh();
     const auto edited = active_.edited_faces().subspan(synced_upto_);
@@ -153,8 +154,8 @@ bool SelfIntersections::would_intersect(const Star& star) {
     return any;
 }
 
-// The restored face bca, of which bc is new, against all but the star's faces. What touched those
-// at rest is not parted by keeping m.
+// Tests the restored face bca, whose edge bc is new, against all faces outside the star. An edge
+// that touched the star's faces at rest does not count, since keeping m would not separate them.
 bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a, VertexId m) {
     const TriMesh& mesh = active_.mesh();
     const Corners restored{b, c, a}, first{b, m, a}, second{m, c, a};
@@ -182,7 +183,7 @@ std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& e
                                      const Criteria& criteria,
                                      std::span<const SelfIntersection> intersections) {
     const TriMesh& mesh = active.mesh();
-    std::unordered_map<std::uint32_t, double> bulges;  // an edge may be in many cuts
+    std::unordered_map<std::uint32_t, double> bulges;  // an edge may be in many intersections
     const auto bulge = [&](EdgeId e) {
         const auto [known, is_new] = bulges.try_emplace(index(e), 0.0);
         if (!is_new || criteria.is_below_floor(mesh, e)) return known->second;
@@ -196,9 +197,9 @@ std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& e
         EdgeId farthest = intersection.edge;
         double greatest = bulge(intersection.edge);
         for_each_edge(intersection.face, [&](HalfEdgeId h) {
-            const double of_edge = bulge(mesh.edge(h));
-            if (!(of_edge > greatest)) return;
-            greatest = of_edge;
+            const double candidate = bulge(mesh.edge(h));
+            if (!(candidate > greatest)) return;
+            greatest = candidate;
             farthest = mesh.edge(h);
         });
         edges.push_back(mesh.representative(farthest));

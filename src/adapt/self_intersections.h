@@ -1,13 +1,19 @@
-// Flat triangles that pass through each other though the surfaces they stand for do not.
+// Self-intersections: triangles that pass through each other though the exact surfaces do not.
 //
-// A warp that folds nothing keeps apart what is apart. The triangles between the images of their
-// corners need not: where sheets come nearer to each other than a triangle bulges, one cuts through
-// the other for want of samples. An edge *cuts* a face if it passes through it, shares no corner
-// with it, and was apart from it at rest. The bulge shrinks with the square of an edge's length
-// while the exact sheets stay as far apart as they are, so refinement mends every cut; what touched
-// at rest is left alone, as no refinement parts it.
-// Source: the want of samples is that of Gain & Dodgson 1999, section 4; that the exact images stay
-// apart, Gain & Dodgson 2001, section 3.
+// A warp that does not fold space keeps disjoint surfaces disjoint. The flat triangles between the
+// images of their corners may intersect all the same. Where two sheets come closer to each other
+// than the surface bulges over a triangle, that triangle may pass through the other sheet. This is
+// a sampling error (Gain & Dodgson 1999, section 4, point 1).
+//
+// An edge intersects a face if it passes through it, shares no corner with it, and was disjoint
+// from it at rest. The bulge over an edge shrinks with the square of its length, while the exact
+// sheets keep their distance, so refinement resolves every self-intersection. Faces that touched at
+// rest are left alone, since refinement cannot separate them.
+//
+// Sources: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
+// Eurographics UK 1999.
+// J. Gain, N. Dodgson. Preventing Self-Intersection under Free-Form Deformation. IEEE Transactions
+// on Visualization and Computer Graphics 7 (2001). Section 3: exact images stay disjoint.
 #pragma once
 
 #include <compare>
@@ -30,43 +36,45 @@ struct SelfIntersection {
     auto operator<=>(const SelfIntersection&) const = default;
 };
 
-// The active faces where they are now, to ask which cut. Holds a reference to the set.
+// Finds self-intersections among the active faces at their present positions. Holds a reference to
+// the active set.
 class SelfIntersections {
   public:
     explicit SelfIntersections(const ActiveSet& active) : active_(active) {}
 
-    // Every cut between active faces, in order, or those found until it is exhausted. Cost: the
-    // first time O(n log n) and what is near; then only what was edited since, or was cut before,
-    // is looked at again.
+    // All self-intersections between active faces, sorted, or those found before the search was
+    // exhausted. Cost: the first time O(n log n + pairs of near faces). Later calls only search
+    // again at faces that were edited since, or intersected before.
     const std::vector<SelfIntersection>& find();
 
-    // Whether the faces that would take the place of the star cut others, or those them.
-    // Cost: O(log n) and what is near, once more for each edit since; the first time O(n log n).
+    // Whether the faces that would replace the star intersect other faces. Cost: O(log n + near
+    // faces), and as much for each edit since the last call; the first time O(n log n).
     bool would_intersect(const Star& star);
 
-    // Whether find() has looked at as many pairs of faces as it may, over all its calls. Where all
-    // is pressed into one sheet nearly every face is near nearly every other.
+    // Whether find() has tested as many pairs of faces as it may, over all its calls. If the object
+    // is pressed into one sheet, nearly every face is near nearly every other.
     bool is_exhausted() const { return pairs_ >= kMostPairs; }
 
   private:
-    static constexpr std::uint64_t kMostPairs = 40'000'000;  // some seconds
+    static constexpr std::uint64_t kMostPairs = 40'000'000;  // takes a few seconds
 
-    FaceTree& tree();  // of the faces as they are now
+    FaceTree& tree();  // of the faces at their present positions
     std::vector<FaceId> changed_faces() const;
     void add_pair(FaceId f, FaceId g);
     bool face_would_intersect(VertexId b, VertexId c, VertexId a, VertexId m);
 
     const ActiveSet& active_;
     std::optional<FaceTree> tree_;
-    std::size_t synced_upto_ = 0;  // how many of the active set's edited faces the tree knows
+    std::size_t synced_upto_ = 0;  // the tree knows this many of the active set's edited faces
     std::vector<SelfIntersection> found_;
     bool has_searched_ = false;
     std::uint64_t pairs_ = 0;
     std::vector<FaceId> near_;
 };
 
-// What to split so that the cuts go: of the edge and the face's edges the one whose midpoint is
-// farthest from where the warp takes it, those below the floor last. Each once, in order.
+// The edges to split so that the intersections are resolved. For each intersection, it is the one
+// among the edge and the edges of the face whose midpoint is farthest from the warp's image of its
+// rest midpoint. Edges below the floor count as having no such distance. Sorted, each edge once.
 std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& embedding,
                                      const Criteria& criteria,
                                      std::span<const SelfIntersection> intersections);

@@ -14,7 +14,6 @@ constexpr float kLeastThetaMax = 2.0f, kMostThetaMax = 90.0f;  // degrees
 constexpr float kLeastThetaMin = 0.5f;
 constexpr double kThetaMinFraction = 0.97;             // of theta_max, at most
 constexpr double kLeastLMax = 0.002, kMostLMax = 0.5;  // of the object's box diagonal
-constexpr double kPaperThetaMax = 180.0 / 7.0;
 
 constexpr const char* kThetaMaxHelp =
     "Edges whose ends' normals diverge by more are split.\nOff: none is split for its angle.";
@@ -121,7 +120,7 @@ void RefinePanel::draw(Editor& editor) {
 
 void RefinePanel::draw_angles(Editor& editor) {
     const AdaptSettings settings = editor.session().adapt_settings();
-    const double theta_max = value_of(settings.theta_max, kPaperThetaMax);
+    const double theta_max = value_of(settings.theta_max, kDefaultThetaMax);
     const Row max_row{.label = "θ max",
                       .help = kThetaMaxHelp,
                       .is_on = !settings.theta_max.is_off(),
@@ -131,7 +130,7 @@ void RefinePanel::draw_angles(Editor& editor) {
                       .least = kLeastThetaMax,
                       .most = kMostThetaMax,
                       .format = "%.1f°",
-                      .when_on = Setting::of(kPaperThetaMax),
+                      .when_on = Setting::of(kDefaultThetaMax),
                       .when_off = Setting::off()};
     if (const auto set = draw_row(max_row, theta_max_)) {
         command::Adapt change{.theta_max = *set};
@@ -147,7 +146,7 @@ void RefinePanel::draw_angles(Editor& editor) {
                       .is_on = settings.theta_min != never,
                       .is_automatic = settings.theta_min.is_automatic(),
                       .may_be_automatic = true,
-                      .value = value_of(settings.theta_min, theta_max * 7.0 / 9.0),
+                      .value = value_of(settings.theta_min, theta_max * kDefaultThetaMinFraction),
                       .least = kLeastThetaMin,
                       .most = static_cast<float>(theta_max * kThetaMinFraction),
                       .format = "%.1f°",

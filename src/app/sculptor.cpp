@@ -75,7 +75,7 @@ std::optional<std::string> Sculptor::drag(Session& session, const Camera& camera
     if (to && session.symmetry()) to = on_own_side(session, pick.point, *to);
     if (to) grabbed_->asked.to = *to;
     if (grabbed_->asked == grabbed_->done) return std::nullopt;
-    if (auto refusal = session.drag_to(std::array{target(grabbed_->asked)})) {
+    if (auto refusal = session.drag_to(std::array{move_to(grabbed_->asked)})) {
         grabbed_->asked = grabbed_->done;
         return refusal;
     }
@@ -83,13 +83,13 @@ std::optional<std::string> Sculptor::drag(Session& session, const Camera& camera
     return std::nullopt;
 }
 
-DragTarget Sculptor::target(const Goal& goal) const {
-    DragTarget target{.to = goal.to, .scale = std::pow(kGrowth, goal.growth)};
-    if (goal.degrees != 0.0) target.twist = {grabbed_->pick.normal, goal.degrees};
-    return target;
+Move Sculptor::move_to(const Goal& goal) const {
+    Move move{.from = grabbed_->pick.point, .to = goal.to, .scale = std::pow(kGrowth, goal.growth)};
+    if (goal.degrees != 0.0) move.twist = {grabbed_->pick.normal, goal.degrees};
+    return move;
 }
 
-double Sculptor::scale() const { return target(grabbed_->done).scale; }
+double Sculptor::scale() const { return move_to(grabbed_->done).scale; }
 
 std::optional<command::Drag> Sculptor::release(Session& session) {
     assert(is_dragging());

@@ -63,7 +63,7 @@ class Sculptor {
         Ray ray;
         Goal asked, done;
     };
-    DragTarget target(const Goal& goal) const;
+    Move move_to(const Goal& goal) const;
 
     std::optional<Grabbed> grabbed_;
 };

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/camera.h"
+#include "geometry/move.h"
 #include "geometry/vec.h"
 
 namespace pectin {
@@ -87,17 +88,8 @@ struct Symmetry {
 };
 
 struct Drag {
-    struct Twist {
-        Vec3 axis{0.0};
-        double degrees = 0.0;  // positive by the right-hand rule
-        bool operator==(const Twist&) const = default;
-    };
-    struct Move {
-        Vec3 from{0.0}, to{0.0};
-        std::optional<Twist> twist{};  // how the neighbourhood of the point rotates
-        double scale = 1.0;
-        bool operator==(const Move&) const = default;
-    };
+    using Twist = pectin::Twist;
+    using Move = pectin::Move;
     std::vector<Move> moves{};
     std::vector<Vec3> pins{};
     bool connected = false;   // only the surface connected to the moved points

@@ -9,11 +9,11 @@
 namespace pectin {
 namespace {
 
-// Entries at a time: all that both passes read and write of them stays in the innermost cache, so
-// that normals find the weights there, with room to spare for what the machine fetches ahead.
+// Entries in a block. All that the passes over vertices and wedges read and write fits into the
+// innermost cache with room to spare for prefetching, so that normals find the weights there.
 constexpr std::uint32_t kBlock = 64;
 
-// Whether these are first, first + 1, first + 2, …; none is past the last id.
+// Whether the ids are consecutive and exist.
 template <typename Id>
 bool run_on(std::span<const Id> ids) {
     const auto first = static_cast<std::uint32_t>(ids.front());
@@ -24,17 +24,18 @@ bool run_on(std::span<const Id> ids) {
     return differences == 0 && static_cast<std::uint32_t>(ids.back()) != 0xffffffffu;
 }
 
-// Bits of lasting_runs.
+// Bits in the result of lasting_runs().
 constexpr std::uint8_t kVerticesRun = 1, kWedgesRun = 2;
 
-// The vertices of a block, whatever edits come: base vertices are never removed.
+// Whether the vertices of a block have consecutive ids for the whole gesture. Base vertices are
+// never removed.
 bool vertices_stay(const ActiveSet& active, std::uint32_t first) {
     if (first + kBlock > active.influenced_at_begin()) return false;
     const std::span<const VertexId> ids = active.vertices().subspan(first, kBlock);
     return run_on(ids) && active.mesh().is_base(ids.back());
 }
 
-// Nor are their wedges.
+// The same for wedges. The wedges of base vertices are never removed either.
 bool wedges_stay(const ActiveSet& active, std::uint32_t first) {
     if (first + kBlock > active.influenced_wedges_at_begin()) return false;
     const std::span<const std::uint32_t> owners = active.wedge_owners().subspan(first, kBlock);
@@ -44,7 +45,7 @@ bool wedges_stay(const ActiveSet& active, std::uint32_t first) {
            });
 }
 
-// The vertices and wedges of an active set, as one drag moves them.
+// Moves the vertices and wedges of an active set by one drag.
 class DeformPass {
   public:
     DeformPass(ActiveSet& active, std::span<const Vec3> starts, std::span<const Vec3f> normals,
@@ -132,7 +133,7 @@ class DeformPass {
     std::span<const DragWeight> weights_;
     std::span<const std::uint8_t> runs_;
     Vec3 d_;
-    bool is_first_;  // else a drag may bring back what one before it has moved
+    bool is_first_;  // the first step of its warp; a later one may move vertices back to rest
 };
 
 }  // namespace

@@ -10,11 +10,12 @@
 namespace pectin {
 namespace {
 
-// What rounding of the two ends adds to the length of an edge: of weights to float, of positions.
+// What rounding at the two ends may add to the length of an edge: rounding of weights to float, and
+// of coordinates to double. Fractions of the reach of the drag and of the largest coordinate.
 constexpr double kWeightRounding = 2.0 * std::numeric_limits<float>::epsilon();
 constexpr double kCoordinateRounding = 8.0 * std::numeric_limits<double>::epsilon();
 
-// visit(each wedge entry of the sheets).
+// Calls visit(wedge entry) for each wedge entry of the sheets.
 template <typename Visit>
 void for_each_wedge(std::span<const ActiveSet::Inserted> sheets, Visit visit) {
     for (const ActiveSet::Inserted& sheet : sheets) {
@@ -36,36 +37,31 @@ void Embedding::embed() {
     evaluator_.reset();
     weights_.clear();
     if (stages_.empty()) return;
-    if (const auto* field = std::get_if<LatticeField>(&warp_.steps.back())) {
+    weight_count_ = weight_count(warp_.steps.back());
+    if (const LatticeField* field = streamed_lattice(warp_.steps.back())) {
         evaluator_.emplace(*field);
     }
-    if (moves() == 1) runs_ = lasting_runs(active_);
-    weights_.resize(active_.vertex_entries() * moves());
+    if (weight_count_ == 1) runs_ = lasting_runs(active_);
+    weights_.resize(active_.vertex_entries() * weight_count_);
     fit_to_entries();
     for (std::uint32_t w = 0; w < normals_.size(); ++w) normals_[w] = active_.rest_normal_at(w);
-    std::vector<DragWeight> all;
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
-        const std::size_t count = moves_of(step);
-        all.assign(count * active_.vertex_entries(), {});
-        const auto of_entry = [&](std::uint32_t i) {
-            return std::span(all).subspan(i * count, count);
-        };
-        for (std::uint32_t i = 0; i < active_.vertex_entries(); ++i) {
-            if (i < active_.influenced_at_begin()) weigh(step, i, of_entry(i));
-            advance(step, i, of_entry(i));
-        }
-        for (std::uint32_t w = 0; w < active_.influenced_wedges_at_begin(); ++w) {
-            transform_normal(step, w, of_entry(active_.wedge_owner(w)));
-        }
+        dispatch(warp_.steps[step],
+                 [&](const auto& deformation) { embed_before_last(deformation, step); });
     }
-    for_pieces(0, active_.influenced_at_begin(), [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t i = first; i < end; ++i) embed_entry(i);
+    if (weight_count_ == 0) return;
+    dispatch(warp_.steps.back(), [&](const auto& deformation) {
+        for_pieces(0, active_.influenced_at_begin(), [&](std::uint32_t first, std::uint32_t end) {
+            for (std::uint32_t i = first; i < end; ++i) {
+                weights_at(deformation, start_position(last(), i), weights_of(i));
+            }
+        });
     });
 }
 
 void Embedding::fit_to_entries() {
     if (stages_.empty()) return;
-    const std::size_t count = active_.vertex_entries() * moves();
+    const std::size_t count = active_.vertex_entries() * weight_count_;
     if (weights_.size() < count) weights_.grow(count - weights_.size());
     if (stages_.size() < 2) return;
     for (std::size_t step = 1; step < stages_.size(); ++step) {
@@ -75,14 +71,13 @@ void Embedding::fit_to_entries() {
     has_folded_.resize(active_.vertex_entries());
 }
 
-// Of smooth edges, each of which adds a vertex and a wedge.
 void Embedding::reserve_splits(std::uint32_t count) {
     if (stages_.empty()) return;
     const auto reserve = [](auto& values, std::size_t size) {
         if (size > values.size()) values.reserve_additional(size - values.size());
     };
     const std::size_t vertices = active_.vertex_entries() + std::size_t{count};
-    reserve(weights_, vertices * moves());
+    reserve(weights_, vertices * weight_count_);
     if (stages_.size() < 2) return;
     for (std::size_t step = 1; step < stages_.size(); ++step) {
         reserve(stages_[step].positions, vertices);
@@ -104,47 +99,52 @@ std::span<const Vec3f> Embedding::start_normals() const {
 }
 
 std::span<DragWeight> Embedding::weights_of(std::uint32_t entry) {
-    return std::span(weights_).subspan(entry * moves(), moves());
+    return std::span(weights_).subspan(entry * weight_count_, weight_count_);
 }
 
 std::span<const DragWeight> Embedding::weights(std::uint32_t entry) const {
-    return std::span(weights_).subspan(entry * moves(), moves());
+    return std::span(weights_).subspan(entry * weight_count_, weight_count_);
 }
 
 // --- A step before the last
 
-void Embedding::weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> out) const {
-    const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
-    if (drag) drag->weights(start_position(step, entry), out);
+template <typename D>
+void Embedding::embed_before_last(const D& deformation, std::size_t step) {
+    const std::size_t count = weight_count(deformation);
+    std::vector<DragWeight> all(count * active_.vertex_entries());
+    const auto of_entry = [&](std::uint32_t i) { return std::span(all).subspan(i * count, count); };
+    for (std::uint32_t i = 0; i < active_.vertex_entries(); ++i) {
+        if (i < active_.influenced_at_begin()) {
+            weights_at(deformation, start_position(step, i), of_entry(i));
+        }
+        advance(deformation, step, i, of_entry(i));
+    }
+    for (std::uint32_t w = 0; w < active_.influenced_wedges_at_begin(); ++w) {
+        transform_normal(deformation, step, w, of_entry(active_.wedge_owner(w)));
+    }
 }
 
-void Embedding::advance(std::size_t step, std::uint32_t entry, std::span<const DragWeight> w) {
+template <typename D>
+void Embedding::advance(const D& deformation, std::size_t step, std::uint32_t entry,
+                        std::span<const DragWeight> w) {
     const Vec3& from = start_position(step, entry);
     Vec3& to = stages_[step + 1].positions[entry];
     bool folds = false;
     if (!active_.is_influenced_at(entry)) {
         to = from;
-    } else if (const auto* drag = std::get_if<DragStep>(&warp_.steps[step])) {
-        to = displaced(from, w, drag->displacements);
-        folds = jacobian_determinant(w, drag->displacements) <= 0.0;
     } else {
-        const auto& field = std::get<LatticeField>(warp_.steps[step]);
-        to = from + field.displacement(from);
-        folds = glm::determinant(field.jacobian(from)) <= 0.0;
+        to = pectin::image(deformation, from, w);
+        folds = jacobian_determinant(deformation, from, w) <= 0.0;
     }
-    // An entry that is used again starts anew.
+    // The first step overwrites the value, since an entry may be reused.
     has_folded_[entry] = folds || (step > 0 && has_folded_[entry] != 0) ? 1 : 0;
 }
 
-void Embedding::transform_normal(std::size_t step, std::uint32_t wedge,
+template <typename D>
+void Embedding::transform_normal(const D& deformation, std::size_t step, std::uint32_t wedge,
                                  std::span<const DragWeight> w) {
-    Vec3f& normal = normals_[wedge];
-    if (const auto* drag = std::get_if<DragStep>(&warp_.steps[step])) {
-        normal = covariant_normal(normal, w, drag->displacements);
-    } else {
-        const Vec3& from = start_position(step, active_.wedge_owner(wedge));
-        normal = covariant(std::get<LatticeField>(warp_.steps[step]).jacobian(from), normal);
-    }
+    const Vec3& from = start_position(step, active_.wedge_owner(wedge));
+    normals_[wedge] = covariant_normal(deformation, from, w, normals_[wedge]);
 }
 
 bool Embedding::is_long_between_steps(VertexId a, VertexId b, VertexId c, double l_max) const {
@@ -167,31 +167,29 @@ bool Embedding::is_long_between_steps(VertexId a, VertexId b, VertexId c, double
 
 // --- The last step
 
-void Embedding::embed_entry(std::uint32_t entry) {
-    if (const DragStep* drag = last_drag()) {
-        drag->weights(start_position(last(), entry), weights_of(entry));
-    }
-}
-
 void Embedding::deform() {
     if (stages_.empty()) return;
+    const Deformation& last_step = warp_.steps.back();
     if (evaluator_) {
-        evaluator_->update(std::get<LatticeField>(warp_.steps.back()));
+        evaluator_->update(*streamed_lattice(last_step));
         pectin::deform(active_, *evaluator_, start_positions(), start_normals());
         return;
     }
-    if (moves() == 1) {
+    if (weight_count_ == 1) {
         pectin::deform(active_, start_positions(), start_normals(), weights_, runs_,
-                       last_drag()->displacements.front());
+                       displacements_of(last_step).front());
         return;
     }
-    for_pieces(0, active_.vertex_entries(),
-               [&](std::uint32_t first, std::uint32_t end) { deform_vertices(first, end); });
-    for_pieces(0, active_.wedge_entries(),
-               [&](std::uint32_t first, std::uint32_t end) { deform_wedges(first, end); });
+    dispatch(last_step, [&](const auto& d) {
+        for_pieces(0, active_.vertex_entries(),
+                   [&](std::uint32_t first, std::uint32_t end) { deform_vertices(d, first, end); });
+        for_pieces(0, active_.wedge_entries(),
+                   [&](std::uint32_t first, std::uint32_t end) { deform_wedges(d, first, end); });
+    });
 }
 
-void Embedding::deform_vertices(std::uint32_t first, std::uint32_t end) {
+template <typename D>
+void Embedding::deform_vertices(const D& deformation, std::uint32_t first, std::uint32_t end) {
     if (evaluator_) {
         pectin::deform_vertices(active_, *evaluator_, start_positions(), first, end);
         return;
@@ -200,14 +198,14 @@ void Embedding::deform_vertices(std::uint32_t first, std::uint32_t end) {
     for (std::uint32_t i = first; i < end; ++i) {
         const VertexId v = active_.vertex(i);
         if (!exists(v) || !active_.is_influenced_at(i)) continue;
-        const Vec3 position =
-            displaced(start_positions()[i], weights(i), last_drag()->displacements);
+        const Vec3 position = pectin::image(deformation, start_positions()[i], weights(i));
         mesh.set_position(v, position);
         mesh.set_deformed(v, active_.was_deformed_at(i) || position != active_.rest_position_at(i));
     }
 }
 
-void Embedding::deform_wedges(std::uint32_t first, std::uint32_t end) {
+template <typename D>
+void Embedding::deform_wedges(const D& deformation, std::uint32_t first, std::uint32_t end) {
     if (evaluator_) {
         pectin::deform_wedges(active_, *evaluator_, start_positions(), start_normals(), first, end);
         return;
@@ -217,16 +215,16 @@ void Embedding::deform_wedges(std::uint32_t first, std::uint32_t end) {
         const WedgeId w = active_.wedge(i);
         const std::uint32_t owner = active_.wedge_owner(i);
         if (!exists(w) || !active_.is_influenced_at(owner)) continue;
-        mesh.set_normal(
-            w, covariant_normal(start_normals()[i], weights(owner), last_drag()->displacements));
+        mesh.set_normal(w, covariant_normal(deformation, start_positions()[owner], weights(owner),
+                                            start_normals()[i]));
     }
 }
 
-// The most that a step before the last has.
+// The largest number of handles of a step before the last.
 std::size_t Embedding::scratch_size() const {
     std::size_t size = 0;
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
-        size = std::max(size, moves_of(step));
+        size = std::max(size, weight_count(warp_.steps[step]));
     }
     return size;
 }
@@ -234,36 +232,42 @@ std::size_t Embedding::scratch_size() const {
 void Embedding::embed_inserted(std::span<const ActiveSet::Inserted> inserted,
                                std::span<DragWeight> scratch) {
     if (stages_.empty()) return;
-    for (std::size_t i = 0, next = 0; i < inserted.size(); i = next) {
-        next = i + 1;
-        while (next < inserted.size() && !inserted[next].is_first_sheet) ++next;
-        embed_vertex(inserted.subspan(i, next - i), scratch);
-    }
+    dispatch(warp_.steps.back(), [&](const auto& deformation) {
+        for (std::size_t i = 0, next = 0; i < inserted.size(); i = next) {
+            next = i + 1;
+            while (next < inserted.size() && !inserted[next].is_first_sheet) ++next;
+            embed_vertex(deformation, inserted.subspan(i, next - i), scratch);
+        }
+    });
 }
 
-void Embedding::embed_vertex(std::span<const ActiveSet::Inserted> sheets,
+template <typename D>
+void Embedding::embed_vertex(const D& deformation, std::span<const ActiveSet::Inserted> sheets,
                              std::span<DragWeight> scratch) {
     const std::uint32_t entry = sheets.front().vertex_entry;
     const bool is_influenced = active_.is_influenced_at(entry);
-    if (is_influenced && stages_.size() == 1 && moves() == 1) return embed_by_one_drag(sheets);
+    if (is_influenced && stages_.size() == 1 && weight_count_ == 1) {
+        return embed_by_one_weight(deformation, sheets);
+    }
     if (stages_.size() > 1) bring_to_last_step(sheets, scratch);
     if (!is_influenced) {
         std::ranges::fill(weights_of(entry), DragWeight{});
         return;
     }
-    embed_entry(entry);
-    deform_vertices(entry, entry + 1);
-    for_each_wedge(sheets, [&](std::uint32_t w) { deform_wedges(w, w + 1); });
+    weights_at(deformation, start_position(last(), entry), weights_of(entry));
+    deform_vertices(deformation, entry, entry + 1);
+    for_each_wedge(sheets, [&](std::uint32_t w) { deform_wedges(deformation, w, w + 1); });
 }
 
-// The usual case, all at once.
-void Embedding::embed_by_one_drag(std::span<const ActiveSet::Inserted> sheets) {
+// The usual case, a last step with one weight per vertex, with everything in one function.
+template <typename D>
+void Embedding::embed_by_one_weight(const D& deformation,
+                                    std::span<const ActiveSet::Inserted> sheets) {
     const std::uint32_t entry = sheets.front().vertex_entry;
-    const DragStep& drag = *last_drag();
     const Vec3& rest = active_.rest_position_at(entry);
-    const Vec3& d = drag.displacements.front();
+    const Vec3& d = displacements_of(deformation).front();
     DragWeight& weight = weights_[entry];
-    drag.weights(rest, {&weight, 1});
+    weights_at(deformation, rest, {&weight, 1});
     TriMesh& mesh = active_.mesh();
     const VertexId v = active_.vertex(entry);
     const Vec3 position = displaced(rest, weight, d);
@@ -280,51 +284,49 @@ void Embedding::bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
     for_each_wedge(sheets, [&](std::uint32_t w) { normals_[w] = active_.rest_normal_at(w); });
     const bool is_influenced = active_.is_influenced_at(entry);
     for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
-        const std::span<DragWeight> weights = scratch.first(moves_of(step));
-        if (is_influenced) {
-            weigh(step, entry, weights);
-            for_each_wedge(sheets, [&](std::uint32_t w) { transform_normal(step, w, weights); });
-        }
-        advance(step, entry, weights);
+        dispatch(warp_.steps[step], [&](const auto& deformation) {
+            const std::span<DragWeight> weights = scratch.first(weight_count(deformation));
+            if (is_influenced) {
+                weights_at(deformation, start_position(step, entry), weights);
+                for_each_wedge(sheets, [&](std::uint32_t w) {
+                    transform_normal(deformation, step, w, weights);
+                });
+            }
+            advance(deformation, step, entry, weights);
+        });
     }
 }
 
 Vec3 Embedding::image(const Vec3& rest) const {
     Vec3 at = rest;
-    for (const Warp::Step& step : warp_.steps) {
-        if (const auto* drag = std::get_if<DragStep>(&step)) {
-            std::vector<DragWeight> weights(drag->displacements.size());
-            drag->weights(at, weights);
-            at = displaced(at, weights, drag->displacements);
-        } else {
-            at += std::get<LatticeField>(step).displacement(at);
-        }
-    }
+    for (const Deformation& step : warp_.steps) at = pectin::image(step, at);
     return at;
 }
 
 std::uint64_t Embedding::folded_vertices() const {
     if (stages_.empty()) return 0;
-    std::uint64_t folded = 0;
-    for (std::uint32_t i = 0; i < active_.vertex_entries(); ++i) {
-        if (!exists(active_.vertex(i)) || !active_.is_influenced_at(i)) continue;
-        const bool folds_last =
-            last_drag() ? jacobian_determinant(weights(i), last_drag()->displacements) <= 0.0
-                        : glm::determinant(std::get<LatticeField>(warp_.steps.back())
-                                               .jacobian(start_position(last(), i))) <= 0.0;
-        if (folds_last || (stages_.size() > 1 && has_folded_[i] != 0)) ++folded;
-    }
-    return folded;
+    return dispatch(warp_.steps.back(), [&](const auto& deformation) {
+        std::uint64_t folded = 0;
+        for (std::uint32_t i = 0; i < active_.vertex_entries(); ++i) {
+            if (!exists(active_.vertex(i)) || !active_.is_influenced_at(i)) continue;
+            const bool folds_last =
+                jacobian_determinant(deformation, start_position(last(), i), weights(i)) <= 0.0;
+            if (folds_last || (stages_.size() > 1 && has_folded_[i] != 0)) ++folded;
+        }
+        return folded;
+    });
 }
 
 double Embedding::longest_edge_bound() const {
     if (stages_.empty()) return active_.longest_rest_length();
-    const DragStep* drag = last_drag();
-    if (stages_.size() > 1 || !drag) return std::numeric_limits<double>::infinity();
+    constexpr double kUnknown = std::numeric_limits<double>::infinity();
+    if (stages_.size() > 1) return kUnknown;
+    const double reach = reach_bound(warp_.steps.back());
+    const double stretch = lipschitz_bound(warp_.steps.back());
+    if (reach == kUnknown || stretch == kUnknown) return kUnknown;
     const Box& zone = active_.zone();
     const Vec3 farthest = glm::max(glm::abs(zone.min), glm::abs(zone.max));
-    const double reach = drag->reach_bound();
-    return active_.longest_rest_length() * drag->lipschitz_bound() + kWeightRounding * reach +
+    return active_.longest_rest_length() * stretch + kWeightRounding * reach +
            kCoordinateRounding * std::max({farthest.x, farthest.y, farthest.z, reach});
 }
 

@@ -1,5 +1,7 @@
 // An active set embedded in a warp: weights once a gesture, positions and normals every frame.
-// Source: Gain & Dodgson 1999, sections 2 and 3 (equation 3).
+//
+// Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
+// Eurographics UK 1999. Sections 2 and 3 (equation 3).
 #pragma once
 
 #include <cstddef>
@@ -15,79 +17,87 @@
 
 namespace pectin {
 
-// Entries are those of the active set. Holds references to both; call embed() first.
-// Without steps nothing moves. Only the last step's displacements may change after embed().
+// Holds references to the active set and the warp. "Entries" are those of the active set. embed()
+// has to be called first. After embed(), only the displacements of the last step of the warp may
+// change. A warp without steps moves nothing.
 class Embedding {
   public:
     Embedding(ActiveSet& active, const Warp& warp) : active_(active), warp_(warp) {}
 
-    // Every influenced vertex as the last step finds it, and its weights there. Cost: O(influenced)
-    // a step.
+    // Computes, for every influenced vertex, its position before the last step and its weights
+    // there. Cost: O(influenced vertices) for each step.
     void embed();
-    // Positions, wedge normals and deformed marks of all influenced vertices from their rest
-    // state, by the warp's present displacements. Cost: O(influenced), streaming.
+    // Sets the positions, wedge normals and deformed marks of all influenced vertices from their
+    // rest state, by the present displacements of the warp. Cost: O(influenced vertices),
+    // streaming.
     void deform();
-    // For the entries that splits have just added; then embed_inserted(), for all of these. It does
-    // not throw where reserve_splits has made room for as many splits of smooth edges.
+    // Adds space for the entries that splits have just added. embed_inserted() has to follow for
+    // all of them. Does not throw if reserve_splits() has reserved space for as many splits.
     void fit_to_entries();
+    // count: splits of smooth edges, each of which adds one vertex and one wedge.
     void reserve_splits(std::uint32_t count);
-    // Several threads may, each with its own: weights, positions and normals of what splits have
-    // just inserted. A vertex has as many of these as there are sheets, one after another.
+    // Computes weights, positions and normals of the vertices that splits have just inserted. A
+    // vertex on a cut has an element for each sheet, one after another. Several threads may call
+    // this at the same time, each for vertices of its own.
     void embed_inserted(std::span<const ActiveSet::Inserted> inserted) {
         std::vector<DragWeight> scratch(scratch_size());
         embed_inserted(inserted, scratch);
     }
-    // The same, working in what each thread has of its own: so many weights.
+    // The same with working memory from the caller: scratch_size() weights.
     void embed_inserted(std::span<const ActiveSet::Inserted> inserted,
                         std::span<DragWeight> scratch);
     std::size_t scratch_size() const;
 
-    // Where the warp takes a point, by its present displacements.
+    // The image of a point under the warp with its present displacements.
     Vec3 image(const Vec3& rest) const;
-    // Whether there are no steps, so that nothing moves.
+    // Whether the warp has no steps, so that nothing moves.
     bool is_identity() const { return stages_.empty(); }
-    // Entries with det J <= 0 in some step, at the present displacements. Cost: O(entries).
+    // The number of influenced vertices with det J <= 0 in some step, at the present displacements.
+    // Cost: O(entries).
     std::uint64_t folded_vertices() const;
-    // No edge of the active set is longer now: its length at rest by the greatest stretch of the
-    // warp. Infinite where none is known, after several steps or control points moved by hand.
-    // O(1).
+    // An upper bound on the present length of all edges of the active set: the longest rest length
+    // times the Lipschitz bound of the warp. Infinite if no Lipschitz bound is known: for several
+    // steps, or where control points are moved by hand. Cost: O(1).
     double longest_edge_bound() const;
     std::size_t memory_bytes() const;
 
     // --- Between the steps.
-    // Whether an edge of the face abc is longer than l_max where a step but the first finds it, and
-    // the face meets that step's zone there: what the step does inside it would go unseen.
+    // Whether, before one of the steps after the first, an edge of the face abc is longer than
+    // l_max and the face meets the zone of that step. Otherwise the effect of the step inside the
+    // face might go unnoticed.
     bool is_long_between_steps(VertexId a, VertexId b, VertexId c, double l_max) const;
 
   private:
-    // Where a step finds the entries.
+    // The state before a step.
     struct Stage {
-        GrowingArray<Vec3> positions;  // of the vertex entries; empty in the first (rest)
+        GrowingArray<Vec3> positions;  // of the vertex entries; empty for the first step (rest)
         std::vector<Box> zones;        // of the step
     };
 
-    const DragStep* last_drag() const { return std::get_if<DragStep>(&warp_.steps.back()); }
     std::size_t last() const { return stages_.size() - 1; }
-    std::size_t moves_of(std::size_t step) const {
-        const auto* drag = std::get_if<DragStep>(&warp_.steps[step]);
-        return drag ? drag->displacements.size() : 0;
-    }
-    std::size_t moves() const { return moves_of(last()); }
 
-    // --- A step before the last. weights: what weigh() has found, of a drag.
-    void weigh(std::size_t step, std::uint32_t entry, std::span<DragWeight> weights) const;
-    void advance(std::size_t step, std::uint32_t entry, std::span<const DragWeight> weights);
-    void transform_normal(std::size_t step, std::uint32_t wedge,
+    // --- A step before the last: `deformation` is that step. weights: those of the entry.
+    template <typename D>
+    void embed_before_last(const D& deformation, std::size_t step);
+    template <typename D>
+    void advance(const D& deformation, std::size_t step, std::uint32_t entry,
+                 std::span<const DragWeight> weights);
+    template <typename D>
+    void transform_normal(const D& deformation, std::size_t step, std::uint32_t wedge,
                           std::span<const DragWeight> weights);
-    void embed_by_one_drag(std::span<const ActiveSet::Inserted> sheets);
     void bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
                             std::span<DragWeight> scratch);
 
-    // --- The last step, every frame.
-    void embed_vertex(std::span<const ActiveSet::Inserted> sheets, std::span<DragWeight> scratch);
-    void embed_entry(std::uint32_t entry);
-    void deform_vertices(std::uint32_t first, std::uint32_t last);
-    void deform_wedges(std::uint32_t first, std::uint32_t last);
+    // --- The last step, every frame: `deformation` is that step.
+    template <typename D>
+    void embed_vertex(const D& deformation, std::span<const ActiveSet::Inserted> sheets,
+                      std::span<DragWeight> scratch);
+    template <typename D>
+    void embed_by_one_weight(const D& deformation, std::span<const ActiveSet::Inserted> sheets);
+    template <typename D>
+    void deform_vertices(const D& deformation, std::uint32_t first, std::uint32_t end);
+    template <typename D>
+    void deform_wedges(const D& deformation, std::uint32_t first, std::uint32_t end);
     const Vec3& start_position(std::size_t step, std::uint32_t entry) const;
     std::span<const Vec3> start_positions() const;  // of the last step
     std::span<const Vec3f> start_normals() const;
@@ -96,12 +106,13 @@ class Embedding {
 
     ActiveSet& active_;
     const Warp& warp_;
-    std::vector<Stage> stages_;         // one a step
-    GrowingArray<Vec3f> normals_;       // of the wedge entries before the last step, if several
-    GrowingArray<DragWeight> weights_;  // of a drag as last step: vertex entries x moves
-    std::vector<std::uint8_t> runs_;    // of blocks of entries where one drag acts
-    std::optional<LatticeEvaluator> evaluator_;  // of a lattice field as last step
-    GrowingArray<std::uint8_t> has_folded_;      // vertex entries, in a step before the last
+    std::vector<Stage> stages_;         // one for each step
+    std::size_t weight_count_ = 0;      // per vertex, in the last step
+    GrowingArray<Vec3f> normals_;       // of the wedge entries before the last step; empty for one
+    GrowingArray<DragWeight> weights_;  // of the last step: vertex entries x weight_count_
+    std::vector<std::uint8_t> runs_;    // lasting_runs(), if the last step has one weight per vertex
+    std::optional<LatticeEvaluator> evaluator_;  // if the last step is a lattice field
+    GrowingArray<std::uint8_t> has_folded_;  // vertex entries: 1 if det J <= 0 in an earlier step
 };
 
 }  // namespace pectin

@@ -8,10 +8,10 @@
 namespace pectin {
 namespace {
 
-// Entries at a time: what stays in the innermost cache.
+// Entries in a block, which stays in the innermost cache.
 constexpr std::uint32_t kBlock = 256;
 
-// Calls work(first, count) for blocks of [first, end), on all threads.
+// Calls work(first, count) for the blocks of [first, end) on all threads, in no order.
 template <typename Work>
 void for_blocks(std::uint32_t first, std::uint32_t end, const Work& work) {
     for_pieces(first, end, [&](std::uint32_t from, std::uint32_t to) {
@@ -19,12 +19,12 @@ void for_blocks(std::uint32_t first, std::uint32_t end, const Work& work) {
     });
 }
 
-// How many wedge entries from the first on are those of the vertices with the same number.
-std::uint32_t entries_alike(const ActiveSet& active) {
+// The number of leading wedge entries that belong to the vertex entry with the same index.
+std::uint32_t corresponding_entries(const ActiveSet& active) {
     const std::span<const std::uint32_t> owners = active.wedge_owners();
-    std::uint32_t alike = 0;
-    while (alike < owners.size() && owners[alike] == alike) ++alike;
-    return alike;
+    std::uint32_t corresponding = 0;
+    while (corresponding < owners.size() && owners[corresponding] == corresponding) ++corresponding;
+    return corresponding;
 }
 
 void set_vertices(ActiveSet& active, std::span<const Vec3> positions, std::uint32_t first) {
@@ -53,8 +53,8 @@ void set_wedges(ActiveSet& active, std::span<const Vec3f> normals, std::uint32_t
 
 void deform(ActiveSet& active, const LatticeEvaluator& field, std::span<const Vec3> starts,
             std::span<const Vec3f> normals) {
-    const std::uint32_t alike = entries_alike(active);
-    for_blocks(0, alike, [&](std::uint32_t first, std::uint32_t count) {
+    const std::uint32_t corresponding = corresponding_entries(active);
+    for_blocks(0, corresponding, [&](std::uint32_t first, std::uint32_t count) {
         std::array<Vec3, kBlock> to;
         std::array<Vec3f, kBlock> transformed;
         field.transform(starts.subspan(first, count), normals.subspan(first, count),
@@ -62,8 +62,8 @@ void deform(ActiveSet& active, const LatticeEvaluator& field, std::span<const Ve
         set_vertices(active, std::span(to).first(count), first);
         set_wedges(active, std::span(transformed).first(count), first);
     });
-    deform_vertices(active, field, starts, alike, active.vertex_entries());
-    deform_wedges(active, field, starts, normals, alike, active.wedge_entries());
+    deform_vertices(active, field, starts, corresponding, active.vertex_entries());
+    deform_wedges(active, field, starts, normals, corresponding, active.wedge_entries());
 }
 
 void deform_vertices(ActiveSet& active, const LatticeEvaluator& field, std::span<const Vec3> starts,

@@ -4,12 +4,12 @@
 #include <cassert>
 #include <cmath>
 
-#include "ffd/basis.h"
+#include "ffd/cubic_basis.h"
 
 namespace pectin {
 namespace {
 
-// along: the axis that is differentiated, or −1.
+// along: the axis of differentiation, or −1 for none.
 BasisRow row_of(const Lattice& lattice, const Vec3& x, int along) {
     assert(lattice.influences(x));
     const Vec3 u = lattice.parameter(x);

@@ -11,7 +11,7 @@ BasisRow row_at(const Lattice& lattice, const Vec3& x, int along) {
     return along < 0 ? basis_row(lattice, x) : basis_derivative_row(lattice, x, along);
 }
 
-// The coefficient of a control point, by its indices.
+// The coefficient of the control point with these indices.
 double coefficient(const BasisRow& row, const std::array<int, 3>& control) {
     double product = 1.0;
     for (std::size_t axis = 0; axis < 3; ++axis) {
@@ -40,7 +40,7 @@ double Constraint::control_gain() const {
             largest = std::max(largest, std::abs(sum));
         }
     }
-    return largest / length;  // nan for a row of zeros
+    return largest / length;  // NaN for a row of zeros
 }
 
 Constraint make_constraint(const Lattice& lattice, const std::optional<MirrorPlane>& plane,
@@ -51,7 +51,7 @@ Constraint make_constraint(const Lattice& lattice, const std::optional<MirrorPla
         if (!(row.length > 0.0)) return;
         constraint.terms[constraint.term_count++] = {row, factor * row.length};
     };
-    // ∂/∂x of b(Mx) along the plane's normal changes sign once more.
+    // The derivative of b(Mx) along the normal of the plane has the opposite sign once more.
     const double sign = plane && key.along == plane->axis ? -key.parity : key.parity;
     if (!plane) {
         add(key.point, 1.0);

@@ -1,5 +1,6 @@
-// What a drag asks of the lattice: each constraint one row of the linear system.
-// Source: Hsu, Hughes & Kaufman 1992, section 3; its section 3.3 for derivatives.
+// The constraints that a drag sets on the lattice. Each is one row of the linear system.
+// Source: W. M. Hsu, J. F. Hughes, H. Kaufman. Direct Manipulation of Free-Form Deformations.
+// SIGGRAPH 1992: section 3, and section 3.3 for derivatives.
 #pragma once
 
 #include <array>
@@ -12,16 +13,17 @@
 
 namespace pectin {
 
-// Where a displacement is prescribed, or its derivative; with symmetry, of which components.
+// Identifies a constraint: the point at which a displacement or its derivative is prescribed, and
+// with symmetry the components that it applies to.
 struct ConstraintKey {
     Vec3 point{0.0};
-    int along = -1;       // the axis of the derivative, −1 for the displacement itself
-    double parity = 1.0;  // −1: the component across the mirror plane; see symmetry.h
+    int along = -1;       // the axis of the derivative, or −1 for the displacement itself
+    double parity = 1.0;  // −1 for the component across the mirror plane; see symmetry.h
     bool operator==(const ConstraintKey&) const = default;
 };
 
-// A row scaled to unit length: Σ factor · row over one term, or two where the mirror image of the
-// point lies in the lattice, too.
+// A row scaled to unit length: Σ factor · row over its terms. There are two terms if the mirror
+// image of the point also lies in the lattice, and otherwise one.
 struct Constraint {
     struct Term {
         BasisRow row;
@@ -30,16 +32,17 @@ struct Constraint {
     ConstraintKey key;
     std::array<Term, 2> terms{};
     std::size_t term_count = 0;
-    double length = 0.0;  // before the scaling; 0 where the lattice cannot bring it about
+    double length = 0.0;  // before the scaling; 0 if the lattice cannot meet the constraint
 
-    // The largest displacement of a control point where this constraint alone asks for 1.
+    // The largest displacement of any control point if this constraint alone prescribes 1.
     double control_gain() const;
 };
 
 Constraint make_constraint(const Lattice& lattice, const std::optional<MirrorPlane>& plane,
                            const ConstraintKey& key);
 
-// An entry of the normalised Gram matrix; 0 between different parities, which do not meet.
+// An entry of the normalised Gram matrix. It is 0 between different parities, which are
+// independent.
 double dot(const Constraint& a, const Constraint& b);
 
 }  // namespace pectin

@@ -5,18 +5,14 @@
 #include <cmath>
 #include <utility>
 
+#include "ffd/cubic_basis.h"
+
 namespace pectin {
 namespace {
 
-// How many moves are summed at a time, on the stack. Each move's sum is the same whatever it is.
-// Every batch evaluates all constraints once.
-constexpr std::size_t kFewMoves = 8, kMovesAtATime = 256;
-
-// The four pieces of β in powers of t in [0, 1): what control point i gives in cell i − 2 + piece.
-constexpr std::array<std::array<double, 4>, 4> kBasisPieces{{{0.0, 0.0, 0.0, 1.0 / 6.0},
-                                                             {1.0 / 6.0, 0.5, 0.5, -0.5},
-                                                             {4.0 / 6.0, 0.0, -1.0, 0.5},
-                                                             {1.0 / 6.0, -0.5, 0.5, -1.0 / 6.0}}};
+// How many weights are summed at a time, on the stack. The size of a batch changes no sum, and
+// every batch evaluates all constraints once.
+constexpr std::size_t kSmallBatch = 8, kLargeBatch = 256;
 
 }  // namespace
 
@@ -28,21 +24,20 @@ DragField::DragField(const Lattice& lattice, std::vector<BasisRow> constraints,
       constraints_(std::move(constraints)),
       inverse_(std::move(inverse)) {
     assert(!constraints_.empty() && inverse_.size() % constraints_.size() == 0);
-    move_count_ = inverse_.size() / constraints_.size();
+    weight_count_ = inverse_.size() / constraints_.size();
     products_.reserve(constraints_.size());
     for (const BasisRow& row : constraints_) {
         products_.push_back({axis_cubics(row, 0), axis_cubics(row, 1), axis_cubics(row, 2)});
     }
-    bound_moves();
+    bound_weights();
 }
 
-// A polynomial on [0, 1] lies within its Bernstein coefficients: those of the cubic, and of its
-// derivative three times their differences.
+// A polynomial on [0, 1] lies between its least and greatest Bernstein coefficient. The
+// coefficients of a cubic's derivative are three times the differences of the cubic's own.
 DragField::Bound DragField::bound_of(const AxisCubics& cubics) {
     Bound bound;
     for (const auto& p : cubics.power) {
-        const std::array<double, 4> b{p[0], p[0] + p[1] / 3.0, p[0] + (2.0 * p[1] + p[2]) / 3.0,
-                                      p[0] + p[1] + p[2] + p[3]};
+        const CubicCoefficients b = bernstein(p);
         for (std::size_t i = 0; i < 4; ++i) {
             bound.weight = std::max(bound.weight, std::abs(b[i]));
             if (i > 0) bound.gradient = std::max(bound.gradient, 3.0 * std::abs(b[i] - b[i - 1]));
@@ -51,8 +46,8 @@ DragField::Bound DragField::bound_of(const AxisCubics& cubics) {
     return bound;
 }
 
-void DragField::bound_moves() {
-    bounds_.assign(move_count_, {});
+void DragField::bound_weights() {
+    bounds_.assign(weight_count_, {});
     for (std::size_t a = 0; a < products_.size(); ++a) {
         const Bound x = bound_of(products_[a][0]), y = bound_of(products_[a][1]),
                     z = bound_of(products_[a][2]);
@@ -60,7 +55,7 @@ void DragField::bound_moves() {
             Vec3{x.gradient * y.weight * z.weight, x.weight * y.gradient * z.weight,
                  x.weight * y.weight * z.gradient} *
             inverse_cell_;
-        for (std::size_t m = 0; m < move_count_; ++m) {
+        for (std::size_t m = 0; m < weight_count_; ++m) {
             const double factor = std::abs(inverse_[m * products_.size() + a]);
             bounds_[m].weight += factor * x.weight * y.weight * z.weight;
             bounds_[m].gradient += factor * glm::length(gradient);
@@ -69,18 +64,18 @@ void DragField::bound_moves() {
 }
 
 double DragField::reach_bound(std::span<const Vec3> displacements) const {
-    assert(displacements.size() == move_count_);
+    assert(displacements.size() == weight_count_);
     double reach = 0.0;
-    for (std::size_t m = 0; m < move_count_; ++m) {
+    for (std::size_t m = 0; m < weight_count_; ++m) {
         reach += bounds_[m].weight * glm::length(displacements[m]);
     }
     return reach;
 }
 
 double DragField::lipschitz_bound(std::span<const Vec3> displacements) const {
-    assert(displacements.size() == move_count_);
+    assert(displacements.size() == weight_count_);
     double bound = 1.0;
-    for (std::size_t m = 0; m < move_count_; ++m) {
+    for (std::size_t m = 0; m < weight_count_; ++m) {
         bound += bounds_[m].gradient * glm::length(displacements[m]);
     }
     return bound;
@@ -91,15 +86,16 @@ DragField::AxisCubics DragField::axis_cubics(const BasisRow& row, std::size_t ax
     for (std::size_t k = 0; k < 4; ++k) {
         for (std::size_t piece = 0; piece < 4; ++piece) {
             for (std::size_t p = 0; p < 4; ++p) {
-                cubics.power[k + piece][p] += row.coefficient[axis][k] * kBasisPieces[piece][p];
+                cubics.power[k + piece][p] +=
+                    row.coefficient[axis][k] * kPowerSegments[3 - piece][p];
             }
         }
     }
     return cubics;
 }
 
-// Truncation after a shift by the two influenced cells is a floor: parameters exceed −2. Rounding
-// may put a point an ulp into the neighbouring cell, where the cubics continue each other.
+// Parameters exceed −2, so truncation after a shift by the two influenced cells is a floor.
+// Rounding may put a point one ulp into the neighbouring cell, whose cubic continues this one.
 DragField::Location DragField::locate(const Vec3& x) const {
     const Vec3 u = lattice_.parameter(x);
     const IVec3 cell = IVec3{u + 2.0} - 2;
@@ -128,8 +124,8 @@ DragWeight DragField::rounded(const Value& sum) const {
 
 template <std::size_t batch>
 void DragField::weights_in_batches(const Location& at, std::span<DragWeight> out) const {
-    for (std::size_t first = 0; first < move_count_; first += batch) {
-        const std::size_t count = std::min(batch, move_count_ - first);
+    for (std::size_t first = 0; first < weight_count_; first += batch) {
+        const std::size_t count = std::min(batch, weight_count_ - first);
         std::array<Value, batch> sums{};
         for (std::size_t a = 0; a < products_.size(); ++a) {
             const Value term = evaluate(products_[a], at);
@@ -145,18 +141,18 @@ void DragField::weights_in_batches(const Location& at, std::span<DragWeight> out
 }
 
 void DragField::weights_inside(const Location& at, std::span<DragWeight> out) const {
-    if (move_count_ <= kFewMoves) {
-        weights_in_batches<kFewMoves>(at, out);
+    if (weight_count_ <= kSmallBatch) {
+        weights_in_batches<kSmallBatch>(at, out);
     } else {
-        weights_in_batches<kMovesAtATime>(at, out);
+        weights_in_batches<kLargeBatch>(at, out);
     }
 }
 
 void DragField::weights(const Vec3& x, std::span<DragWeight> out) const {
-    assert(out.size() == move_count_);
+    assert(out.size() == weight_count_);
     if (!zone_.contains_strictly(x)) {
         std::fill(out.begin(), out.end(), DragWeight{});
-    } else if (products_.size() == 1 && move_count_ == 1) {
+    } else if (products_.size() == 1 && weight_count_ == 1) {
         const Value term = evaluate(products_[0], locate(x));
         out[0] = rounded({inverse_[0] * term.value, inverse_[0] * term.derivative});
     } else {
@@ -165,14 +161,14 @@ void DragField::weights(const Vec3& x, std::span<DragWeight> out) const {
 }
 
 void DragField::weights(std::span<const Vec3> points, std::span<DragWeight> out) const {
-    assert(out.size() == points.size() * move_count_);
+    assert(out.size() == points.size() * weight_count_);
     for (std::size_t p = 0; p < points.size(); ++p) {
-        weights(points[p], out.subspan(p * move_count_, move_count_));
+        weights(points[p], out.subspan(p * weight_count_, weight_count_));
     }
 }
 
 void DragField::exact_weights(const Vec3& x, std::size_t first, std::span<ExactWeight> out) const {
-    assert(first + out.size() <= move_count_);
+    assert(first + out.size() <= weight_count_);
     std::fill(out.begin(), out.end(), ExactWeight{});
     if (!zone_.contains_strictly(x)) return;
     const Location at = locate(x);
@@ -188,11 +184,11 @@ void DragField::exact_weights(const Vec3& x, std::size_t first, std::span<ExactW
 }
 
 std::vector<Vec3> DragField::control_displacements(std::span<const Vec3> displacements) const {
-    assert(displacements.size() == move_count_);
+    assert(displacements.size() == weight_count_);
     std::vector<Vec3> controls(lattice_.control_count(), Vec3{0.0});
     for (std::size_t a = 0; a < constraints_.size(); ++a) {
         Vec3 force{0.0};
-        for (std::size_t m = 0; m < move_count_; ++m) {
+        for (std::size_t m = 0; m < weight_count_; ++m) {
             force += inverse_[m * constraints_.size() + a] * displacements[m];
         }
         const auto& [first, coefficient, length] = constraints_[a];

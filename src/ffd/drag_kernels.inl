@@ -1,10 +1,11 @@
-// The loops of a frame over many elements, as drag_field.h has them for one, to the bit.
-// drag_stream.cpp includes this file once for each width of vector, inside a namespace with that
-// width as kSimdWidth, in floats: vectors of a compiler's own are cut to the width of the function that
-// names them.
+// The functions of drag_weight.h as loops over many elements, with the same results bit for bit.
+// drag_stream.cpp includes this file once for each width of vectors, inside a namespace that
+// defines the width in floats as kSimdWidth. One function for all widths would not do, since the
+// compiler divides its vector types to suit the instruction set of the function that uses them.
 //
-// Elements lie one after the other (three numbers a point or normal, four a weight); vectors hold
-// one number each of several elements. What is left over at the end is done one by one.
+// In memory the numbers of an element lie together (three of a point or normal, four of a weight).
+// A vector holds one number of several elements. The elements that remain at the end of an array
+// are handled one by one.
 
 using Floats [[gnu::vector_size(kSimdWidth * 4)]] = float;
 using Ints [[gnu::vector_size(kSimdWidth * 4)]] = std::int32_t;
@@ -24,7 +25,7 @@ inline void store(Number* p, const Vector& v) {
     std::memcpy(p, &v, sizeof v);
 }
 
-// Lane i becomes lane From::lane(i) of a, or of b, whose lanes are counted on from those of a.
+// Lane i of the result is lane From::lane(i) of a and b together; the lanes of b follow those of a.
 template <typename From, typename Vector, std::size_t... I>
 inline auto shuffle(const Vector& a, const Vector& b, std::index_sequence<I...>) {
     return __builtin_shufflevector(a, b, From::lane(I)...);
@@ -34,9 +35,9 @@ inline Floats shuffle(const Floats& a, const Floats& b) {
     return shuffle<From>(a, b, std::make_index_sequence<kSimdWidth>{});
 }
 
-// Has the machine fetch what will be read or written kPrefetchDistance elements on, which it would
-// notice too late where passes go from one array to the next every few elements. Nothing happens
-// past the end.
+// Prefetches what will be read or written kPrefetchDistance elements later. The machine itself
+// would notice too late, since a pass changes from one array to the next every few elements. A
+// prefetch past the end has no effect.
 constexpr std::size_t kPrefetchDistance = 128, kCacheLine = 64;
 enum class For { reading, writing };
 
@@ -49,23 +50,23 @@ inline void prefetch(const Element* elements, std::size_t count) {
     }
 }
 
-// --- Weights: four vectors of them
+// --- Weights, four vectors at a time
 
-// A square of four weights lies in one quarter of their vectors (16 bytes), and is transposed
-// there: the weights of four vectors come to lie in this order.
+// Four weights form a square in one quarter (16 bytes) of four vectors, and each square is
+// transposed within its quarter. This gives the weights of four vectors the following order.
 constexpr std::size_t weight_in(std::size_t lane) { return lane % 4 * (kSimdWidth / 4) + lane / 4; }
 constexpr std::size_t lane_of(std::size_t weight) {
     return weight % (kSimdWidth / 4) * 4 + weight / (kSimdWidth / 4);
 }
 
-// One number of each of two, and the next one: 0 and 1 of their quarters, or 2 and 3.
+// Interleaves the numbers kFirst and kFirst + 1 of each quarter of two vectors.
 template <std::size_t kFirst>
 struct Interleaved {
     static constexpr std::size_t lane(std::size_t i) {
         return i / 4 * 4 + kFirst + i % 4 / 2 + i % 2 * kSimdWidth;
     }
 };
-// Two numbers of each of two.
+// Puts the numbers kFirst and kFirst + 1 of each quarter of two vectors beside each other.
 template <std::size_t kFirst>
 struct Paired {
     static constexpr std::size_t lane(std::size_t i) {
@@ -73,7 +74,7 @@ struct Paired {
     }
 };
 
-// One coordinate of kSimdWidth elements each, in the order of weight_in.
+// The coordinates of kSimdWidth elements, in the order of weight_in().
 struct Coordinates {
     Floats x, y, z;
 };
@@ -88,7 +89,7 @@ inline Coordinates load_gradients(const DragWeight* weights) {
             shuffle<Paired<2>>(yz_ab, yz_cd)};
 }
 
-// w of kDoubles weights.
+// The w of kDoubles weights.
 struct FirstOfFours {
     static constexpr std::size_t lane(std::size_t i) { return i * 4; }
 };
@@ -99,11 +100,11 @@ inline Doubles load_weights(const DragWeight* weights) {
     return __builtin_convertvector(w, Doubles);
 }
 
-// --- Points and normals: three vectors of them
+// --- Points and normals, three vectors at a time
 
-// Lane i of the v-th vector holds coordinate (v kSimdWidth + i) % 3, and each lane holds each
-// coordinate in one of the three, as kSimdWidth is no multiple of 3. So two blends, which cost next to
-// nothing, gather one coordinate of all, and one permutation puts it in order.
+// Lane i of vector v holds coordinate (v kSimdWidth + i) % 3. kSimdWidth is not a multiple of 3, so
+// each lane holds each coordinate in one of the three vectors. Two blends, which cost almost
+// nothing, therefore gather one coordinate of all elements, and one permutation puts it in order.
 constexpr std::size_t coordinate_in(std::size_t vector, std::size_t lane) {
     return (vector * kSimdWidth + lane) % 3;
 }
@@ -111,7 +112,7 @@ constexpr std::size_t vector_with(std::size_t coordinate, std::size_t lane) {
     return coordinate_in(0, lane) == coordinate ? 0 : coordinate_in(1, lane) == coordinate ? 1 : 2;
 }
 
-// Lanes of b where a coordinate lies in the kVector-th of three, else of a.
+// Takes the lanes of b in which the coordinate lies in vector kVector, and else those of a.
 template <std::size_t kCoordinate, std::size_t kVector>
 struct Gathered {
     static constexpr std::size_t lane(std::size_t i) {
@@ -137,7 +138,7 @@ inline Coordinates load_normals(const Vec3f* normals) {
     return {coordinate<0>(a, b, c), coordinate<1>(a, b, c), coordinate<2>(a, b, c)};
 }
 
-// And back.
+// The inverse of Gathered and InOrder.
 template <std::size_t kCoordinate>
 struct Spread {
     static constexpr std::size_t lane(std::size_t i) {
@@ -168,7 +169,7 @@ inline void store_normals(const Coordinates& v, Vec3f* normals) {
 
 // --- Positions
 
-// Three vectors hold the coordinates of kDoubles points: whose, and which one, in each lane.
+// Three vectors hold the coordinates of kDoubles points. Owner is the point of each lane.
 template <std::size_t kVector>
 struct Owner {
     static constexpr std::size_t lane(std::size_t i) { return (kVector * kDoubles + i) / 3; }
@@ -188,7 +189,7 @@ inline Doubles coordinates_of(const Vec3& d, std::size_t vector) {
 inline Doubles magnitude(const Doubles& v) { return v < 0.0 ? -v : v; }
 inline Doubles greater(const Doubles& a, const Doubles& b) { return a > b ? a : b; }
 
-// Of many points: the least |w|, and the size of the greatest coordinate.
+// The least |w| and the largest |coordinate| of many points.
 struct Extremes {
     double least_weight = std::numeric_limits<double>::infinity(), greatest_coordinate = 0.0;
 };

@@ -9,107 +9,10 @@
 #include <unordered_map>
 #include <utility>
 
-#include "geometry/decimal.h"
-
 namespace pectin {
 namespace {
 
-// --- Words for the user ---
-
-DragRefusal refuse_lattice() {
-    return {"the lattice needs a finite origin, cells greater than 0 and " +
-            std::to_string(kMinDeformable) + " to " + std::to_string(kMaxDeformable) +
-            " deformable control points per axis"};
-}
-
-DragRefusal refuse_outside(const Vec3& point, const Box& zone) {
-    return {"move point " + decimal(point) + " is not inside the influenced zone " +
-            decimal(zone.min) + " to " + decimal(zone.max) +
-            "; move the cage so that the point lies inside, or drag a point that does"};
-}
-
-DragRefusal refuse_border(const Vec3& point, const Box& zone, double max_gain) {
-    return {"move point " + decimal(point) + " is too close to the border of the influenced zone " +
-            decimal(zone.min) + " to " + decimal(zone.max) + ": a control point would move over " +
-            decimal(max_gain) +
-            " times as far; stay away from the border, or take a larger cage or radius"};
-}
-
-DragRefusal refuse_dependent(const Vec3& a, const Vec3& b, std::size_t constraints,
-                             std::size_t controls) {
-    const std::string points = a == b ? decimal(a) : decimal(a) + " and " + decimal(b);
-    if (constraints > controls) {
-        return {"the moves and pins set " + std::to_string(constraints) +
-                " conditions, more than the " + std::to_string(controls) +
-                (controls == 1 ? " control point" : " control points") +
-                " of the lattice can meet, " + points +
-                " above all; take fewer of them or a finer lattice"};
-    }
-    return {"the lattice cannot tell the moves and pins at " + points +
-            " apart well enough to meet both; drop one of them or take a finer lattice"};
-}
-
-DragRefusal refuse_many() {
-    return {"a drag can move and pin at most " + std::to_string(kMaxConstraints) +
-            " different points; take fewer of them"};
-}
-
-DragRefusal refuse_target(const Vec3& point, const Vec3& d) {
-    return {"move point " + decimal(point) + " cannot move by " + decimal(d) +
-            "; the place it moves to must be finite"};
-}
-
-DragRefusal refuse_difference(const Vec3& point, const Vec3& a, const Vec3& b) {
-    return {"move point " + decimal(point) + " is asked to move by " + decimal(a) + " and by " +
-            decimal(b) + "; moves of one point must agree"};
-}
-
-DragRefusal refuse_rotation(const Vec3& point) {
-    return {"the lattice has too few control points about " + decimal(point) +
-            " to twist or scale there; take a larger span, or more control points an axis"};
-}
-
-DragRefusal refuse_jacobian(const Vec3& point) {
-    return {"move point " + decimal(point) +
-            " is asked to turn in different ways; moves of one point must agree"};
-}
-
-DragRefusal refuse_off_plane(const MirrorPlane& plane, const Vec3& point, const Vec3& d) {
-    return {"move point " + decimal(point) +
-            " is on the symmetry plane and can only move within it, for instance to " +
-            decimal(plane.onto(point + d)) + ", not to " + decimal(point + d) +
-            "; or switch symmetry off"};
-}
-
-DragRefusal refuse_near_plane(const MirrorPlane& plane, const Vec3& point) {
-    return {"move point " + decimal(point) +
-            " is so close to the symmetry plane that moving it and its image apart would tear the "
-            "object; take the point on the plane, " +
-            decimal(plane.onto(point)) + ", or one farther away from it"};
-}
-
-DragRefusal refuse_asymmetric_rotation(const MirrorPlane& plane, const Vec3& point) {
-    return {"move point " + decimal(point) +
-            " is on the symmetry plane and can only be twisted about its normal, " +
-            std::string("xyz").substr(static_cast<std::size_t>(plane.axis), 1) +
-            "; take that axis, or switch symmetry off"};
-}
-
-DragRefusal refuse_pinned(const Vec3& point, const Vec3& d) {
-    return {"move point " + decimal(point) + " is pinned and asked to move by " + decimal(d) +
-            "; take the pin away or do not move the point"};
-}
-
-// --- Constraints ---
-
-std::optional<DragRefusal> check_pins(std::span<const Vec3> pins) {
-    const auto wrong = std::find_if_not(pins.begin(), pins.end(), is_finite);
-    if (wrong == pins.end()) return std::nullopt;
-    return DragRefusal{"pin " + decimal(*wrong) +
-                       " is not a point; its coordinates must be finite"};
-}
-
-// The pair of constraints whose rows are the most nearly parallel.
+// The pair of constraints whose rows are most nearly parallel.
 std::pair<std::size_t, std::size_t> most_dependent(const Eigen::MatrixXd& gram) {
     std::pair<std::size_t, std::size_t> worst{0, 0};
     double largest = -1.0;
@@ -123,8 +26,8 @@ std::pair<std::size_t, std::size_t> most_dependent(const Eigen::MatrixXd& gram) 
     return worst;
 }
 
-// BBᵀ with B's rows scaled to unit length, so that a pin near the border, whose basis values are
-// tiny, is as well conditioned as any other.
+// BBᵀ with the rows of B scaled to unit length. A pin near the border, whose basis values are tiny,
+// is then as well conditioned as any other.
 Eigen::MatrixXd normalised_gram(std::span<const Constraint> rows) {
     const auto size = static_cast<Eigen::Index>(rows.size());
     Eigen::MatrixXd gram(size, size);
@@ -137,16 +40,16 @@ Eigen::MatrixXd normalised_gram(std::span<const Constraint> rows) {
     return gram;
 }
 
-// The first `driven` rows of the inverse Gram matrix, each scaled to what its row is asked for:
-// column-major, rows × driven.
+// The first `driven` columns of the inverse Gram matrix, each divided by the length of its row, so
+// that they apply to displacements: rows × driven, column-major.
 std::variant<Eigen::MatrixXd, DragRefusal> invert(std::span<const Constraint> rows,
                                                   std::size_t driven, const Lattice& lattice) {
     const Eigen::MatrixXd gram = normalised_gram(rows);
     const Eigen::LDLT<Eigen::MatrixXd> factors(gram);
     if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() >= kMinIndependence)) {
         const auto [a, b] = most_dependent(gram);
-        return refuse_dependent(rows[a].key.point, rows[b].key.point, rows.size(),
-                                lattice.control_count());
+        return refuse::dependent(rows[a].key.point, rows[b].key.point, rows.size(),
+                                 lattice.control_count());
     }
     const auto count = static_cast<Eigen::Index>(driven);
     Eigen::MatrixXd solved = factors.solve(Eigen::MatrixXd::Identity(gram.rows(), count));
@@ -158,7 +61,7 @@ std::variant<Eigen::MatrixXd, DragRefusal> invert(std::span<const Constraint> ro
 
 }  // namespace
 
-// --- From grips and pins to the field ---
+// --- From handles and pins to the field
 
 class DragSolver::Builder {
   public:
@@ -167,7 +70,7 @@ class DragSolver::Builder {
 
     std::variant<DragSolver, DragRefusal> build(std::span<const Handle> handles,
                                                 std::span<const Vec3> pins) {
-        if (handles.empty()) return DragRefusal{"a drag needs at least one point to move"};
+        if (handles.empty()) return refuse::no_handle();
         for (const Handle& handle : handles) {
             if (const auto refusal = add_handle(handle)) return *refusal;
         }
@@ -178,11 +81,11 @@ class DragSolver::Builder {
         auto solved = invert(constraints_, driven, lattice_);
         if (const auto* refusal = std::get_if<DragRefusal>(&solved)) return *refusal;
         return DragSolver{make_field(std::get<Eigen::MatrixXd>(solved)), symmetry(),
-                          std::move(moves_), std::move(columns_)};
+                          std::move(handles_), std::move(driven_)};
     }
 
   private:
-    // On the plane's positive side, or on the plane.
+    // The point or its mirror image, whichever is on the plane's positive side or on the plane.
     Vec3 canonical(const Vec3& point) const {
         if (!plane_) return point;
         if (is_on_plane(point)) return plane_->onto(point);
@@ -217,54 +120,56 @@ class DragSolver::Builder {
 
     std::optional<DragRefusal> add_handle(const Handle& handle) {
         const Box zone = lattice_.influenced_zone();
-        if (!is_reached(handle.point)) return refuse_outside(handle.point, zone);
-        Move move{.asked = handle.point,
-                  .point = canonical(handle.point),
-                  .prescribes_jacobian = handle.prescribes_jacobian};
-        move.is_on_plane = is_on_plane(handle.point);
-        move.is_flipped = plane_ && !move.is_on_plane && plane_->offset(handle.point) < 0.0;
-        const ConstraintKey key{move.point};
-        move.first_at_point = first_moves_.emplace(key, moves_.size()).first->second;
-        if (move.prescribes_jacobian) {
-            move.first_jacobian = first_jacobians_.emplace(key, moves_.size()).first->second;
+        if (!is_reached(handle.point)) return refuse::outside_zone(handle.point, zone);
+        CanonicalHandle added{.given = handle.point,
+                              .point = canonical(handle.point),
+                              .prescribes_jacobian = handle.prescribes_jacobian};
+        added.is_on_plane = is_on_plane(handle.point);
+        added.is_flipped = plane_ && !added.is_on_plane && plane_->offset(handle.point) < 0.0;
+        const ConstraintKey key{added.point};
+        added.first_at_point = first_handles_.emplace(key, handles_.size()).first->second;
+        if (added.prescribes_jacobian) {
+            added.first_jacobian = first_jacobians_.emplace(key, handles_.size()).first->second;
         }
         for (const double parity : parities()) {
-            const double gain = add_column({move.point, -1, parity});
+            const double gain = add_driven({added.point, -1, parity});
             if (parity < 0.0) {
-                move.is_near_plane = !move.is_on_plane && !(gain <= kMaxControlGain);
+                added.is_near_plane = !added.is_on_plane && !(gain <= kMaxControlGain);
             } else if (!(gain <= max_gain_)) {
-                return refuse_border(handle.point, zone, max_gain_);
+                return refuse::near_border(handle.point, zone, max_gain_);
             }
         }
         for (int along = 0; handle.prescribes_jacobian && along < 3; ++along) {
             for (const double parity : parities()) {
-                const double gain = add_column({move.point, along, parity});
-                const bool vanishes = move.is_on_plane && std::isnan(gain);
+                const double gain = add_driven({added.point, along, parity});
+                const bool vanishes = added.is_on_plane && std::isnan(gain);
                 if (!vanishes && !(gain <= kMaxControlGain * lattice_.cell[along])) {
-                    return refuse_rotation(handle.point);
+                    return refuse::too_coarse_to_rotate(handle.point);
                 }
             }
         }
-        moves_.push_back(move);
-        if (constraints_.size() > kMaxConstraints) return refuse_many();
+        handles_.push_back(added);
+        if (constraints_.size() > kMaxConstraints)
+            return refuse::too_many_constraints(kMaxConstraints);
         return std::nullopt;
     }
 
-    // A driven row, unless an earlier move drives it, and its gain: not a number where the lattice
-    // cannot bring it about.
-    double add_column(const ConstraintKey& key) {
+    // Adds a driven constraint unless an earlier handle drives it. Returns its gain, which is not a
+    // number if the lattice cannot meet the constraint.
+    double add_driven(const ConstraintKey& key) {
         if (const auto found = rows_.find(key); found != rows_.end()) return gains_[found->second];
         const Constraint constraint = make_constraint(lattice_, plane_, key);
         if (!(constraint.length > 0.0)) return std::nan("");
         add_constraint(constraint);
         gains_.push_back(constraint.control_gain());
-        columns_.push_back({moves_.size(), key});
+        driven_.push_back({handles_.size(), key});
         return gains_.back();
     }
 
     std::optional<DragRefusal> add_pin(const Vec3& pin) {
-        if (const auto there = first_moves_.find(ConstraintKey{pin}); there != first_moves_.end()) {
-            moves_[there->second].is_pinned = true;
+        if (const auto there = first_handles_.find(ConstraintKey{pin});
+            there != first_handles_.end()) {
+            handles_[there->second].is_pinned = true;
         }
         if (!is_reached(pin)) return std::nullopt;
         for (const double parity : parities()) {
@@ -273,11 +178,12 @@ class DragSolver::Builder {
             const Constraint constraint = make_constraint(lattice_, plane_, key);
             if (constraint.length > 0.0) add_constraint(constraint);
         }
-        if (constraints_.size() > kMaxConstraints) return refuse_many();
+        if (constraints_.size() > kMaxConstraints)
+            return refuse::too_many_constraints(kMaxConstraints);
         return std::nullopt;
     }
 
-    // One row of the inverse for every column.
+    // The field has one row of the inverse for each driven constraint.
     DragField make_field(const Eigen::MatrixXd& solved) const {
         std::vector<BasisRow> rows;
         for (const Constraint& constraint : constraints_) {
@@ -301,9 +207,9 @@ class DragSolver::Builder {
     std::optional<Symmetry> symmetry() const {
         if (!plane_) return std::nullopt;
         Symmetry symmetry{*plane_, {}};
-        for (const Column& column : columns_) {
-            // Like the row of the derivative, w takes its sign from the components it moves.
-            symmetry.parity.push_back(column.key.parity);
+        for (const DrivenConstraint& driven : driven_) {
+            // Like the row of the derivative, w has the sign of the components that it moves.
+            symmetry.parity.push_back(driven.key.parity);
         }
         return symmetry;
     }
@@ -311,85 +217,100 @@ class DragSolver::Builder {
     const Lattice& lattice_;
     const std::optional<MirrorPlane>& plane_;
     double max_gain_;
-    std::vector<Constraint> constraints_;  // the driven ones first, one a column
+    std::vector<Constraint> constraints_;  // first the driven ones, in the order of driven_
     std::vector<double> gains_;            // of the driven ones
-    Indices rows_;                         // of the constraints
-    std::vector<Column> columns_;
-    std::vector<Move> moves_;
-    Indices first_moves_;      // of points, the first move there
-    Indices first_jacobians_;  // of points, the first move there that prescribes its Jacobian
+    Indices rows_;                         // the indices of constraints
+    std::vector<DrivenConstraint> driven_;
+    std::vector<CanonicalHandle> handles_;
+    Indices first_handles_;    // the first handle at each point
+    Indices first_jacobians_;  // the first handle at each point that prescribes its Jacobian
 };
 
-DragSolver::DragSolver(DragField field, std::optional<Symmetry> symmetry, std::vector<Move> moves,
-                       std::vector<Column> columns)
+DragSolver::DragSolver(DragField field, std::optional<Symmetry> symmetry,
+                       std::vector<CanonicalHandle> handles, std::vector<DrivenConstraint> driven)
     : field_(std::move(field)),
       symmetry_(std::move(symmetry)),
-      moves_(std::move(moves)),
-      columns_(std::move(columns)) {}
+      handles_(std::move(handles)),
+      driven_(std::move(driven)) {}
 
 std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,
                                                          std::span<const Handle> handles,
                                                          std::span<const Vec3> pins,
                                                          const std::optional<MirrorPlane>& plane,
                                                          double max_gain) {
-    if (!lattice.is_valid()) return refuse_lattice();
-    if (const auto refusal = check_pins(pins)) return *refusal;
+    if (!lattice.is_valid()) return refuse::invalid_lattice();
+    const auto invalid_pin = std::find_if_not(pins.begin(), pins.end(), is_finite);
+    if (invalid_pin != pins.end()) return refuse::invalid_pin(*invalid_pin);
     return Builder(lattice, plane, max_gain).build(handles, pins);
 }
 
 std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,
-                                                         std::span<const Vec3> move_points,
+                                                         std::span<const Vec3> points,
                                                          std::span<const Vec3> pins) {
     std::vector<Handle> handles;
-    for (const Vec3& point : move_points) handles.push_back({point});
+    for (const Vec3& point : points) handles.push_back({point});
     return create(lattice, handles, pins);
 }
 
-// --- What is asked ---
+// --- Motions of the handles
 
-HandleMotion DragSolver::on_positive_side(const Move& move, const HandleMotion& motion) const {
-    if (!move.is_flipped) return motion;
+HandleMotion DragSolver::on_positive_side(const CanonicalHandle& handle,
+                                          const HandleMotion& motion) const {
+    if (!handle.is_flipped) return motion;
     const MirrorPlane& plane = symmetry_->plane;
     return {plane.image_of_vector(motion.displacement), plane.image_of_jacobian(motion.jacobian)};
 }
 
-std::optional<DragRefusal> DragSolver::check_symmetry(const Move& move,
+std::optional<DragRefusal> DragSolver::check_symmetry(const CanonicalHandle& handle,
                                                       const HandleMotion& motion) const {
     const MirrorPlane& plane = symmetry_->plane;
     const Vec3& d = motion.displacement;
-    if (move.is_on_plane && d[plane.axis] != 0.0) return refuse_off_plane(plane, move.asked, d);
-    if (move.is_near_plane && d[plane.axis] != 0.0) return refuse_near_plane(plane, move.asked);
-    if (!move.is_on_plane || !move.prescribes_jacobian) return std::nullopt;
+    if (handle.is_on_plane && d[plane.axis] != 0.0)
+        return refuse::off_plane(plane, handle.given, d);
+    if (handle.is_near_plane && d[plane.axis] != 0.0)
+        return refuse::near_plane(plane, handle.given);
+    if (!handle.is_on_plane || !handle.prescribes_jacobian) return std::nullopt;
     const Mat3 difference = plane.image_of_jacobian(motion.jacobian) - motion.jacobian;
     for (int column = 0; column < 3; ++column) {
-        // What rounding leaves of a twist about the normal is no asymmetry.
+        // The rounding errors of a twist about the normal are not an asymmetry.
         if (glm::length(difference[column]) > 1e-12) {
-            return refuse_asymmetric_rotation(plane, move.asked);
+            return refuse::asymmetric_rotation(plane, handle.given);
         }
     }
     return std::nullopt;
 }
 
+// Handles at the same point must be asked for the same motion.
+std::optional<DragRefusal> DragSolver::check_agreement(
+    std::size_t index, std::span<const HandleMotion> motions) const {
+    const CanonicalHandle& handle = handles_[index];
+    const auto canonical_motion = [&](std::size_t of) {
+        return on_positive_side(handles_[of], motions[of]);
+    };
+    const HandleMotion asked = canonical_motion(index);
+    if (asked.displacement != canonical_motion(handle.first_at_point).displacement) {
+        return refuse::different_displacements(
+            handle.given, motions[handle.first_at_point].displacement, motions[index].displacement);
+    }
+    if (handle.prescribes_jacobian &&
+        asked.jacobian != canonical_motion(handle.first_jacobian).jacobian) {
+        return refuse::different_rotations(handle.given);
+    }
+    return std::nullopt;
+}
+
 std::optional<DragRefusal> DragSolver::check(std::span<const HandleMotion> motions) const {
-    assert(motions.size() == moves_.size());
-    for (std::size_t m = 0; m < moves_.size(); ++m) {
-        const Move& move = moves_[m];
-        const Vec3& d = motions[m].displacement;
-        if (!is_finite(move.asked + d)) return refuse_target(move.asked, d);
-        const HandleMotion here = on_positive_side(move, motions[m]);
-        const Move& first = moves_[move.first_at_point];
-        const HandleMotion there = on_positive_side(first, motions[move.first_at_point]);
-        if (here.displacement != there.displacement) {
-            return refuse_difference(move.asked, motions[move.first_at_point].displacement, d);
+    assert(motions.size() == handles_.size());
+    for (std::size_t h = 0; h < handles_.size(); ++h) {
+        const CanonicalHandle& handle = handles_[h];
+        const Vec3& d = motions[h].displacement;
+        if (!is_finite(handle.given + d)) return refuse::not_finite(handle.given, d);
+        if (const auto refusal = check_agreement(h, motions)) return refusal;
+        if (handles_[handle.first_at_point].is_pinned && d != Vec3{0.0}) {
+            return refuse::pinned(handle.given, d);
         }
-        if (move.prescribes_jacobian) {
-            const Move& other = moves_[move.first_jacobian];
-            const HandleMotion asked = on_positive_side(other, motions[move.first_jacobian]);
-            if (here.jacobian != asked.jacobian) return refuse_jacobian(move.asked);
-        }
-        if (first.is_pinned && d != Vec3{0.0}) return refuse_pinned(move.asked, d);
         if (!symmetry_) continue;
-        if (const auto refusal = check_symmetry(move, motions[m])) return refusal;
+        if (const auto refusal = check_symmetry(handle, motions[h])) return refusal;
     }
     return std::nullopt;
 }
@@ -401,10 +322,10 @@ std::optional<DragRefusal> DragSolver::check(std::span<const Vec3> displacements
 }
 
 std::vector<Vec3> DragSolver::field_displacements(std::span<const HandleMotion> motions) const {
-    assert(motions.size() == moves_.size());
-    std::vector<Vec3> asked;
-    for (const auto& [m, key] : columns_) {
-        const HandleMotion motion = on_positive_side(moves_[m], motions[m]);
+    assert(motions.size() == handles_.size());
+    std::vector<Vec3> prescribed;
+    for (const auto& [h, key] : driven_) {
+        const HandleMotion motion = on_positive_side(handles_[h], motions[h]);
         Vec3 d = motion.displacement;
         if (key.along >= 0) d = (motion.jacobian - Mat3{1.0})[key.along];
         if (symmetry_) {
@@ -413,9 +334,16 @@ std::vector<Vec3> DragSolver::field_displacements(std::span<const HandleMotion> 
                 if ((i == axis) != (key.parity < 0.0)) d[i] = 0.0;
             }
         }
-        asked.push_back(d);
+        prescribed.push_back(d);
     }
-    return asked;
+    return prescribed;
+}
+
+std::vector<Vec3> DragSolver::displacements(std::span<const HandleMotion> motions) const {
+    if (field_.weight_count() <= kMostWeights) return field_displacements(motions);
+    const Deformation step = deformation(motions);
+    const std::span<const Vec3> all = displacements_of(step);
+    return {all.begin(), all.end()};
 }
 
 std::vector<Vec3> DragSolver::control_displacements(std::span<const Vec3> displacements) const {

@@ -10,7 +10,7 @@
 namespace pectin {
 namespace {
 
-// By this share of itself no number can be moved and stay the same, to rounding.
+// A displacement of more than this fraction of a number always changes the number.
 constexpr double kSurelyMoves = 2.0 * std::numeric_limits<double>::epsilon();
 
 namespace plain {

@@ -1,6 +1,6 @@
-// A frame of a gesture with one drag, as streaming passes over flat arrays.
-// Source: as drag_field.h; displaced() and covariant_normal() give the same to the bit, whatever
-// the vectors, which may be any up to the widest that the machine has.
+// A frame of a gesture with one weight, as streaming passes over flat arrays. The results equal
+// those of displaced() and covariant_normal() in ffd/drag_weight.h bit for bit, for each
+// instruction set. Precondition: the machine has the instruction set.
 #pragma once
 
 #include <cstdint>
@@ -11,16 +11,18 @@
 
 namespace pectin {
 
-// rest, weights, to: n_points, `to` apart from the others. World space. Whether all have moved for
-// sure, each in the direction in which d is longest; if not, mark_moved tells which have.
+// Writes the displaced points. rest, weights, to: n_points, in world space; `to` must not overlap
+// the others. Returns true if every point has certainly moved, in the coordinate in which d is
+// longest. Otherwise mark_moved() finds out which have moved.
 bool displace(std::span<const Vec3> rest, std::span<const DragWeight> weights, const Vec3& d,
               std::span<Vec3> to, Vectors vectors = widest_vectors());
 
-// moved: 1 where `to` differs from `rest` or `before` is 1, else 0. All n_points.
+// Sets moved to 1 where `to` differs from `rest` or `before` is 1, and else to 0. All n_points.
 void mark_moved(std::span<const Vec3> rest, std::span<const Vec3> to,
                 std::span<const std::uint8_t> before, std::span<std::uint8_t> moved);
 
-// rest, weights (of the vertex of each), to: n_normals, `to` apart from the others. Unit or zero.
+// Writes the transformed normals, of unit length or zero. rest, weights (of the vertex of each
+// normal), to: n_normals; `to` must not overlap the others.
 void transform_normals(std::span<const Vec3f> rest, std::span<const DragWeight> weights,
                        const Vec3& d, std::span<Vec3f> to, Vectors vectors = widest_vectors());
 

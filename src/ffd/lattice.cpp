@@ -7,8 +7,8 @@
 namespace pectin {
 namespace {
 
-// A box thinner than this share of its longest side is flat: its thickness is rounding, and a cell
-// of that size would leave the influenced zone at the first touch.
+// A box that is thinner than this fraction of its longest side counts as flat. Its thickness is
+// rounding error, and any drag would take a point out of an influenced zone of that size.
 constexpr double kFlatFraction = 1e-6;
 
 bool counts_are_valid(const IVec3& deformable) {

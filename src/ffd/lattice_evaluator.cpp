@@ -10,20 +10,20 @@
 namespace pectin {
 namespace {
 
-// Static control points before and after the deformable ones. Of the influenced zone two reach
-// inside and the phantom layer is the third; a parameter that rounds up to its border needs one
-// more.
+// The numbers of static control points before and after the deformable ones. Two of them reach into
+// the influenced zone, and the phantom layer is the third. A parameter that rounds up to the border
+// of the zone needs one more.
 constexpr int kBefore = 3, kAfter = 4;
 
-// Points at a time: what the passes hand on stays in the innermost cache.
+// The number of points in a block, chosen so that intermediate results stay in the L1 cache.
 constexpr std::size_t kBlock = 32;
 
 constexpr double kLargest = std::numeric_limits<double>::max();
 
-// What the kernels read: everything by value, so that nothing they write can change it.
+// The input of the kernels. It is passed by value, so that nothing the kernels write can alias it.
 struct Grid {
     std::array<const double*, 3> components;  // of the control points
-    IVec3 stride;                             // of i, j and k
+    IVec3 stride;                             // between neighbours in i, j and k
     Vec3 origin, inverse_cell;
     Vec3 last_cell;  // counted from the first of the influenced zone
     Box zone;

@@ -1,5 +1,6 @@
-// A lattice field laid out to be evaluated at many points: the 4 × 4 × 4 sum, streaming.
-// Source: Gain & Dodgson 1999, equations 1–7.
+// Evaluates a lattice field at many points: the 4 × 4 × 4 sum as a streaming pass.
+// Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
+// Eurographics UK 1999: equations 1–7.
 #pragma once
 
 #include <cstddef>
@@ -11,28 +12,31 @@
 
 namespace pectin {
 
-// Holds the control points with the static ones about them, so that no point meets a border.
+// Holds the deformable control points and the static ones around them, so that no sum has to test
+// for a border.
 //
-// All in double: displacements agree with LatticeField's to some roundings of the greatest one,
-// normals to those of float. A point's result depends on that point alone, to the bit: not on how
-// many are asked for at once, which of them stands beside it, with or without normals, nor on the
-// machine. Cost: about 200 instructions a point with AVX2, 420 with a normal.
+// Computes in double. Displacements equal those of LatticeField up to some rounding errors of the
+// largest one, and normals up to those of float. The result of a point depends bit for bit on that
+// point alone: not on the number of points in a call, on the points beside it, on whether normals
+// are computed, or on the machine. Cost: about 200 instructions for a point with AVX2, and 420 with
+// a normal.
 class LatticeEvaluator {
   public:
-    // Vectors up to the widest that the machine has (no wider than AVX2's are used: wider ones gain
-    // nothing here); the results are the same.
-    // Cost: O(control points); 24 bytes each.
+    // vectors: an instruction set that the machine has. The results do not depend on it. Vectors
+    // wider than those of AVX2 gain nothing here and are not used. Cost: O(control points), 24
+    // bytes for each.
     explicit LatticeEvaluator(const LatticeField& field, Vectors vectors = widest_vectors());
 
-    // Takes over the displacements of a field on the same lattice. Cost: O(control points).
+    // Copies the displacements of a field on the same lattice. Cost: O(control points).
     void update(const LatticeField& field);
 
-    // to: n_points, x + D(x). On the border of the influenced zone and outside x itself, to the
+    // to: n_points, x + D(x). On the border of the influenced zone and outside it is x bit for
     // bit.
     void displace(std::span<const Vec3> points, std::span<Vec3> to) const;
 
-    // The same, and the covariant normals at the points: normalise(cof(J)·n), zero where that has
-    // no direction, n itself outside and where J is the identity. normals, turned: n_points.
+    // The same, and equation 3: the covariant normals normalise(cof(J)·n) at the points. They are
+    // zero where the image has no direction, and n bit for bit outside the zone and where J is the
+    // identity. normals, transformed: n_points.
     void transform(std::span<const Vec3> points, std::span<const Vec3f> normals, std::span<Vec3> to,
                    std::span<Vec3f> transformed) const;
 
@@ -41,7 +45,7 @@ class LatticeEvaluator {
   private:
     Lattice lattice_;
     Vectors vectors_;
-    IVec3 size_;                     // control points held, static ones included
+    IVec3 size_;                     // of the grid of control points, with the static ones
     std::vector<double> x_, y_, z_;  // displacements from (−3, −3, −3) on, i fastest
 };
 

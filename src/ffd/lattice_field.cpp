@@ -1,17 +1,20 @@
 #include "ffd/lattice_field.h"
 
 #include <algorithm>
+#include <array>
 #include <cassert>
+#include <limits>
 #include <utility>
 
-#include "ffd/basis.h"
 #include "ffd/cofactor.h"
+#include "ffd/cubic_basis.h"
+#include "ffd/injectivity.h"
 
 namespace pectin {
 namespace {
 
-// Calls visit(index of a control point, position a, b, c in the three spans) for the deformable
-// ones among the 4 × 4 × 4 control points that reach a point.
+// Calls visit(control index, a, b, c) for each of the 4 × 4 × 4 control points around a point that
+// is deformable; a, b and c are its positions in the three spans.
 template <typename Visit>
 void for_each_control(const Lattice& lattice, const std::array<BasisSpan, 3>& spans,
                       const Visit& visit) {
@@ -78,5 +81,17 @@ Vec3f covariant(const Mat3& jacobian, const Vec3f& n) {
 }
 
 Vec3 contravariant(const Mat3& jacobian, const Vec3& t) { return jacobian * t; }
+
+std::vector<Box> zones_of(const LatticeField& field) { return {field.lattice().influenced_zone()}; }
+
+std::vector<LatticeField> merged_lattices(const LatticeField& field) { return {field}; }
+
+double reach_bound(const LatticeField&) { return std::numeric_limits<double>::infinity(); }
+
+double lipschitz_bound(const LatticeField&) { return std::numeric_limits<double>::infinity(); }
+
+double injective_limit(const LatticeField& field, double most) {
+    return injective_limit(std::span(&field, 1), most);
+}
 
 }  // namespace pectin

@@ -1,22 +1,23 @@
-// The 4 × 4 × 4 sum at many points. lattice_evaluator.cpp includes this file once for each width of
-// vector, inside a namespace: vectors of a compiler's own are cut to the width of the function that
-// names them, so one function with several targets would not do.
+// The 4 × 4 × 4 sum at many points. lattice_evaluator.cpp includes this file once for each
+// instruction set, inside a namespace. One function for all of them would not do, since the
+// compiler divides its vector types to suit the instruction set of the function that uses them.
 //
-// A block of points goes through in passes. Where four points stand and what their basis values
-// are, what becomes of their sums, is done for the four at once; the sums along k and j in between
-// take one point at a time and the four control points along i at once. Every element follows the
-// same operations in the same order whatever the width, and none sees another point's.
+// A block of points is handled in passes. The passes that locate points and evaluate the basis, and
+// those that combine the sums, handle four points at once. The pass in between, which sums along k
+// and j, handles one point at a time, with the four control points along i at once. The operations
+// on each element and their order do not depend on the width of vectors or on other points.
 //
-// Along k and j the weights are divided by the second one (between 1/6 and 2/3), whose product then
-// falls away; along an axis with values c and derivatives c′ per cell
+// Along k and j the weights are divided by the second weight, which is between 1/6 and 2/3, so that
+// the product with the second control point is no longer needed. On an axis with basis values c and
+// derivatives c′ per cell
 //
 //     Σ cₖ pₖ  = c₁ R          R = p₁ + Σ (cₖ / c₁) pₖ       over k = 0, 2, 3
 //     Σ c′ₖ pₖ = c′₁ R + e₂ S  S = p₂ + Σ (eₖ / e₂) pₖ       over k = 0, 3
 //     eₖ = c′ₖ − c′₁ cₖ / c₁                                 with e₂ between 1/2 and 2
 //
-// so that R and S take 5 products and 5 sums where 8 and 6 stand on the left.
+// R and S take 5 products and 5 sums, instead of the 8 and 6 on the left-hand side.
 
-// Four control points along i, or four points: two of SSE's vectors or one of AVX's.
+// Four control points along i, or four points: two SSE vectors or one AVX vector.
 using Vec4 [[gnu::vector_size(32)]] = double;
 using Mask4 [[gnu::vector_size(32)]] = std::int64_t;
 using Cells4 [[gnu::vector_size(16)]] = std::int32_t;
@@ -35,7 +36,8 @@ inline Vec4 sum(const Vec4 by[4], const Vec4 p[4]) {
 
 // --- Along the axes, at four points
 
-// The four basis values inside a cell, and their derivatives per cell.
+// The four basis values inside a cell, and their derivatives per cell: the value form of
+// ffd/cubic_basis.h, factored for vectors. It rounds differently from basis_span().
 template <bool kDerivatives>
 inline void expand(const Vec4& t, Vec4 value[4], Vec4 derivative[4]) {
     const Vec4 s = 1.0 - t, tt = t * t, ss = s * s;
@@ -51,8 +53,8 @@ inline void expand(const Vec4& t, Vec4 value[4], Vec4 derivative[4]) {
     }
 }
 
-// An axis whose weights are divided, at the points of a block: of R those of p₀, p₂ and p₃, of S
-// those of p₀ and p₃, and the factors c₁, c′₁ and e₂.
+// The divided weights of one axis at the points of a block. r: those of p₀, p₂ and p₃ in R. s:
+// those of p₀ and p₃ in S. value, derivative, rest: the factors c₁, c′₁ and e₂.
 struct DividedAxis {
     double r[3][kBlock], s[2][kBlock];
     double value[kBlock], derivative[kBlock], rest[kBlock];
@@ -82,17 +84,18 @@ inline void divide(const Vec4& t, std::size_t n, DividedAxis& axis) {
 // --- A block of points
 
 struct Block {
-    double x[3][kBlock];                 // where they are
-    std::int64_t inside[kBlock];         // all bits strictly inside the influenced zone, else none
-    std::int32_t first[kBlock];          // of the 4 × 4 × 4 control points
-    double a[4][kBlock], da[4][kBlock];  // basis along i, and its derivatives per cell
+    double x[3][kBlock];                 // the points
+    std::int64_t inside[kBlock];         // all bits set if strictly inside the zone, else 0
+    std::int32_t first[kBlock];          // the first of the 4 × 4 × 4 control points
+    double a[4][kBlock], da[4][kBlock];  // the basis along i and its derivatives per cell
     DividedAxis b, c;
-    double to[3][kBlock];                                // where they go
-    double du[3][kBlock], dv[3][kBlock], dw[3][kBlock];  // derivatives of D per cell
+    double to[3][kBlock];                                // the displaced points
+    double du[3][kBlock], dv[3][kBlock], dw[3][kBlock];  // the derivatives of D per cell
 };
 
-// Truncation after a shift by the two influenced cells is a floor: parameters inside the zone
-// exceed −2. Outside any cell will do, and rounding may not leave the grid.
+// Parameters inside the zone exceed −2, so truncation after a shift by the two influenced cells is
+// a floor. Outside the zone any cell serves; the cell is clamped so that rounding cannot leave the
+// grid.
 template <bool kDerivatives>
 inline void locate(const Grid& grid, std::size_t n, Block& block) {
     Vec4 x[3];
@@ -124,8 +127,8 @@ inline void locate(const Grid& grid, std::size_t n, Block& block) {
 
 // --- Along k and j, at one point
 
-// R along both axes, S along j of R along k, and R along j of S along k: one component's, of four
-// points, the four control points along i in each.
+// Partial sums of one component at four points; each vector holds the four control points along i.
+// rr: R along both axes. sr: S along j of R along k. rs: R along j of S along k.
 struct Partial {
     Vec4 rr[4], sr[4], rs[4];
 };
@@ -206,7 +209,7 @@ inline void sum_four(const Grid& grid, std::size_t n, Block& block) {
     }
 }
 
-// Points past the last are the first once more.
+// The last group of four is filled up with copies of the first point.
 template <bool kDerivatives>
 inline void evaluate(const Grid& grid, const Vec3* points, std::size_t count, Block& block) {
     for (std::size_t n = 0; n < count; ++n) {
@@ -227,8 +230,8 @@ inline void write_positions(const Block& block, std::size_t count, Vec3* to) {
     }
 }
 
-// Equation 3: cof(J)·n, its columns the cross products of J's, and unit length. What has no
-// direction becomes zero; where J is the identity, and outside, n stays.
+// Equation 3: cof(J)·n, normalised. The columns of cof(J) are the cross products of those of J. An
+// image without a direction becomes zero. Where J is the identity and outside the zone, n is kept.
 inline void write_normals(const Grid& grid, const Block& block, std::size_t count,
                           const float* __restrict normals, float* __restrict transformed) {
     const double hx = grid.inverse_cell.x, hy = grid.inverse_cell.y, hz = grid.inverse_cell.z;
@@ -248,7 +251,7 @@ inline void write_normals(const Grid& grid, const Block& block, std::size_t coun
         const double z =
             nx * (vx * wy - vy * wx) + ny * (wx * uy - wy * ux) + nz * (ux * vy - uy * vx);
         const double squared = x * x + y * y + z * z;
-        // NaN or zero where there is none: the square is beyond numbers, or nothing.
+        // Infinite or NaN if the image has no direction: its square is 0 or overflows.
         const double scale = 1.0 / std::sqrt(squared);
         const bool has_direction = (squared > 0.0) & (squared <= kLargest);
         const bool is_identity = (ux == 1.0) & (uy == 0.0) & (uz == 0.0) & (vx == 0.0) &

@@ -8,8 +8,8 @@
 namespace pectin {
 namespace {
 
-// How many moves are evaluated at a time, on the stack.
-constexpr std::size_t kFewMoves = 8, kMovesAtATime = 512;
+// How many weights are evaluated at a time, on the stack. It does not change the results.
+constexpr std::size_t kSmallBatch = 8, kLargeBatch = 512;
 
 template <std::size_t batch>
 void weights_in_batches(const DragField& field, const Symmetry& symmetry, const Vec3& x,
@@ -42,25 +42,25 @@ Mat3 MirrorPlane::image_of_jacobian(Mat3 j) const {
 
 void symmetric_weights(const DragField& field, const Symmetry& symmetry, const Vec3& x,
                        std::span<DragWeight> out) {
-    assert(out.size() == field.move_count() && symmetry.parity.size() == out.size());
+    assert(out.size() == field.weight_count() && symmetry.parity.size() == out.size());
     std::fill(out.begin(), out.end(), DragWeight{});
     const Vec3 mirrored = symmetry.plane.image(x);
     if (!field.lattice().influences(x) && !field.lattice().influences(mirrored)) return;
-    if (out.size() <= kFewMoves) {
-        weights_in_batches<kFewMoves>(field, symmetry, x, out);
+    if (out.size() <= kSmallBatch) {
+        weights_in_batches<kSmallBatch>(field, symmetry, x, out);
     } else {
-        weights_in_batches<kMovesAtATime>(field, symmetry, x, out);
+        weights_in_batches<kLargeBatch>(field, symmetry, x, out);
     }
 }
 
-Lattice image(const MirrorPlane& plane, const Lattice& lattice) {
+Lattice mirror_image(const MirrorPlane& plane, const Lattice& lattice) {
     Lattice mirrored = lattice;
     const Vec3 last = lattice.rest(lattice.deformable - 1);
     mirrored.origin[plane.axis] = plane.image(last)[plane.axis];
     return mirrored;
 }
 
-LatticeField image(const MirrorPlane& plane, const LatticeField& field) {
+LatticeField mirror_image(const MirrorPlane& plane, const LatticeField& field) {
     const Lattice& lattice = field.lattice();
     std::vector<Vec3> displacements(lattice.control_count());
     for (int k = 0; k < lattice.deformable.z; ++k) {
@@ -73,7 +73,7 @@ LatticeField image(const MirrorPlane& plane, const LatticeField& field) {
             }
         }
     }
-    return {image(plane, lattice), std::move(displacements)};
+    return {mirror_image(plane, lattice), std::move(displacements)};
 }
 
 }  // namespace pectin

@@ -1,15 +1,16 @@
-// Symmetry about a plane: drags and pins are met on both sides in one solve.
+// Symmetry about a plane: handles and pins are met on both sides in one solve.
 //
-// Let M mirror the plane, L be the lattice of a drag and M(L) its mirror image. The field is
-// D(x) = D_L(x) + M D_L(Mx), the sum of both lattices' with mirrored displacements. It is symmetric
-// whatever the lattice, keeps the brush local (two brushes where the points are far apart, one
-// where they meet) and covers a symmetric cage, where both lattices are the same.
+// Let M be the reflection in the plane, L the lattice of a drag, and M(L) its mirror image. The
+// field is D(x) = D_L(x) + M D_L(Mx), the sum of the fields of both lattices with mirrored
+// displacements. It is symmetric for any lattice. A brush stays local: it is two brushes where the
+// handle and its image are far apart, and one where they meet. A symmetric cage, for which both
+// lattices are the same, needs no other treatment.
 //
-// Within the plane D_L(x) and D_L(Mx) add up, across it they subtract. So a constraint at q has an
-// even row, b(q) + b(Mq), for the components within the plane, and an odd one, b(q) − b(Mq), for
-// the component across it: two independent minimum-norm problems with half the unknowns, each
-// solved exactly. On the plane the odd row and every odd weight vanish, to the bit: it stays where
-// it is.
+// Within the plane D_L(x) and D_L(Mx) add up, and across it they are subtracted. So a constraint at
+// q has an even row, b(q) + b(Mq), for the components within the plane, and an odd row,
+// b(q) − b(Mq), for the component across it. These are two independent minimum-norm problems with
+// half the unknowns each, and both are solved exactly. On the plane the odd row and all odd weights
+// are exactly zero, so points of the plane stay on it.
 #pragma once
 
 #include <optional>
@@ -41,9 +42,9 @@ struct MirrorPlane {
         mirrored.max[axis] = 2.0 * at - box.min[axis];
         return mirrored;
     }
-    // M J M.
+    // Returns M J M.
     Mat3 image_of_jacobian(Mat3 j) const;
-    // How far a point lies beyond the plane, with a sign.
+    // The signed distance of a point from the plane.
     double offset(const Vec3& point) const { return point[axis] - at; }
     Vec3 onto(Vec3 point) const {
         point[axis] = at;
@@ -52,23 +53,24 @@ struct MirrorPlane {
     bool operator==(const MirrorPlane&) const = default;
 };
 
-// What makes a drag field symmetric: the plane, and of every move whether its weights add up (+1,
-// within the plane) or subtract (−1, across it).
+// What makes a drag field symmetric: the plane, and for each weight whether the values on both
+// sides add up (+1, within the plane) or are subtracted (−1, across it).
 struct Symmetry {
     MirrorPlane plane;
-    std::vector<double> parity;  // field.move_count()
+    std::vector<double> parity;  // field.weight_count()
 };
 
-// w(x) = f(x) ± f(Mx) and its gradient, in double until the end. out: field.move_count(). A point
-// and its image get mirrored weights, to the bit.
+// Computes w(x) = f(x) ± f(Mx) and its gradient in double and rounds them once. out:
+// field.weight_count(). A point and its image get mirrored weights bit for bit.
 void symmetric_weights(const DragField& field, const Symmetry& symmetry, const Vec3& x,
                        std::span<DragWeight> out);
 
-Lattice image(const MirrorPlane& plane, const Lattice& lattice);
-LatticeField image(const MirrorPlane& plane, const LatticeField& field);
+Lattice mirror_image(const MirrorPlane& plane, const Lattice& lattice);
+LatticeField mirror_image(const MirrorPlane& plane, const LatticeField& field);
 
-// Points nearer to the plane than this share of a cell lie on it: they are far below what a hand
-// places, and as a pair the lattice could not tell them apart.
+// Points that are nearer to the plane than this fraction of a cell count as on the plane. The
+// distance is much less than a hand can aim for, and the lattice could not tell such a point from
+// its image.
 inline constexpr double kOnPlaneFraction = 1e-6;
 
 }  // namespace pectin

@@ -1,10 +1,11 @@
-// Loops written with the compiler's own vectors, in a version for each width of vector that the
-// machine may have. All versions round alike: no multiplication is fused with an addition.
+// Selects among versions of loops that are written with the compiler's vector types, one version
+// for each instruction set. All versions round alike, since none fuses a multiplication with an
+// addition.
 #pragma once
 
 #include <cstdint>
 
-// Versions for AVX2 and AVX-512 are compiled beside the plain one.
+// Set if versions for AVX2 and AVX-512 are compiled beside the plain one.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__)
 #define PECTIN_HAS_WIDE_VERSIONS 1
 #else
@@ -13,10 +14,10 @@
 
 namespace pectin {
 
-// The versions, from the narrowest to the widest: vectors of 16, 32 and 64 bytes.
+// The instruction sets, with vectors of 16, 32 and 64 bytes.
 enum class Vectors : std::uint8_t { plain, avx2, avx512 };
 
-// The widest that the machine that this runs on has.
+// The widest vectors of the machine on which this runs.
 inline Vectors widest_vectors() {
 #if PECTIN_HAS_WIDE_VERSIONS
     if (__builtin_cpu_supports("avx512f") != 0) return Vectors::avx512;

@@ -48,7 +48,8 @@ bool sides_meet_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& box)
     const Vec3 centre = box.centre();
     const Vec3 half = 0.5 * box.extent();
     Vec3 p = a - centre, q = b - centre, r = c - centre;
-    // The same answer from whichever corner the triangle is told: the normal below rounds by order.
+    // Starts with the least corner, since the rounding of the normal below depends on the order.
+    // The answer is then the same for all three orders of the corners.
     const auto before = [](const Vec3& x, const Vec3& y) {
         return std::tie(x.x, x.y, x.z) < std::tie(y.x, y.y, y.z);
     };

@@ -1,4 +1,6 @@
-// Axis-aligned boxes and the exact test of a triangle against one.
+// Axis-aligned boxes, and the test of a triangle against one.
+// Source: C. Ericson. Real-Time Collision Detection. Morgan Kaufmann 2005; T. Akenine-Möller. Fast
+// 3D Triangle-Box Overlap Testing. Journal of Graphics Tools 6(1), 2001.
 #pragma once
 
 #include <limits>
@@ -7,7 +9,7 @@
 
 namespace pectin {
 
-// A closed axis-aligned box; empty (min > max) until something is included.
+// A closed axis-aligned box. It is empty (min > max) until something is included.
 struct Box {
     Vec3 min{std::numeric_limits<double>::infinity()};
     Vec3 max{-std::numeric_limits<double>::infinity()};
@@ -37,12 +39,12 @@ struct Box {
         return min.x <= p.x && p.x <= max.x && min.y <= p.y && p.y <= max.y && min.z <= p.z &&
                p.z <= max.z;
     }
-    // Strictly inside: the border of the influenced zone does not move, so it is outside.
+    // For influenced zones, whose border does not move.
     bool contains_strictly(const Vec3& p) const {
         return min.x < p.x && p.x < max.x && min.y < p.y && p.y < max.y && min.z < p.z &&
                p.z < max.z;
     }
-    // 0 inside; infinite where the box is empty.
+    // 0 for a point inside, and infinite for an empty box.
     double squared_distance(const Vec3& p) const {
         const Vec3 outside = glm::max(glm::max(min - p, p - max), Vec3{0.0});
         return glm::dot(outside, outside);
@@ -50,13 +52,12 @@ struct Box {
     bool operator==(const Box&) const = default;
 };
 
-// The point of the closed triangle abc that is nearest to p (Ericson, Real-Time Collision
-// Detection, 2005, section 5.1.5).
+// The point of the closed triangle abc that is nearest to p (Ericson 2005, section 5.1.5).
 Vec3 nearest_on_triangle(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c);
 
-// Whether the closed triangle abc and the closed box have a point in common, where no corner is in
-// the box. Separating axes: 3 of the box, the triangle's normal, 9 cross products (Akenine-Möller,
-// Fast 3D Triangle-Box Overlap Testing, 2001).
+// Whether the closed triangle abc and the closed box have a point in common. Precondition: no
+// corner is in the box. Tests the separating axes of Akenine-Möller 2001: 3 of the box, the normal
+// of the triangle, and 9 cross products.
 bool sides_meet_box(const Vec3& a, const Vec3& b, const Vec3& c, const Box& box);
 
 // Whether the closed triangle abc and the closed box have a point in common.

@@ -8,13 +8,14 @@
 namespace pectin {
 namespace {
 
-// |sin| of the angle between view and up below which "up" is lost in rounding.
+// The least sine of the angle between the view direction and `up`. Rounding decides below it.
 constexpr double kLeastTilt = 1e-6;
-// 24 bits of depth resolve 1e-3 of an object at a near end of this share of the far one.
+// The least near distance as a fraction of the far one. A depth buffer of 24 bits then still
+// resolves 1e-3 of an object.
 constexpr double kLeastNear = 1e-4;
-// Room that fit leaves about the object.
+// The margin that fit() leaves around the object, as a factor.
 constexpr double kFitMargin = 1.14;
-// cos of the steepest view that an orbit may reach: 0.6 degrees off up and down.
+// The largest sine of the pitch of an orbit: 0.6 degrees from straight up and down.
 constexpr double kSteepest = 0.99995;
 
 double half_height(const Camera& camera) { return std::tan(glm::radians(camera.fov) / 2.0); }
@@ -90,7 +91,7 @@ DepthRange depth_range(const Camera& camera, const Box& box) {
         least = std::min(least, depth);
         most = std::max(most, depth);
     }
-    // Rounding must not clip a box that is a plane.
+    // The slack keeps rounding from clipping a flat box.
     const double slack = 1e-3 * (most - least) + 1e-6 * std::abs(most);
     if (!(most + slack > 0.0)) return {};  // all of it is behind the eye
     return {std::max(least - slack, kLeastNear * (most + slack)), most + slack};
@@ -106,8 +107,8 @@ Camera fit(std::span<const Vec3> points, double aspect, const Vec3& direction, d
     const Vec3 target = box.centre(), back = glm::normalize(direction);
     const Vec3 up = std::abs(back.y) > kSteepest ? Vec3{0.0, 0.0, -back.y} : Vec3{0.0, 1.0, 0.0};
     Camera camera{.eye = target + back, .target = target, .up = up, .fov = fov};
-    // A point (x, y, z), z towards the eye at (ex, ey, d), is seen where |x - ex| <= (d - z) tan
-    // and the same for y: so the extremes of z tan + x and z tan - x say where the eye has to be.
+    // With z towards the eye, a point (x, y, z) is visible from (ex, ey, d) if |x - ex| <= (d - z)
+    // tan, and likewise for y. So the extremes of z tan + x and z tan - x determine the eye.
     const Vec3 right = camera.right(), true_up = camera.true_up();
     const double tan_y = half_height(camera) / kFitMargin, tan_x = tan_y * aspect;
     const double none = -std::numeric_limits<double>::infinity();

@@ -7,7 +7,7 @@
 
 namespace pectin {
 
-// The shortest decimal that reads back as the same number.
+// The shortest decimal number that is read back as the same double.
 std::string decimal(double number);
 // "(x, y, z)"
 std::string decimal(const Vec3& v);

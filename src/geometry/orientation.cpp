@@ -7,7 +7,7 @@
 namespace pectin {
 namespace {
 
-// A sum of doubles without rounding: components in increasing order that do not overlap.
+// An exact sum of doubles, as components of increasing size that do not overlap.
 class ExactSum {
   public:
     // Adds x * y (Shewchuk 1997, sections 2.4 and 2.5).

@@ -22,10 +22,10 @@
 namespace pectin {
 namespace {
 
-// ThreadSanitizer cannot see how TBB, which is built without it, orders a loop before and after its
-// pieces. It is told here: all before fork() comes before all after enter(), and all before leave()
-// before all after join(). Pieces are not ordered among themselves. In other builds this does
-// nothing.
+// Tells ThreadSanitizer how TBB, which is built without it, orders the pieces of a loop: everything
+// before fork() happens before everything after enter(), and everything before leave() happens
+// before everything after join(). Pieces are not ordered among themselves. In other builds this
+// does nothing.
 struct LoopOrder {
 #ifdef PECTIN_THREAD_SANITIZER
     static inline char begin = 0, end = 0;
@@ -41,13 +41,14 @@ struct LoopOrder {
 #endif
 };
 
-// How many more threads the system lets this process have now, up to those of the machine. TBB ends
-// the program where it cannot start a thread that it counts on, so it is asked before, once.
+// The number of further threads that the system lets this process start now, up to those of the
+// machine. TBB ends the program if it cannot start a thread that it expects, so this is found out
+// once before TBB starts any.
 std::size_t available_threads() {
     const std::size_t wanted = std::max(1u, std::thread::hardware_concurrency()) - 1;
     std::mutex starting;
     std::vector<std::jthread> threads;
-    const std::scoped_lock all_at_once(starting);  // released first, so that all end
+    const std::scoped_lock all_at_once(starting);  // released first, so that the threads can end
     try {
         while (threads.size() < wanted) {
             threads.emplace_back([&] { const std::scoped_lock wait(starting); });
@@ -57,11 +58,12 @@ std::size_t available_threads() {
     return threads.size();
 }
 
-// Starting threads takes some milliseconds; where fewer come than were asked for, work goes on.
+// The longest time to wait for threads, which normally start within some milliseconds. Afterwards
+// the program continues with fewer threads.
 constexpr std::chrono::milliseconds kLongestStart{500};
 
-// Has TBB start its threads now, since later there may be no memory for their stacks, and waits
-// until each of them has come to work.
+// Makes TBB start its threads now, since later there may be no memory for their stacks, and waits
+// until all of them have begun to work.
 void start_threads(std::size_t threads) {
     const auto most = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     const std::size_t expected = std::min(threads, most);
@@ -78,14 +80,16 @@ void start_threads(std::size_t threads) {
         tbb::simple_partitioner());
 }
 
-// Keeps TBB to the threads there are; nothing where the system sets no limit below the machine's.
+// Limits TBB to the threads that can be started. Returns null if the system sets no limit below the
+// number of the machine.
 const tbb::global_control* limit_threads() {
     const std::size_t threads = 1 + available_threads();
     if (threads >= std::thread::hardware_concurrency()) {
         start_threads(threads);
         return nullptr;
     }
-    // Never destroyed: TBB would start the threads at the program's end.
+    // Never destroyed, since without the limit TBB would start the threads at the end of the
+    // program.
     const auto* const limit =
         new tbb::global_control(tbb::global_control::max_allowed_parallelism, threads);
     if (threads > 1) start_threads(threads);

@@ -1,4 +1,4 @@
-// Work on the elements of flat arrays, on all threads where there is enough of it.
+// Parallel loops over the elements of flat arrays.
 #pragma once
 
 #include <array>
@@ -9,16 +9,17 @@
 
 namespace pectin {
 
-// Elements that one thread takes at a time. Starting others costs some microseconds, in which a
-// streaming pass does a few thousand.
+// The number of elements that one thread takes at a time. Starting other threads costs some
+// microseconds, in which a streaming pass handles a few thousand elements.
 inline constexpr std::uint32_t kPiece = 8192;
 
 using Piece = std::function<void(std::uint32_t first, std::uint32_t end)>;
 void for_pieces_on_all_threads(std::uint32_t first, std::uint32_t end, std::uint32_t piece,
                                const Piece& work);
 
-// Calls work(first, end) for pieces of [first, end), in no order. No piece may touch what another
-// writes, so the result does not depend on the number of threads.
+// Calls work(first, end) for pieces of [first, end), in no particular order, and on all threads if
+// there are more than two pieces. Precondition: no piece accesses what another one writes. The
+// result then does not depend on the number of threads.
 template <typename Work>
 void for_pieces(std::uint32_t first, std::uint32_t end, const Work& work,
                 std::uint32_t piece = kPiece) {
@@ -29,10 +30,10 @@ void for_pieces(std::uint32_t first, std::uint32_t end, const Work& work,
     }
 }
 
-// Calls work(item) for each, one thread for each at most; the same threads take the same ones from
-// call to call if they can, so that what they touched is still in their caches. Where memory for
-// this is short, the calling thread does what is not done yet; so work that does not throw is done,
-// and work that throws std::bad_alloc is tried once more.
+// Calls work(item) for each item, each on one thread. If possible a thread gets the same items in
+// every call, so that their data is still in its cache. If there is no memory to start the threads,
+// the calling thread handles the remaining items. So work that does not throw is always done, and
+// work that throws std::bad_alloc is tried once more.
 template <typename Item, std::size_t count, typename Work>
 void for_each_concurrently(std::array<Item, count>& items, const Work& work) {
     std::array<bool, count> done{};

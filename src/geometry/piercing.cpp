@@ -28,7 +28,7 @@ double squared_distance(const Vec3& p, const Vec3& q, const Vec3& r, const Vec3&
     const Vec3 u = q - p, v = s - r, w = p - r;
     const double uu = squared(u), vv = squared(v), uv = glm::dot(u, v), uw = glm::dot(u, w),
                  vw = glm::dot(v, w);
-    // Where the lines are nearest, then each end where the other segment ends before.
+    // The nearest points of the two lines, each clamped to its segment.
     const double parallel = uu * vv - uv * uv;
     double along = parallel > 0.0 ? std::clamp((uv * vw - uw * vv) / parallel, 0.0, 1.0) : 0.0;
     double other = vv > 0.0 ? (uv * along + vw) / vv : 0.0;

@@ -7,7 +7,8 @@
 namespace pectin {
 namespace {
 
-// Ize, Robust BVH Ray Traversal, JCGT 2013: two roundings each way.
+// T. Ize. Robust BVH Ray Traversal. Journal of Computer Graphics Techniques 2(2), 2013: two
+// rounding errors in each direction.
 constexpr double kOutwards = 1.0 + 4.0 * std::numeric_limits<double>::epsilon();
 
 int largest_axis(const Vec3& v) {
@@ -16,7 +17,7 @@ int largest_axis(const Vec3& v) {
     return size.y >= size.z ? 1 : 2;
 }
 
-// The triangle's corner seen along the ray: sheared so that the ray is the z axis.
+// Maps points to a space that is sheared so that the ray is the z axis.
 class RaySpace {
   public:
     explicit RaySpace(const Ray& ray) : origin_(ray.origin) {
@@ -58,7 +59,7 @@ std::optional<RayInterval> intersect(const Ray& ray, const Box& box) {
 std::optional<RayHit> intersect(const Ray& ray, const Vec3& a, const Vec3& b, const Vec3& c) {
     const RaySpace in_ray_space(ray);
     const Vec3 p = in_ray_space(a), q = in_ray_space(b), r = in_ray_space(c);
-    // Each is the exact negative of what the triangle beyond that edge computes.
+    // Each is the exact negative of what the triangle on the other side of that edge computes.
     const double u = r.x * q.y - r.y * q.x;
     const double v = p.x * r.y - p.y * r.x;
     const double w = q.x * p.y - q.y * p.x;

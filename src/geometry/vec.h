@@ -1,4 +1,4 @@
-// Vectors of the whole program: double for positions, float for normals and texture coordinates.
+// The vector types of the program: double for positions, float for normals and texture coordinates.
 #pragma once
 
 #include <cmath>
@@ -19,7 +19,7 @@ inline bool is_finite(const Vec3& v) {
     return std::isfinite(v.x) && std::isfinite(v.y) && std::isfinite(v.z);
 }
 
-// The unit vector along v; zero where v has no direction (zero, or its square is beyond numbers).
+// The unit vector along v; zero if v has no direction (it is zero, or its square is not finite).
 inline Vec3 unit_or_zero(const Vec3& v) {
     const double squared = glm::dot(v, v);
     const bool has_direction = squared > 0.0 && std::isfinite(squared);

@@ -1,4 +1,4 @@
-// Arrays as bytes: what they hold and whether they hold the same.
+// Memory and bitwise equality of arrays.
 #pragma once
 
 #include <cstddef>
@@ -20,7 +20,7 @@ std::size_t capacity_bytes(const GrowingArray<T>& v) {
     return v.capacity() * sizeof(T);
 }
 
-// Bitwise, for types without padding: NaN equals itself and -0 differs from 0.
+// Bitwise equality, for types without padding: NaN equals itself and -0 differs from 0.
 template <typename T>
 bool same_bytes(const T& x, const T& y) {
     static_assert(std::is_trivially_copyable_v<T>);

@@ -10,7 +10,7 @@
 namespace pectin {
 namespace {
 
-// New ids for those that are live, in the order of the old ones.
+// The new ids of the elements that are added, in the order of the calls.
 template <typename Id>
 class Renumbering {
   public:
@@ -28,17 +28,6 @@ class Renumbering {
     std::uint32_t count_ = 0;
 };
 
-// values[old] for each old id that has a new one, at the new one.
-template <typename T, typename Id>
-GrowingArray<T> gathered(const GrowingArray<T>& values, const Renumbering<Id>& ids) {
-    GrowingArray<T> result;
-    result.resize(values.empty() ? 0 : ids.count());
-    for (std::uint32_t i = 0; i < values.size(); ++i) {
-        if (exists(ids[Id{i}])) result[index(ids[Id{i}])] = values[i];
-    }
-    return result;
-}
-
 }  // namespace
 
 class MeshBaker {
@@ -54,8 +43,7 @@ class MeshBaker {
 
     Baked bake() {
         number();
-        take_attributes();
-        take_connectivity();
+        take_columns();
         take_polygons();
         take_elements();
         take_seams();
@@ -64,17 +52,29 @@ class MeshBaker {
 
   private:
     void number();
-    void take_attributes();
-    void take_connectivity();
+    void take_columns();
+    template <typename Columns>
+    void gather(SlotTable<Columns>& to, const SlotTable<Columns>& from,
+                const Renumbering<typename Columns::Id>& ids) const;
     void take_polygons();
     void take_outline(const PolygonWalk& polygon);
     void take_elements();
     void take_seams();
     void add_unused_vertex(VertexId v);
     void take_colors(std::span<const Vec3f> colors);
+
+    // A value of a column, with new ids in place of old ones.
+    template <typename T>
+    T renumbered(const T& attribute) const {
+        return attribute;
+    }
+    EdgeId renumbered(EdgeId e) const { return edges_[e]; }
     HalfEdgeId renumbered(HalfEdgeId h) const {
         if (!exists(h)) return h;
         return HalfEdgeId{3 * index(faces_[TriMesh::face(h)]) + index(h) % 3};
+    }
+    HalfEdge renumbered(const HalfEdge& h) const {
+        return {vertices_[h.origin], renumbered(h.twin), wedges_[h.wedge], edges_[h.edge]};
     }
 
     const TriMesh& from_;
@@ -105,38 +105,39 @@ void MeshBaker::number() {
     }
 }
 
-void MeshBaker::take_attributes() {
+void MeshBaker::take_columns() {
     to_.base_vertices_ = vertices_.count();
-    to_.positions_ = gathered(from_.positions_, vertices_);
-    to_.colors_ = gathered(from_.colors_, vertices_);
-    to_.deformed_ = gathered(from_.deformed_, vertices_);
-    to_.vertex_levels_.assign(vertices_.count(), 0);
-    to_.normals_ = gathered(from_.normals_, wedges_);
-    to_.uvs_ = gathered(from_.uvs_, wedges_);
-    to_.edge_levels_.assign(edges_.count(), 0);
+    gather(to_.vertices_, from_.vertices_, vertices_);
+    gather(to_.wedges_, from_.wedges_, wedges_);
+    gather(to_.edges_, from_.edges_, edges_);
+    gather(to_.faces_, from_.faces_, faces_);
+    to_.vertices_.levels.assign(vertices_.count(), 0);
+    to_.edges_.levels.assign(edges_.count(), 0);
+    for (std::uint32_t f = 0; f < faces_.count(); ++f) to_.faces_.bases[f] = FaceId{f};
 }
 
-void MeshBaker::take_connectivity() {
-    to_.half_edges_.resize(3 * std::size_t{faces_.count()});
-    to_.face_bases_.resize(faces_.count());
-    for (FaceId f : pieces_.all()) {
-        to_.face_bases_[index(faces_[f])] = faces_[f];
-        for (int c = 0; c < 3; ++c) {
-            const HalfEdgeId h = TriMesh::half_edge(f, c);
-            to_.half_edges_[index(renumbered(h))] = {
-                vertices_[from_.origin(h)], renumbered(from_.twin(h)), wedges_[from_.wedge(h)],
-                edges_[from_.edge(h)]};
-        }
-    }
-    to_.vertex_half_edges_ = gathered(from_.vertex_half_edges_, vertices_);
-    to_.edge_half_edges_ = gathered(from_.edge_half_edges_, edges_);
-    for (HalfEdgeId& h : to_.vertex_half_edges_) h = renumbered(h);
-    for (HalfEdgeId& h : to_.edge_half_edges_) h = renumbered(h);
-    to_.siblings_ = gathered(from_.siblings_, edges_);
-    for (EdgeId& e : to_.siblings_) e = edges_[e];
+// Copies the rows of all slots that have a new id.
+template <typename Columns>
+void MeshBaker::gather(SlotTable<Columns>& to, const SlotTable<Columns>& from,
+                       const Renumbering<typename Columns::Id>& ids) const {
+    Columns::for_each_column(
+        [&](const auto& column, auto& new_values, const auto& old_values) {
+            if (old_values.empty()) return;
+            new_values.resize(column.per_slot * ids.count());
+            for (std::uint32_t i = 0; i < from.slots(); ++i) {
+                const auto id = ids[typename Columns::Id{i}];
+                if (!exists(id)) continue;
+                for (std::size_t k = 0; k < column.per_slot; ++k) {
+                    new_values[column.per_slot * index(id) + k] =
+                        renumbered(old_values[column.per_slot * i + k]);
+                }
+            }
+        },
+        to, from);
 }
 
-// polygons_[p]: how many new polygons come before those of old polygon p; filled up as p goes by.
+// Numbers the new polygons. polygons_[p] becomes the number of new polygons before those of old
+// polygon p.
 void MeshBaker::take_polygons() {
     to_.form_.parts = from_.form_.parts;
     to_.form_.material_libraries = from_.form_.material_libraries;
@@ -163,7 +164,7 @@ void MeshBaker::take_polygons() {
 
 void MeshBaker::take_outline(const PolygonWalk& polygon) {
     for (OutlineCorner corner : polygon.outline()) {
-        if (corner.is_loose()) {  // of a base vertex, which keeps its id
+        if (corner.is_loose()) {  // its vertex is a base vertex, which keeps its id
             std::vector<LooseCorner>& loose = to_.form_.loose_corners;
             loose.push_back(from_.form_.loose_corners[corner.loose_index()]);
             corner = OutlineCorner::loose(static_cast<std::uint32_t>(loose.size() - 1));
@@ -184,8 +185,8 @@ void MeshBaker::take_elements() {
     }
 }
 
-// Vertices that have been inserted along seams become as many as a save would write; those that the
-// faces do not use come last.
+// A vertex that was inserted along a seam becomes as many vertices as a save would write. Those
+// that no face uses come last.
 void MeshBaker::take_seams() {
     const UnsharedSeams& seams = from_.form_.seams;
     if (seams.is_empty()) return;
@@ -210,20 +211,21 @@ void MeshBaker::take_seams() {
 
 void MeshBaker::take_colors(std::span<const Vec3f> colors) {
     for (std::uint32_t v = 0; v < from_.vertex_slots(); ++v) {
-        if (exists(vertices_[VertexId{v}])) to_.colors_[index(vertices_[VertexId{v}])] = colors[v];
+        if (exists(vertices_[VertexId{v}]))
+            to_.vertices_.colors[index(vertices_[VertexId{v}])] = colors[v];
     }
     const std::span<const Vec3f> added = colors.subspan(from_.vertex_slots());
-    std::copy(added.begin(), added.end(), to_.colors_.begin() + vertices_.count());
+    std::copy(added.begin(), added.end(), to_.vertices_.colors.begin() + vertices_.count());
 }
 
-// A vertex without faces at v.
+// Adds a vertex without faces at the position of v.
 void MeshBaker::add_unused_vertex(VertexId v) {
     to_.form_.seams.representatives.push_back(vertices_[v]);
-    to_.positions_.push_back(from_.position(v));
-    if (from_.has_colors()) to_.colors_.push_back(from_.color(v));
-    to_.deformed_.push_back(from_.is_deformed(v) ? 1 : 0);
-    to_.vertex_levels_.push_back(0);
-    to_.vertex_half_edges_.push_back(kNone<HalfEdgeId>);
+    to_.vertices_.positions.push_back(from_.position(v));
+    if (from_.has_colors()) to_.vertices_.colors.push_back(from_.color(v));
+    to_.vertices_.deformed.push_back(from_.is_deformed(v) ? 1 : 0);
+    to_.vertices_.levels.push_back(0);
+    to_.vertices_.half_edges.push_back(kNone<HalfEdgeId>);
     ++to_.base_vertices_;
 }
 

@@ -17,7 +17,7 @@
 namespace pectin {
 namespace {
 
-// The values as an array that grows; they are given up.
+// Copies the values into a GrowingArray and frees the vector.
 template <typename T>
 GrowingArray<T> taken(std::vector<T>& values) {
     GrowingArray<T> result(values);
@@ -67,7 +67,7 @@ class MeshBuilder {
     void make_wedges();
     void keep_elements();
 
-    HalfEdge& half(HalfEdgeId h) { return mesh_.half_edges_[index(h)]; }
+    HalfEdge& half(HalfEdgeId h) { return mesh_.faces_.half_edges[index(h)]; }
     std::uint32_t vertex(std::uint32_t corner) const { return input_.corners[corner].position; }
 
     IndexedFaceSet input_;
@@ -75,23 +75,23 @@ class MeshBuilder {
     TriMesh mesh_;
     BuildReport report_;
     std::vector<std::uint32_t> corner_of_;  // 3 n_faces; into input_.corners
-    std::vector<HalfEdgeId> cut_;           // half-edges along cuts, run by run
-    std::vector<std::size_t> cut_ends_;     // of the runs
+    std::vector<HalfEdgeId> cut_;           // half-edges along cuts, one run after another
+    std::vector<std::size_t> cut_ends_;     // end of each run in cut_
     std::vector<HalfEdgeId> seams_;         // half-edges along unshared seams
-    std::optional<Vec3> mirror_centre_;     // found where the first polygon needs it
+    std::optional<Vec3> mirror_centre_;     // computed when the first polygon needs it
 
-    std::vector<std::uint32_t> ring_;  // scratch of add_polygon: corners without repetition
+    std::vector<std::uint32_t> ring_;  // scratch of add_polygon: corners without repetitions
     std::vector<Vec3> ring_positions_;
     std::vector<std::array<std::uint32_t, 3>> triangles_;
     std::vector<OutlineCorner> ring_corners_;
 };
 
 void MeshBuilder::take_input() {
-    mesh_.positions_ = taken(input_.positions);
-    mesh_.colors_ = taken(input_.colors);
+    mesh_.vertices_.positions = taken(input_.positions);
+    mesh_.vertices_.colors = taken(input_.colors);
     mesh_.form_.parts = std::move(input_.parts);
     mesh_.form_.material_libraries = std::move(input_.material_libraries);
-    mesh_.base_vertices_ = static_cast<std::uint32_t>(mesh_.positions_.size());
+    mesh_.base_vertices_ = static_cast<std::uint32_t>(mesh_.vertices_.positions.size());
 }
 
 void MeshBuilder::make_faces() {
@@ -101,12 +101,12 @@ void MeshBuilder::make_faces() {
     mesh_.base_faces_.reserve(triangles);
     for (std::uint32_t p = 0; p < input_.polygon_count(); ++p) add_polygon(p);
 
-    mesh_.half_edges_.resize(corner_of_.size());
+    mesh_.faces_.half_edges.resize(corner_of_.size());
     for (std::size_t i = 0; i < corner_of_.size(); ++i) {
-        mesh_.half_edges_[i].origin = VertexId{vertex(corner_of_[i])};
+        mesh_.faces_.half_edges[i].origin = VertexId{vertex(corner_of_[i])};
     }
-    mesh_.face_bases_.resize(mesh_.base_faces_.size());
-    for (std::uint32_t f = 0; f < mesh_.base_face_count(); ++f) mesh_.face_bases_[f] = FaceId{f};
+    mesh_.faces_.bases.resize(mesh_.base_faces_.size());
+    for (std::uint32_t f = 0; f < mesh_.base_face_count(); ++f) mesh_.faces_.bases[f] = FaceId{f};
 }
 
 void MeshBuilder::add_polygon(std::uint32_t polygon) {
@@ -131,8 +131,8 @@ void MeshBuilder::add_polygon(std::uint32_t polygon) {
     }
 }
 
-// Of the polygon without corners that follow one at the same vertex. Notes in ring_corners_ which
-// half-edge, if any, has each corner of the ring.
+// Triangulates the polygon without corners that repeat the vertex of the corner before. Records in
+// ring_corners_ which half-edge, if any, each corner of the ring has.
 void MeshBuilder::add_triangles(std::uint32_t polygon) {
     ring_.clear();
     ring_positions_.clear();
@@ -144,8 +144,9 @@ void MeshBuilder::add_triangles(std::uint32_t polygon) {
     constexpr std::uint32_t kNobody = 0;
     ring_corners_.assign(ring_.size(), OutlineCorner::loose(kNobody));
     if (ring_.size() < 3) return;
-    for (std::uint32_t c : ring_) ring_positions_.push_back(mesh_.positions_[vertex(c)]);
-    if (ring_.size() > 3 && !mirror_centre_) mirror_centre_ = mirror_centre(mesh_.positions_);
+    for (std::uint32_t c : ring_) ring_positions_.push_back(mesh_.vertices_.positions[vertex(c)]);
+    if (ring_.size() > 3 && !mirror_centre_)
+        mirror_centre_ = mirror_centre(mesh_.vertices_.positions);
     if (!triangulate(ring_positions_, triangles_, mirror_centre_.value_or(Vec3{0.0}))) {
         ++report_.crossing_polygons;
     }
@@ -161,7 +162,8 @@ void MeshBuilder::add_triangles(std::uint32_t polygon) {
     }
 }
 
-// After add_triangles: all corners in input order, those that no triangle has as loose ones.
+// Records all corners in input order; those that no triangle has are loose. Precondition:
+// add_triangles() has been called for this polygon.
 void MeshBuilder::add_outline(std::uint32_t polygon) {
     InputForm& form = mesh_.form_;
     form.outlines.push_back({polygon, input_.polygon_part[polygon],
@@ -187,12 +189,13 @@ LooseCorner MeshBuilder::loose_corner(const Corner& corner) const {
     return loose;
 }
 
-// Half-edges sorted by their lower vertex (counting sort), then within it by the upper one.
+// Sorts the half-edges by their lower vertex (counting sort), then by their upper one, and matches
+// those that have both in common.
 void MeshBuilder::match_twins() {
-    const auto count = static_cast<std::uint32_t>(mesh_.half_edges_.size());
+    const auto count = static_cast<std::uint32_t>(mesh_.faces_.half_edges.size());
     const auto lower = [&](HalfEdgeId h) { return std::min(mesh_.origin(h), mesh_.target(h)); };
     const auto upper = [&](HalfEdgeId h) { return std::max(mesh_.origin(h), mesh_.target(h)); };
-    std::vector<std::uint32_t> first(mesh_.positions_.size() + 1, 0);
+    std::vector<std::uint32_t> first(mesh_.vertices_.positions.size() + 1, 0);
     for (std::uint32_t h = 0; h < count; ++h) ++first[index(lower(HalfEdgeId{h})) + 1];
     std::partial_sum(first.begin(), first.end(), first.begin());
     std::vector<HalfEdgeId> sorted(count);
@@ -212,8 +215,8 @@ void MeshBuilder::match_twins() {
     }
 }
 
-// All half-edges between one pair of vertices: two that run in opposite directions are twins;
-// anything else but a single one is no manifold and becomes a cut.
+// `run`: all half-edges between one pair of vertices. Two that run in opposite directions are
+// twins. A single one is a boundary. Anything else is non-manifold and becomes a cut.
 void MeshBuilder::match_run(std::span<const HalfEdgeId> run) {
     if (run.size() == 1) return;
     if (run.size() == 2 && mesh_.origin(run[0]) != mesh_.origin(run[1])) {
@@ -226,18 +229,20 @@ void MeshBuilder::match_run(std::span<const HalfEdgeId> run) {
     cut_ends_.push_back(cut_.size());
 }
 
-// Where a diagonal has the ends of another edge, the other diagonal of its two triangles is tried.
+// Replaces diagonals that have the same ends as another edge by the other diagonal of their two
+// triangles, where that helps.
 void MeshBuilder::exchange_diagonals() {
     if (cut_.empty()) return;
     std::vector<std::uint32_t> polygons;
     polygons.reserve(mesh_.base_faces_.size());
     for (const auto& face : mesh_.base_faces_) polygons.push_back(face.polygon);
-    const std::vector<std::uint32_t> changed = exchange_shared_diagonals(
-        input_, mesh_.positions_, mirror_centre_.value_or(Vec3{0.0}), polygons, cut_, corner_of_);
+    const std::vector<std::uint32_t> changed =
+        exchange_shared_diagonals(input_, mesh_.vertices_.positions,
+                                  mirror_centre_.value_or(Vec3{0.0}), polygons, cut_, corner_of_);
     if (changed.empty()) return;
     for (std::uint32_t polygon : changed) renew_outline(polygon);
     for (std::size_t i = 0; i < corner_of_.size(); ++i) {
-        mesh_.half_edges_[i] = {.origin = VertexId{vertex(corner_of_[i])}};
+        mesh_.faces_.half_edges[i] = {.origin = VertexId{vertex(corner_of_[i])}};
     }
     report_.misoriented_edges = report_.nonmanifold_edges = 0;
     cut_.clear();
@@ -266,9 +271,10 @@ void MeshBuilder::renew_outline(std::uint32_t polygon) {
     }
 }
 
-// Joins sides that coincide without sharing vertices; cuts then include those among them.
+// Joins boundary edges that coincide without sharing vertices. The cuts then include theirs.
 void MeshBuilder::join_unshared() {
-    std::optional<JoinedSeams> joined = join_seams(mesh_.positions_, mesh_.half_edges_);
+    std::optional<JoinedSeams> joined =
+        join_seams(mesh_.vertices_.positions, mesh_.faces_.half_edges);
     if (!joined) return;
     report_.seams = joined->seams;
     report_.seam_edges = joined->edges;
@@ -281,16 +287,16 @@ void MeshBuilder::join_unshared() {
 
 void MeshBuilder::make_edges() {
     // Each inner edge has two half-edges.
-    mesh_.edge_half_edges_.reserve(mesh_.half_edges_.size() / 2 + cut_.size());
-    for (std::uint32_t i = 0; i < mesh_.half_edges_.size(); ++i) {
+    mesh_.edges_.half_edges.reserve(mesh_.faces_.half_edges.size() / 2 + cut_.size());
+    for (std::uint32_t i = 0; i < mesh_.faces_.half_edges.size(); ++i) {
         const HalfEdgeId h{i};
         if (exists(half(h).edge)) continue;
-        const EdgeId e{static_cast<std::uint32_t>(mesh_.edge_half_edges_.size())};
-        mesh_.edge_half_edges_.push_back(h);
+        const EdgeId e{static_cast<std::uint32_t>(mesh_.edges_.half_edges.size())};
+        mesh_.edges_.half_edges.push_back(h);
         half(h).edge = e;
         if (exists(half(h).twin)) half(half(h).twin).edge = e;
     }
-    mesh_.edge_levels_.assign(mesh_.edge_half_edges_.size(), 0);
+    mesh_.edges_.levels.assign(mesh_.edges_.half_edges.size(), 0);
     std::vector<EdgeId>& seam_edges = mesh_.form_.seams.edges;
     for (const HalfEdgeId h : seams_) seam_edges.push_back(half(h).edge);
     std::sort(seam_edges.begin(), seam_edges.end());
@@ -299,34 +305,35 @@ void MeshBuilder::make_edges() {
 
 void MeshBuilder::join_siblings() {
     if (cut_.empty()) return;
-    mesh_.siblings_.resize(mesh_.edge_half_edges_.size());
-    for (std::uint32_t e = 0; e < mesh_.siblings_.size(); ++e) mesh_.siblings_[e] = EdgeId{e};
+    mesh_.edges_.siblings.resize(mesh_.edges_.half_edges.size());
+    for (std::uint32_t e = 0; e < mesh_.edges_.siblings.size(); ++e)
+        mesh_.edges_.siblings[e] = EdgeId{e};
     std::size_t begin = 0;
     for (std::size_t end : cut_ends_) {
         for (std::size_t i = begin; i < end; ++i) {
             const HalfEdgeId next = cut_[i + 1 < end ? i + 1 : begin];
-            mesh_.siblings_[index(half(cut_[i]).edge)] = half(next).edge;
+            mesh_.edges_.siblings[index(half(cut_[i]).edge)] = half(next).edge;
         }
         begin = end;
     }
 }
 
 void MeshBuilder::name_vertices() {
-    mesh_.vertex_half_edges_.assign(mesh_.positions_.size(), kNone<HalfEdgeId>);
-    mesh_.vertex_levels_.assign(mesh_.positions_.size(), 0);
-    mesh_.deformed_.assign(mesh_.positions_.size(), 0);
-    for (std::uint32_t i = static_cast<std::uint32_t>(mesh_.half_edges_.size()); i-- > 0;) {
-        mesh_.vertex_half_edges_[index(mesh_.half_edges_[i].origin)] = HalfEdgeId{i};
+    mesh_.vertices_.half_edges.assign(mesh_.vertices_.positions.size(), kNone<HalfEdgeId>);
+    mesh_.vertices_.levels.assign(mesh_.vertices_.positions.size(), 0);
+    mesh_.vertices_.deformed.assign(mesh_.vertices_.positions.size(), 0);
+    for (std::uint32_t i = static_cast<std::uint32_t>(mesh_.faces_.half_edges.size()); i-- > 0;) {
+        mesh_.vertices_.half_edges[index(mesh_.faces_.half_edges[i].origin)] = HalfEdgeId{i};
     }
 }
 
 void MeshBuilder::make_wedges() {
     CornerWedges wedges = corner_wedges(mesh_, input_, corner_of_, options_);
-    for (std::size_t h = 0; h < mesh_.half_edges_.size(); ++h) {
-        mesh_.half_edges_[h].wedge = wedges.of_half_edge[h];
+    for (std::size_t h = 0; h < mesh_.faces_.half_edges.size(); ++h) {
+        mesh_.faces_.half_edges[h].wedge = wedges.of_half_edge[h];
     }
-    mesh_.normals_ = taken(wedges.normals);
-    mesh_.uvs_ = taken(wedges.uvs);
+    mesh_.wedges_.normals = taken(wedges.normals);
+    mesh_.wedges_.uvs = taken(wedges.uvs);
 }
 
 void MeshBuilder::keep_elements() {

@@ -1,4 +1,4 @@
-// From polygons as a file or a shape has them to a TriMesh.
+// Builds a TriMesh from the polygons of a file or a shape.
 #pragma once
 
 #include <cstdint>
@@ -10,8 +10,8 @@
 namespace pectin {
 
 struct BuildOptions {
-    // Corners without a normal get one: smooth by corner angle across edges whose faces turn by
-    // at most this much, in degrees. Not used where smoothing groups say what is smooth.
+    // In degrees. Corners without a normal share one across edges whose faces' normals differ by
+    // at most this much. Not used if the input has smoothing groups.
     double crease_angle = 45.0;
 };
 
@@ -20,15 +20,15 @@ struct BuiltMesh {
     BuildReport report;
 };
 
-// Positions become base vertices in input order, triangles base faces in input order. Corners
-// at one vertex whose normal and texture coordinate are the same share a wedge. Two half-edges
-// that run in opposite directions are twins; edges with more faces, or with two that disagree on
-// direction, are cut: their half-edges become boundaries and siblings. Where the ends of a boundary
-// edge coincide with those of other edges without being shared, they are joined at the vertex with
-// the lowest index (UnsharedSeams), and the edges are then twins or siblings in the same way.
-// Polygons keep their corners in InputForm; those without surface, lines and points are there
-// alone. Precondition: indices in range, positions finite, fewer than 2^31 corners of triangles.
-// Cost: O(n log n) at worst, O(n) where no vertex has many faces.
+// Positions become base vertices, and triangles base faces, in input order. Corners at one vertex
+// with the same normal and texture coordinate share a wedge. Two half-edges that run in opposite
+// directions are twins. Edges with more than two faces, or with two faces that disagree on the
+// direction, are cut: their half-edges become boundaries, and their edges siblings. Where the ends
+// of a boundary edge coincide with those of other edges without being shared, they are joined at
+// the vertex with the lowest index (UnsharedSeams), and the edges become twins or siblings by the
+// same rule. InputForm keeps the corners of polygons, and also polygons without surface, lines and
+// points. Precondition: indices in range, positions finite, fewer than 2^31 corners of triangles.
+// Cost: O(n log n) at worst, O(n) if no vertex has many faces.
 BuiltMesh build_mesh(IndexedFaceSet input, const BuildOptions& options = {});
 
 }  // namespace pectin

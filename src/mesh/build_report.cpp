@@ -9,7 +9,7 @@
 namespace pectin {
 namespace {
 
-// Triangles on the same three vertices have all their edges cut, so only those are compared.
+// All edges of triangles on the same three vertices are cut, so only such triangles are compared.
 std::uint32_t count_duplicates(const TriMesh& mesh) {
     std::vector<std::array<VertexId, 3>> faces;
     for (std::uint32_t f = 0; f < mesh.base_face_count(); ++f) {
@@ -29,7 +29,7 @@ std::uint32_t count_duplicates(const TriMesh& mesh) {
     return static_cast<std::uint32_t>(faces.end() - distinct);
 }
 
-// Of the vertex of an outgoing half-edge, how many corners hang together with it.
+// The number of corners that are connected with an outgoing half-edge of a vertex.
 std::uint32_t corners_in_sheet(const TriMesh& mesh, HalfEdgeId first) {
     std::uint32_t count = 1;
     HalfEdgeId twin = mesh.twin(first);
@@ -37,7 +37,7 @@ std::uint32_t corners_in_sheet(const TriMesh& mesh, HalfEdgeId first) {
         if (TriMesh::next(twin) == first) return count;
         ++count;
     }
-    // An open sheet: the other way round, too.
+    // The sheet is open, so walk in the other direction, too.
     for (twin = mesh.twin(TriMesh::prev(first)); exists(twin);
          twin = mesh.twin(TriMesh::prev(twin))) {
         ++count;
@@ -45,8 +45,8 @@ std::uint32_t corners_in_sheet(const TriMesh& mesh, HalfEdgeId first) {
     return count;
 }
 
-// Whether the faces at v use it in place of other vertices of the input, where sheets share it
-// although those of the input do not; or whether v is one of those.
+// Whether v represents other vertices of the input, so that sheets share it which do not share a
+// vertex in the input; or whether v is one of the vertices that another represents.
 std::vector<bool> joined_vertices(const TriMesh& mesh) {
     const std::vector<VertexId>& representatives = mesh.input_form().seams.representatives;
     std::vector<bool> is_joined(mesh.vertex_slots(), false);

@@ -9,10 +9,10 @@
 namespace pectin {
 namespace {
 
-// Something that faces may share: a vertex in a zone (twice), or the two ends of an edge.
+// What connects faces: a vertex in a zone (named twice), or the two ends of an edge.
 struct SharedElement {
     VertexId first, second;
-    std::size_t face;  // into the faces
+    std::size_t face;  // index into the faces
 };
 
 bool meets_any(const Vec3& a, const Vec3& b, std::span<const Box> zones) {

@@ -1,4 +1,4 @@
-// The part of a surface that hangs together inside the zones of a drag.
+// The connected part of a surface inside the zones of a drag.
 #pragma once
 
 #include <span>
@@ -9,11 +9,11 @@
 
 namespace pectin {
 
-// Of `faces` (live, sorted, those that meet the zones) the ones that can be reached from `seeds`
-// (any faces; those that are not among `faces` reach nothing) without leaving the zones: across an
-// edge that meets a zone, or across a vertex strictly inside one, where sheets may touch that have
-// no edge in common. So every face at a vertex that moves is in, or none is. Sorted.
-// Cost: O(n log n) in the faces.
+// Returns the faces among `faces` that can be reached from `seeds` without leaving the zones,
+// sorted. A step leads across an edge that meets a zone, or across a vertex strictly inside one,
+// since sheets without a common edge may touch there. Hence either all faces at a moving vertex are
+// included, or none is. `faces`: live, sorted, those that meet the zones. `seeds`: any faces; those
+// that are not among `faces` are ignored. Cost: O(n log n) in the faces.
 std::vector<FaceId> connected_part(const TriMesh& mesh, std::span<const FaceId> faces,
                                    std::span<const FaceId> seeds, std::span<const Box> zones);
 

@@ -19,7 +19,7 @@ double corner_angle(const TriMesh& mesh, HalfEdgeId h) {
     return std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v));
 }
 
-// Half-edges by their origin: a counting sort.
+// Groups the half-edges by their origin, with a counting sort.
 class OutgoingHalfEdges {
   public:
     explicit OutgoingHalfEdges(const TriMesh& mesh)
@@ -32,7 +32,7 @@ class OutgoingHalfEdges {
             half_edges_[at[index(mesh.origin(HalfEdgeId{h}))]++] = HalfEdgeId{h};
         }
     }
-    // In ascending order.
+    // The outgoing half-edges of a vertex, in ascending order.
     std::span<const HalfEdgeId> of(std::uint32_t vertex) const {
         return std::span(half_edges_).subspan(first_[vertex], first_[vertex + 1] - first_[vertex]);
     }
@@ -42,7 +42,7 @@ class OutgoingHalfEdges {
     std::vector<HalfEdgeId> half_edges_;
 };
 
-// Normals of the corners round one vertex after the other.
+// Computes the normals of the corners around one vertex at a time.
 class SmoothNormals {
   public:
     SmoothNormals(const TriMesh& mesh, std::span<const std::uint32_t> corner_of,
@@ -58,7 +58,7 @@ class SmoothNormals {
         }
     }
 
-    // corners: all outgoing half-edges of one vertex, ascending. out: as many.
+    // corners: all outgoing half-edges of one vertex, ascending. out: one normal per corner.
     void find(std::span<const HalfEdgeId> corners, std::vector<Vec3f>& out) {
         parent_.resize(corners.size());
         std::iota(parent_.begin(), parent_.end(), 0u);
@@ -76,7 +76,7 @@ class SmoothNormals {
     }
 
   private:
-    // Corners that see one normal, as a disjoint-set forest.
+    // Joins the corners that share a normal, as a disjoint-set forest.
     std::uint32_t root(std::uint32_t i) {
         while (parent_[i] != i) i = parent_[i] = parent_[parent_[i]];
         return i;
@@ -89,13 +89,13 @@ class SmoothNormals {
         join(i, static_cast<std::uint32_t>(other - corners.begin()));
     }
 
-    // A corner of a polygon is one, also where a cut runs between its triangles.
+    // The triangles of a polygon share its corner, also where a cut runs between them.
     void join_pieces_of_corners(std::span<const HalfEdgeId> corners) {
         const auto polygon = [&](HalfEdgeId h) { return mesh_.polygon(TriMesh::face(h)); };
         const auto neighbours = std::adjacent_find(
             corners.begin(), corners.end(),
             [&](HalfEdgeId x, HalfEdgeId y) { return polygon(x) == polygon(y); });
-        if (neighbours == corners.end()) return;  // of triangles
+        if (neighbours == corners.end()) return;  // the mesh has only triangles
         by_input_corner_.resize(corners.size());
         std::iota(by_input_corner_.begin(), by_input_corner_.end(), 0u);
         const auto input_corner = [&](std::uint32_t i) { return corner_of_[index(corners[i])]; };
@@ -119,7 +119,7 @@ class SmoothNormals {
             return group != 0 && group == mesh_.part(g).smoothing_group;
         }
         const Vec3 &nf = face_normals_[index(f)], &ng = face_normals_[index(g)];
-        // A face without area has no direction of its own to turn by.
+        // A face without area has no normal to measure the crease angle with.
         const bool flat = nf == Vec3{0.0} || ng == Vec3{0.0};
         return flat || glm::dot(nf, ng) >= smooth_cosine_;
     }
@@ -133,7 +133,7 @@ class SmoothNormals {
     std::vector<Vec3> sums_;
 };
 
-// Finds the wedges of one vertex after the other by their values.
+// Assigns wedges to the corners of one vertex at a time, by their values.
 class WedgeFinder {
   public:
     explicit WedgeFinder(CornerWedges& wedges, bool with_uvs)
@@ -163,7 +163,7 @@ class WedgeFinder {
     }
 
   private:
-    // Beyond as many corners a search one by one takes too long.
+    // With more corners than this, a hash table is faster than a linear search.
     static constexpr std::size_t kFew = 32;
     struct Value {
         Vec3f normal;

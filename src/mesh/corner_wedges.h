@@ -1,4 +1,6 @@
-// Wedges for the corners of a mesh under construction, with normals where the input has none.
+// Assigns wedges to the corners of a mesh under construction, and computes missing normals.
+// Source: G. Thürmer, C. A. Wüthrich. Computing Vertex Normals from Polygonal Facets. Journal of
+// Graphics Tools 3 (1998).
 #pragma once
 
 #include <cstdint>
@@ -18,13 +20,14 @@ struct CornerWedges {
     std::vector<Vec2f> uvs;             // n_wedges, or empty where the input has none
 };
 
-// Corners at one vertex share a wedge if their normals and texture coordinates are the same; wedges
-// lie in memory as their vertices do. A corner's normal is the input's where it has one, else the
-// mean of the faces round the vertex, weighted by corner angle (Thürmer & Wüthrich 1998), over
-// those joined to it across smooth edges. An edge is smooth if it lies inside a polygon, if its
-// faces share a smoothing group (other than 0), or, where the input has no smoothing groups, turn
-// by at most options.crease_angle. `mesh`: faces, twins and positions are set. `corner_of`: 3
-// n_faces, into input.corners. Cost: O(n log n) at worst, O(n) where no vertex has many corners.
+// Corners at one vertex share a wedge if their normals and texture coordinates are the same. Wedges
+// are ordered by vertex. A corner's normal is that of the input if it has one. Otherwise it is the
+// mean of the normals of the faces around the vertex that are connected to the corner's face across
+// smooth edges, weighted by corner angle (Thürmer & Wüthrich 1998). An edge is smooth if it lies
+// inside a polygon; if its faces share a smoothing group other than 0; or, where the input has no
+// smoothing groups, if its faces' normals differ by at most options.crease_angle. `mesh`: faces,
+// twins and positions are set. `corner_of`: 3 n_faces, index into input.corners.
+// Cost: O(n log n) at worst, O(n) if no vertex has many corners.
 CornerWedges corner_wedges(const TriMesh& mesh, const IndexedFaceSet& input,
                            std::span<const std::uint32_t> corner_of, const BuildOptions& options);
 

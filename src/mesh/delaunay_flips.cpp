@@ -10,10 +10,10 @@
 namespace pectin {
 namespace {
 
-// Sines that are smaller are zero.
+// Smaller sines count as zero.
 constexpr double kEqual = 1e-7;
-// Flips end by themselves, but some polygons need n^2 of them. Each pass is ended after so many for
-// each triangle.
+// The flips terminate by themselves, but some polygons need n^2 of them. Each pass ends after this
+// number of flips per triangle.
 constexpr std::size_t kMostFlips = 64;
 
 constexpr std::uint32_t kNone = std::numeric_limits<std::uint32_t>::max();
@@ -23,7 +23,7 @@ class Flipper {
     Flipper(const FlatPolygon& polygon, std::vector<CornerTriangle>& triangles)
         : polygon_(polygon), triangles_(triangles), twin_(3 * triangles.size(), kNone) {}
 
-    // Each triangle with those behind it.
+    // Adds the triangles one by one, from the last to the first, and flips among those added.
     std::size_t flip() {
         link_twins();
         const std::size_t most = kMostFlips * triangles_.size();
@@ -42,8 +42,8 @@ class Flipper {
         return flips;
     }
 
-    // Cuts anew what lies on one circle, where that has more than one triangulation. Returns
-    // whether anything does.
+    // Triangulates again the groups of triangles whose corners lie on one circle, since they have
+    // several Delaunay triangulations. Returns whether there are any.
     bool cut_circles() {
         std::vector<bool> is_tied(twin_.size(), false), is_met(triangles_.size(), false);
         bool any_tied = false;
@@ -60,12 +60,12 @@ class Flipper {
     }
 
   private:
-    // Half-edge 3 t + k runs from corner k of triangle t to the next.
+    // Half-edge 3 t + k runs from corner k of triangle t to the next corner.
     static std::uint32_t next(std::uint32_t h) { return h % 3 == 2 ? h - 2 : h + 1; }
     static std::uint32_t prev(std::uint32_t h) { return h % 3 == 0 ? h + 2 : h - 1; }
     std::uint32_t& origin(std::uint32_t h) { return triangles_[h / 3][h % 3]; }
     std::uint32_t origin(std::uint32_t h) const { return triangles_[h / 3][h % 3]; }
-    // Each pair of corners has the two half-edges of one diagonal or the one of a side.
+    // Between a pair of corners there are two half-edges (a diagonal) or one (a side).
     void link_twins() {
         std::vector<std::pair<std::pair<std::uint32_t, std::uint32_t>, std::uint32_t>> sorted;
         for (std::uint32_t h = 0; h < twin_.size(); ++h) {
@@ -82,12 +82,12 @@ class Flipper {
         if (h != kNone) twin_[h] = g;
     }
 
-    //       c            The diagonal h = ab, seen from c in its own triangle and from d in the
-    //     /   \          other one.
+    //       c            Compares the angles opposite to the diagonal h = ab: at c in its own
+    //     /   \          triangle, and at d in the other one.
     //    a --- b
     //     \   /
     //       d
-    // Negative where the angles there sum to more than two right angles.
+    // Returns the sine of their sum: negative if it is more than two right angles.
     double sine_of_sum(std::uint32_t h) const {
         const std::uint32_t a = origin(h), b = origin(next(h)), c = origin(prev(h)),
                             d = origin(prev(twin_[h]));
@@ -106,7 +106,7 @@ class Flipper {
         return orientation(q[c], q[a], q[d]) > 0 && orientation(q[d], q[b], q[c]) > 0;
     }
 
-    // abc and bad become dca (in the slot of abc) and cdb.
+    // Replaces abc and bad by dca (in the slot of abc) and cdb.
     void flip(std::uint32_t h) {
         const std::uint32_t g = twin_[h];
         const std::uint32_t bc = twin_[next(h)], ca = twin_[prev(h)];
@@ -124,7 +124,7 @@ class Flipper {
         }
     }
 
-    // The triangles that hang together with t across tied diagonals.
+    // The triangles that are connected with t across tied diagonals.
     std::vector<std::uint32_t> joined_to(std::uint32_t t, const std::vector<bool>& is_tied,
                                          std::vector<bool>& is_met) const {
         std::vector<std::uint32_t> members{t};
@@ -138,7 +138,7 @@ class Flipper {
         }
         return members;
     }
-    // Their corners in order.
+    // The corners of the group of triangles, in order.
     std::vector<std::uint32_t> outline_of(const std::vector<std::uint32_t>& members,
                                           const std::vector<bool>& is_tied) const {
         const auto next_outside = [&](std::uint32_t h) {
@@ -172,7 +172,7 @@ class Flipper {
 
     const FlatPolygon& polygon_;
     std::vector<CornerTriangle>& triangles_;
-    std::vector<std::uint32_t> twin_;  // n_half_edges; none at sides of the polygon
+    std::vector<std::uint32_t> twin_;  // one per half-edge; none on the polygon's sides
     std::vector<std::uint32_t> waiting_;
 };
 
@@ -181,7 +181,7 @@ class Flipper {
 std::size_t flip_to_delaunay(const FlatPolygon& polygon, std::vector<CornerTriangle>& triangles) {
     Flipper flipper(polygon, triangles);
     std::size_t flips = flipper.flip();
-    // What seems to lie on one circle, quad by quad, may lie on a curve.
+    // Corners that lie on one circle quad by quad, up to the tolerance, may lie on another curve.
     if (flipper.cut_circles()) flips += Flipper(polygon, triangles).flip();
     return flips;
 }

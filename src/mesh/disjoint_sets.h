@@ -1,4 +1,6 @@
 // Disjoint sets of indices.
+// Source: R. E. Tarjan, J. van Leeuwen. Worst-case analysis of set union algorithms. Journal of the
+// ACM 31 (1984).
 #pragma once
 
 #include <algorithm>
@@ -8,8 +10,7 @@
 
 namespace pectin {
 
-// With path halving (R. E. Tarjan, J. van Leeuwen. Worst-case analysis of set union algorithms.
-// Journal of the ACM 31 (1984)); the lowest index represents its set.
+// Uses path halving (Tarjan & van Leeuwen 1984). The lowest index of a set represents it.
 class DisjointSets {
   public:
     explicit DisjointSets(std::size_t count) : parent_(count) {

@@ -12,11 +12,11 @@
 namespace pectin {
 namespace {
 
-// What an ear may be, from what simple polygons have to what is left of those that cross
-// themselves.
+// The rules for what counts as an ear, from strict ones, which suffice for simple polygons, to
+// those for the remainder of a polygon that intersects itself.
 enum class Rule { proper, touched, flat, any };
 
-// Polygons that do not cross themselves never need a rule to be eased as often as this.
+// Polygons that do not intersect themselves never need to relax the rule as often as this.
 constexpr int kMostEasings = 16;
 
 class EarClipper {
@@ -64,8 +64,8 @@ class EarClipper {
         return orientation(point(prev_[i]), point(i), point(next_[i]));
     }
 
-    // Makes a ring of the corners. Returns a tree of those that are not convex: where any corner
-    // lies in a triangle, one of these does.
+    // Makes a ring of the corners. Returns a tree of the corners that are not convex: if any corner
+    // lies in an ear's triangle, one of these does.
     PointTree link_corners() {
         const auto n = static_cast<std::uint32_t>(polygon_.points.size());
         for (std::uint32_t i = 0; i < n; ++i) {
@@ -81,7 +81,7 @@ class EarClipper {
         return {polygon_.points, std::move(blockers)};
     }
 
-    // Whether nothing is left between the sides at i: the corner was convex and has become flat.
+    // Whether corner i, which was convex, has become flat, with no area between its sides.
     bool is_spike(std::uint32_t i) const { return !is_blocker_[i] && turn(i) == 0; }
 
     void push(std::uint32_t tip) {
@@ -104,7 +104,8 @@ class EarClipper {
         if (blockers_.is_empty() || turned == 0) return true;
         const std::uint32_t before = prev_[i], after = next_[i];
         const Vec2 &a = point(before), &b = point(i), &c = point(after);
-        const int least = rule_ == Rule::proper ? 0 : 1;  // whether points on a side are in the way
+        const int least =
+            rule_ == Rule::proper ? 0 : 1;  // whether a point on a side blocks the ear
         return !blockers_.any_near({a, b, c}, steps_, [&](std::uint32_t r) {
             const Vec2& p = point(r);
             if (p == a) return leads_between(r, b, c);
@@ -114,8 +115,8 @@ class EarClipper {
                    orientation(c, a, p) >= least;
         });
     }
-    // Whether a side at corner r leads into the open angle from `first` counter-clockwise to
-    // `second`, which is less than two right angles.
+    // Whether a side at corner r leads into the open angle counter-clockwise from `first` to
+    // `second`. Precondition: the angle is less than two right angles.
     bool leads_between(std::uint32_t r, const Vec2& first, const Vec2& second) const {
         const auto lies_between = [&](const Vec2& p) {
             return orientation(point(r), first, p) > 0 && orientation(second, point(r), p) > 0;
@@ -145,7 +146,7 @@ class EarClipper {
         blockers_.remove(i);
     }
 
-    // No corner is an ear by the present rule.
+    // Called if no corner is an ear by the current rule.
     void ease_rule() {
         if (has_clipped_ && rule_ != Rule::proper && easings_ < kMostEasings) {
             restart(Rule::proper);
@@ -163,17 +164,17 @@ class EarClipper {
     }
 
     const FlatPolygon& polygon_;
-    std::size_t most_steps_, steps_ = 0;  // of the search for corners in the way of ears
+    std::size_t most_steps_, steps_ = 0;  // nodes visited in searches for blocking corners
     std::vector<std::uint32_t> next_, prev_;
-    std::vector<std::uint32_t> version_;  // an ear of an earlier version is out of date
+    std::vector<std::uint32_t> version_;  // ears of an earlier version are out of date
     std::vector<bool> is_blocker_;
     std::size_t left_;
     PointTree blockers_;
     std::priority_queue<Ear, std::vector<Ear>, std::greater<>> ears_;
     std::vector<CornerTriangle> triangles_;
-    std::uint32_t last_ = 0;  // a corner that is left
+    std::uint32_t last_ = 0;  // a corner that has not been cut off
     Rule rule_ = Rule::proper;
-    bool has_clipped_ = false;  // since the rule was changed
+    bool has_clipped_ = false;  // since the last change of the rule
     int easings_ = 0;
 };
 

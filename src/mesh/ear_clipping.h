@@ -1,4 +1,5 @@
-// A polygon of the plane cut into triangles by its ears.
+// Triangulates a plane polygon by ear clipping.
+// Source: G. H. Meisters. Polygons have ears. American Mathematical Monthly 82 (1975).
 #pragma once
 
 #include <array>
@@ -17,19 +18,17 @@ using CornerTriangle = std::array<std::uint32_t, 3>;  // indices of a polygon's 
 struct FlatPolygon {
     std::vector<Vec2> points;          // counter-clockwise
     std::vector<Vec3> in_space;        // the same corners, for lengths
-    std::vector<Vec3> in_plane;        // moved into the polygon's plane, for angles
-    std::vector<std::uint32_t> order;  // n; ears of equal length are cut in ascending order of it
+    std::vector<Vec3> in_plane;        // the corners projected into the polygon's plane, for angles
+    std::vector<std::uint32_t> order;  // n; the rank by which ears of equal length are ordered
 };
 
-// n - 2 triangles whose sides are the polygon's and diagonals between its corners (G. H. Meisters.
-// Polygons have ears. American Mathematical Monthly 82 (1975)), the shortest diagonal first. All
-// decisions are exact. If no triangle turns clockwise, every point is covered as often as the
-// polygon winds about it, so that the areas add up; this holds for every polygon that does not
-// cross itself, also where it touches itself in corners or along bridges to holes. Others get the
-// right number of triangles, of which some turn clockwise.
-// Cost: O(n log n), and a search in a k-d tree for each of at most 4 n ears. Thin ears may make the
-// trees' nodes that are visited in it many more than O(n log n): above `most_steps` of them there
-// is no result.
+// Returns n - 2 triangles whose sides are sides and diagonals of the polygon. Ears with short
+// diagonals are cut first. All decisions are exact. If no triangle is clockwise, every point is
+// covered as often as the polygon winds around it, so that the areas add up. This holds for every
+// polygon that does not intersect itself, also if it touches itself in corners or along bridges to
+// holes. Other polygons get the right number of triangles, some of them clockwise. Cost: O(n log
+// n), and a search in a k-d tree for each of at most 4 n ears. Thin ears may make these searches
+// visit many more than O(n log n) nodes; beyond `most_steps` nodes there is no result.
 std::vector<CornerTriangle> clip_ears(const FlatPolygon& polygon);
 std::optional<std::vector<CornerTriangle>> clip_ears(const FlatPolygon& polygon,
                                                      std::size_t most_steps);

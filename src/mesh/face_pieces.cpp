@@ -6,7 +6,7 @@
 
 namespace pectin {
 
-// A counting sort.
+// Groups the faces by base face with a counting sort.
 FacePieces::FacePieces(const TriMesh& mesh) : first_(mesh.base_face_count() + std::size_t{1}, 0) {
     for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
         if (mesh.is_live(FaceId{i})) ++first_[index(mesh.base_face(FaceId{i})) + 1];

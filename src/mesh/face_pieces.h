@@ -1,4 +1,4 @@
-// The faces of a mesh by the base faces that they are pieces of.
+// Groups the faces of a mesh by the base faces that they are pieces of.
 #pragma once
 
 #include <cstdint>
@@ -9,13 +9,14 @@
 
 namespace pectin {
 
-// The live faces as they are when this is made, by base face, then by id: the order of a save.
+// The live faces at the time of construction, ordered by base face, then by id. A save uses this
+// order.
 class FacePieces {
   public:
     explicit FacePieces(const TriMesh& mesh);  // O(n)
 
     std::span<const FaceId> all() const { return faces_; }
-    // Those of base faces first .. end - 1.
+    // The pieces of the base faces first .. end - 1.
     std::span<const FaceId> of(std::uint32_t first, std::uint32_t end) const {
         return all().subspan(first_[first], first_[end] - first_[first]);
     }
@@ -26,22 +27,22 @@ class FacePieces {
 
   private:
     std::vector<FaceId> faces_;
-    std::vector<std::uint32_t> first_;  // n_base_faces + 1; into faces_
+    std::vector<std::uint32_t> first_;  // n_base_faces + 1; index into faces_
 };
 
-// The base faces and the outline of one input polygon after the other, in input order, also of
-// those that have no faces.
+// Iterates over the input polygons in input order, including those without faces, and gives the
+// base faces and the outline of each.
 class PolygonWalk {
   public:
     explicit PolygonWalk(const TriMesh& mesh) : mesh_(mesh) {}
 
     bool next();
 
-    // Of the present polygon.
+    // The current polygon. Precondition: next() has returned true.
     std::uint32_t polygon() const { return polygon_; }
     std::uint32_t first_face() const { return first_face_; }  // base faces first .. end - 1
     std::uint32_t end_face() const { return end_face_; }
-    bool has_outline() const { return has_outline_; }  // none: it is one triangle
+    bool has_outline() const { return has_outline_; }  // false if it is a single triangle
     std::span<const OutlineCorner> outline() const {
         return mesh_.input_form().corners(outline_end_ - 1);
     }

@@ -22,7 +22,7 @@ int longest_axis(const Box& box) {
     return extent.y >= extent.z ? 1 : 2;
 }
 
-// How much a box grows by taking in another, as half the surface area it gains.
+// The growth of a box when it includes another: half the surface area that it gains.
 double growth(const Box& box, const Box& added) {
     const auto half_area = [](const Box& b) {
         const Vec3 e = b.extent();
@@ -57,7 +57,7 @@ void FaceTree::build(const TriMesh& mesh, std::span<const FaceId> faces) {
     build_node(centres, kNoNode, mesh);
 }
 
-// Of the faces it holds and those that are new to it.
+// Rebuilds the tree with the faces it holds and those of `changed` that are new to it.
 void FaceTree::rebuild(const TriMesh& mesh, std::span<const FaceId> changed) {
     node_of_face_.resize(mesh.face_slots(), kNoNode);
     for (FaceId f : changed) {
@@ -72,7 +72,7 @@ void FaceTree::rebuild(const TriMesh& mesh, std::span<const FaceId> changed) {
 
 std::uint32_t FaceTree::build_node(std::span<FaceCentre> faces, std::uint32_t parent,
                                    const TriMesh& mesh) {
-    // Three quarters full, so that refinement does not divide every leaf at once.
+    // Leaves are filled to three quarters, so that refinement does not divide all of them at once.
     if (faces.size() <= kLeafFaces * 3 / 4) return make_leaf(faces, parent, mesh);
     Box spread;
     for (const FaceCentre& f : faces) spread.include(f.centre);
@@ -220,7 +220,7 @@ std::optional<FaceHit> FaceTree::first_hit(const Ray& ray, const TriMesh& mesh) 
         if (!node.is_leaf()) {
             push(node.left);
             push(node.right);
-            // The nearer one is looked at first: it often hides the other.
+            // Visit the nearer child first: its hit often rules out the other child.
             if (stack.size() >= 2 && stack.back().enter > stack[stack.size() - 2].enter) {
                 std::swap(stack.back(), stack[stack.size() - 2]);
             }
@@ -278,12 +278,12 @@ void FaceTree::update(std::span<const FaceId> changed, const TriMesh& mesh) {
         rebuild(mesh, changed);
         return;
     }
-    // Slots cut off by an undo: their faces leave the tree before the slots do.
+    // An undo may have removed slots. Their faces leave the tree before node_of_face_ shrinks.
     for (FaceId f : changed) {
         if (index(f) >= mesh.face_slots() || !mesh.is_live(f)) remove(f);
     }
     node_of_face_.resize(mesh.face_slots(), kNoNode);
-    // Refitting a leaf costs its way to the root: past a quarter of the mesh all at once is less.
+    // Refitting a leaf walks to the root. Beyond a quarter of the mesh, refitting all is cheaper.
     const bool all = changed.size() > mesh.face_count() / 4;
     std::vector<std::uint32_t> leaves;
     for (FaceId f : changed) {
@@ -324,7 +324,7 @@ void FaceTree::insert(FaceId f, const TriMesh& mesh) {
     }
 }
 
-// Boxes stay as they are, a little too large, until a refit.
+// Boxes are not shrunk until the next refit.
 void FaceTree::remove(FaceId f) {
     if (index(f) >= node_of_face_.size() || node_of_face_[index(f)] == kNoNode) return;
     Leaf& leaf = leaves_[nodes_[node_of_face_[index(f)]].leaf];
@@ -347,7 +347,7 @@ void FaceTree::divide_leaf(std::uint32_t node, FaceId extra, const TriMesh& mesh
     const std::span<const FaceCentre> all(faces);
     const std::size_t middle = faces.size() / 2;
     const std::uint32_t left = make_leaf(all.first(middle), node, mesh);
-    // The second half takes over the leaf that the node gives up.
+    // The second half reuses the leaf of the node, which becomes an inner node.
     const auto right = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     nodes_[right].parent = node;

@@ -1,4 +1,4 @@
-// A tree of boxes over the faces of a mesh: which faces meet a box, without looking at all.
+// A bounding-box tree over the faces of a mesh, for box, ray and nearest-face queries.
 #pragma once
 
 #include <cstddef>
@@ -14,43 +14,44 @@
 
 namespace pectin {
 
-// Where a ray meets a face.
+// The intersection of a ray with a face.
 struct FaceHit {
     FaceId face = kNone<FaceId>;
-    RayHit hit;  // barycentric over the face's half-edges' origins, in order
+    RayHit hit;  // barycentric coordinates refer to the face's corners in order
 };
 
-// Leaves hold up to kLeafFaces faces. Built by median cuts; kept up by refitting what changed,
-// and built anew once the mesh has grown to twice the size it was built for. Answers are sorted
-// by id, so they do not depend on the tree's own history, but for those in the tree's order.
+// Leaves hold up to kLeafFaces faces. The tree is built by median cuts, refitted where faces
+// change, and rebuilt when the mesh has twice as many faces as it was built for. Results are sorted
+// by id and do not depend on the tree's history, except those that are documented to be in the
+// tree's order.
 class FaceTree {
   public:
     explicit FaceTree(const TriMesh& mesh);  // O(n log n)
-    // Of these faces alone, each once; `update` adds what it is told of. O(k log k), and a word a
-    // face slot.
+    // Contains only these faces, each listed once; update() adds the faces it is given. Cost:
+    // O(k log k) time, and one word per face slot.
     FaceTree(const TriMesh& mesh, std::span<const FaceId> faces);
 
     // The live faces that have a point in common with `box`, sorted by id.
     // Cost: O(answer + log n).
     std::vector<FaceId> faces_meeting(const Box& box, const TriMesh& mesh) const;
 
-    // Its faces whose boxes meet `box`, appended, in the tree's order. Cost: O(answer + log n).
+    // Appends the faces whose boxes meet `box`, in the tree's order. Cost: O(answer + log n).
     void append_near(const Box& box, const TriMesh& mesh, std::vector<FaceId>& faces) const;
-    // visit(f, g): every two of its faces whose boxes meet, each pair once, in the tree's order,
-    // until it returns false. Cost: O(visits + n).
+    // Calls visit(f, g) for each pair of faces whose boxes meet, once per pair, in the tree's
+    // order, until it returns false. Cost: O(visits + n).
     void for_near_pairs(const TriMesh& mesh,
                         const std::function<bool(FaceId, FaceId)>& visit) const;
 
-    // The live face that the ray meets first, of those at one distance the one with the lowest id.
-    // Cost: O(log n) for a ray that meets little.
+    // The live face that the ray meets first; at equal distances the one with the lowest id.
+    // Cost: O(log n) for a ray that meets few boxes.
     std::optional<FaceHit> first_hit(const Ray& ray, const TriMesh& mesh) const;
 
-    // The live face nearest to the point, of those at one distance the one with the lowest id;
-    // none without faces. Cost: O(log n) near the surface.
+    // The live face nearest to the point; at equal distances the one with the lowest id. None if
+    // there are no faces. Cost: O(log n) near the surface.
     std::optional<FaceId> nearest(const Vec3& point, const TriMesh& mesh) const;
 
-    // To be told of every slot whose face moved, came or went. Cost: O(k log n), at most O(n); O(n
-    // log n) where it is built anew.
+    // Must be called with every slot whose face has moved, been added or been removed.
+    // Cost: O(k log n), at most O(n); O(n log n) when the tree is rebuilt.
     void update(std::span<const FaceId> changed, const TriMesh& mesh);
 
     std::size_t memory_bytes() const;
@@ -63,7 +64,7 @@ class FaceTree {
         Box box;
         std::uint32_t parent = kNoNode;
         std::uint32_t left = kNoNode, right = kNoNode;  // none in a leaf
-        std::uint32_t leaf = kNoNode;                   // into leaves_, none in an inner node
+        std::uint32_t leaf = kNoNode;                   // index into leaves_; none in an inner node
         bool is_leaf() const { return leaf != kNoNode; }
     };
     struct Leaf {
@@ -92,7 +93,7 @@ class FaceTree {
     std::vector<Node> nodes_;  // children after their parent; the root first
     std::vector<Leaf> leaves_;
     std::vector<std::uint32_t> node_of_face_;  // n_face_slots; kNoNode where not in the tree
-    std::uint32_t built_for_ = 0;              // faces of the mesh then
+    std::uint32_t built_for_ = 0;              // face count at the last build
 };
 
 }  // namespace pectin

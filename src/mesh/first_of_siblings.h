@@ -1,4 +1,4 @@
-// Edges along a cut, asked once for all of them.
+// Selects one edge of each ring of siblings during a scan.
 #pragma once
 
 #include <unordered_set>
@@ -7,8 +7,9 @@
 
 namespace pectin {
 
-// Lets of every ring of siblings the edge pass that comes first, and all other edges. While it is
-// in use nothing is split. Cost of a scan: O(edges), however many lie along one cut.
+// Returns true for the first edge of each ring of siblings that it is called with, and for every
+// edge without siblings. Precondition: no edge is split in the meantime. Cost of a scan: O(edges),
+// however many lie along one cut.
 class FirstOfSiblings {
   public:
     explicit FirstOfSiblings(const TriMesh& mesh) : mesh_(mesh) {}

@@ -1,4 +1,4 @@
-// An array that grows without being copied.
+// An array that can grow without being copied.
 #pragma once
 
 #include <algorithm>
@@ -11,20 +11,12 @@
 #include <type_traits>
 #include <utility>
 
+#include "mesh/memory_block.h"
+
 namespace pectin {
 
-inline constexpr std::size_t kHugePage = std::size_t{1} << 21;
-
-// A block of bytes, which keeps them as it grows; `size` is what it was made with, 0 with no block.
-// From a huge page on, what is written first costs a fault for each of these instead of for each
-// small page, and growing moves them by the page tables; only a last page that is not whole is
-// copied. That asks for new_size > size.
-// Null where there is no memory, and the block is then as it was.
-void* grown_block(void* block, std::size_t size, std::size_t new_size) noexcept;
-void free_block(void* block, std::size_t size) noexcept;
-
-// As std::vector, of what may be moved as bytes, in such a block.
-// Whatever makes room throws std::bad_alloc where there is none; the array is then as it was.
+// Like std::vector, for trivially copyable types, in a block of memory_block.h.
+// Functions that need memory throw std::bad_alloc if there is none; the array is then unchanged.
 template <typename T>
 class GrowingArray {
     static_assert(std::is_trivially_copyable_v<T> && alignof(T) <= alignof(std::max_align_t));
@@ -62,8 +54,8 @@ class GrowingArray {
     T& back() { return data_[size_ - 1]; }
     const T& back() const { return data_[size_ - 1]; }
 
-    // reserve: this many in all, no more. reserve_additional: so many further ones, and some ahead,
-    // so that it seldom moves what there is.
+    // reserve() makes room for `capacity` elements in all and not more. reserve_additional() makes
+    // room for `count` further ones; the capacity then grows geometrically.
     void reserve(std::size_t capacity) {
         if (capacity > capacity_) move_to(capacity);
     }
@@ -75,12 +67,12 @@ class GrowingArray {
         reserve_additional(1);
         data_[size_++] = value;
     }
-    // The same where there is room.
+    // Precondition: the capacity suffices.
     void push_back_unchecked(T value) {
         assert(size_ < capacity_);
         data_[size_++] = value;
     }
-    void grow(std::size_t count) {  // by what happens to be there
+    void grow(std::size_t count) {  // by uninitialised elements
         reserve_additional(count);
         size_ += count;
     }
@@ -101,7 +93,7 @@ class GrowingArray {
         clear();
         resize(size, value);
     }
-    void append(std::span<const T> values) {  // none of its own
+    void append(std::span<const T> values) {  // must not be part of this array
         if (values.empty()) return;
         reserve_additional(values.size());
         std::memcpy(static_cast<void*>(data_ + size_), values.data(), values.size_bytes());
@@ -111,7 +103,8 @@ class GrowingArray {
   private:
     static constexpr std::size_t kMost = std::numeric_limits<std::ptrdiff_t>::max() / sizeof(T);
 
-    // Twice as much at least, and to the end of a huge page, which comes as a whole anyway.
+    // At least doubles the capacity, and rounds large ones up to whole huge pages, which the system
+    // provides as a whole in any case.
     [[gnu::noinline]] void grow_to(std::size_t least) {
         std::size_t capacity = std::max(least, 2 * capacity_);
         if (capacity_ > 0 && capacity >= kHugePage / sizeof(T) && capacity <= kMost) {

@@ -1,4 +1,4 @@
-// Strong types for the slots of a TriMesh: a vertex is never an edge by accident.
+// Strong types for the slots of a TriMesh.
 #pragma once
 
 #include <cstdint>
@@ -11,7 +11,7 @@ enum class EdgeId : std::uint32_t {};
 enum class FaceId : std::uint32_t {};
 enum class WedgeId : std::uint32_t {};
 
-// No such element; also the largest id plus one, so a mesh holds fewer than 2^32 - 1 of each.
+// The id of no element. A mesh has at most 2^32 - 1 elements of each kind.
 template <typename Id>
 inline constexpr Id kNone = static_cast<Id>(0xffffffffu);
 

@@ -1,4 +1,4 @@
-// How the input put its surface, where triangles alone do not say: a save puts it the same way.
+// What a save needs, besides the triangles, to write the surface as the input had it.
 #pragma once
 
 #include <cstddef>
@@ -13,14 +13,14 @@
 
 namespace pectin {
 
-// A corner that no triangle has: of a polygon without surface, of a line or of points.
+// A corner without a triangle: of a polygon without surface, of a line or of points.
 struct LooseCorner {
     VertexId vertex = kNone<VertexId>;
-    Vec2f uv{0.0f};      // NaN where it has none
+    Vec2f uv{0.0f};      // NaN if it has none
     Vec3f normal{0.0f};  // unit, or 0 where undefined
 };
 
-// A corner of a polygon: that of a base face, as long as the face is not split, or a loose one.
+// A corner of a polygon: either a corner of a base face that has not been split, or a loose one.
 class OutlineCorner {
   public:
     static OutlineCorner of(HalfEdgeId h) { return OutlineCorner{index(h)}; }
@@ -28,22 +28,24 @@ class OutlineCorner {
 
     bool is_loose() const { return (bits_ & kLoose) != 0; }
     HalfEdgeId half_edge() const { return HalfEdgeId{bits_}; }
-    std::uint32_t loose_index() const { return bits_ & ~kLoose; }  // into InputForm::loose_corners
+    std::uint32_t loose_index() const {
+        return bits_ & ~kLoose;
+    }  // index into InputForm::loose_corners
     bool operator==(const OutlineCorner&) const = default;
 
   private:
-    static constexpr std::uint32_t kLoose = 0x80000000u;  // half-edges of base faces lie below
+    static constexpr std::uint32_t kLoose = 0x80000000u;  // half-edges of base faces are below this
     explicit OutlineCorner(std::uint32_t bits) : bits_(bits) {}
     std::uint32_t bits_;
 };
 
 // Seams where faces of the input meet without sharing vertices: open edges whose ends coincide with
-// those of other edges, open or not. The mesh joins them: of the vertices that coincide at an end
-// its faces use one, the representative, so that both sides move and are refined together. A save
-// gives each side vertices of its own again (UnsharedVertices).
+// those of other edges, open or not. The mesh joins them, so that both sides move and are refined
+// together: its faces use only one of the vertices that coincide, the representative. A save writes
+// separate vertices for each side again (UnsharedVertices).
 struct UnsharedSeams {
-    std::vector<VertexId> representatives;  // n_base_vertices; itself for most; empty: no seams
-    std::vector<VertexId> corner_vertices;  // 3 n_base_faces, or empty; the input's own vertices
+    std::vector<VertexId> representatives;  // n_base_vertices, or empty without seams
+    std::vector<VertexId> corner_vertices;  // 3 n_base_faces, or empty; the vertices of the input
     std::vector<EdgeId> edges;              // base edges along seams, ascending
 
     bool is_empty() const { return representatives.empty(); }
@@ -51,16 +53,16 @@ struct UnsharedSeams {
     std::size_t memory_bytes() const;
 };
 
-// Sculpting leaves all of this as it is.
+// Sculpting does not change any of this.
 struct InputForm {
     std::vector<Part> parts;
     std::vector<std::string> material_libraries;
 
-    // A polygon that is not just one triangle, in input order; most meshes of triangles have none.
+    // A polygon other than a single triangle. Outlines are in input order.
     struct Outline {
         std::uint32_t polygon = 0;        // of the input, ascending
-        std::uint32_t part = 0;           // into parts
-        std::uint32_t corners_begin = 0;  // into outline_corners; ends where the next begins
+        std::uint32_t part = 0;           // index into parts
+        std::uint32_t corners_begin = 0;  // index into outline_corners
         bool operator==(const Outline&) const = default;
     };
     std::vector<Outline> outlines;

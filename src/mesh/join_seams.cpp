@@ -48,8 +48,8 @@ class SeamJoiner {
         }
     }
 
-    // Gives vertices that lie at an end of a boundary edge and have equal positions the same site,
-    // the lowest of these vertices. Returns whether any two have one. -0 equals 0.
+    // Assigns a site to the vertices that coincide with an end of a boundary edge: the lowest
+    // vertex at the same position. Returns whether any two share a site. -0 equals 0.
     bool find_equal_positions() {
         const std::vector<std::uint32_t> vertices = vertices_at_boundary();
         site_.assign(positions_.size(), kNone);
@@ -85,8 +85,8 @@ class SeamJoiner {
         return vertices;
     }
 
-    // A face with two corners at one site would lose an edge if they were joined, so the vertices
-    // of such a face are not; those of other faces at the site are.
+    // If two corners of a face were joined, it would lose an edge. So the vertices of a face with
+    // two corners at one site are not joined; those of other faces at the site are.
     void exclude_short_faces() {
         std::vector<std::uint32_t> excluded;
         for (std::uint32_t h = 0; h < half_edges_.size(); ++h) {
@@ -98,7 +98,7 @@ class SeamJoiner {
         for (const std::uint32_t v : excluded) site_[v] = kNone;
     }
 
-    // visit(span of edges): those with the same ends, one span after the other.
+    // visit(span of edges): called for each group of edges with the same ends.
     template <typename Visit>
     static void for_each_run(std::span<const Edge> edges, Visit visit) {
         for (std::size_t begin = 0, end = 0; begin < edges.size(); begin = end) {
@@ -141,7 +141,7 @@ class SeamJoiner {
         std::sort(edges.begin(), edges.end());
         return edges;
     }
-    // The edge's own vertices, in the order of their sites.
+    // The edge's vertices in the input, in the order of their sites.
     Ends ends_by_site(const Edge& e) const {
         const std::uint32_t v = origin(e.half_edge), w = target(e.half_edge);
         return site_[v] == e.ends.first ? Ends{v, w} : Ends{w, v};
@@ -162,8 +162,8 @@ class SeamJoiner {
         return VertexId{static_cast<std::uint32_t>(vertices_.find(index(v)))};
     }
 
-    // Two boundary half-edges that run in opposite directions become twins, others that share both
-    // ends siblings.
+    // Two boundary half-edges that run in opposite directions become twins; others that share both
+    // ends become siblings.
     void match() {
         std::vector<Edge> edges;
         for (const HalfEdgeId h : boundary_) {

@@ -1,4 +1,4 @@
-// Faces that meet along an edge without sharing its vertices, joined.
+// Joins faces that meet along an edge without sharing its vertices.
 #pragma once
 
 #include <cstddef>
@@ -12,23 +12,23 @@
 namespace pectin {
 
 struct JoinedSeams {
-    std::vector<VertexId> representatives;  // as in UnsharedSeams
+    std::vector<VertexId> representatives;  // see UnsharedSeams
     std::vector<VertexId> corner_vertices;
     std::vector<HalfEdgeId> half_edges;  // along seams, ascending
     std::uint32_t seams = 0, edges = 0;  // connected runs of coinciding edges, and those edges
-    // Half-edges that are siblings, run by run: those that share both ends with another and have no
-    // twin, along seams and elsewhere.
+    // Half-edges that become siblings, one run after another: those without a twin that share both
+    // ends with another half-edge, along seams and elsewhere.
     std::vector<HalfEdgeId> cut;
     std::vector<std::size_t> cut_ends;
 };
 
-// Edges coincide where both their ends have equal positions. Where a boundary edge coincides with
-// others, their ends are joined, except vertices of a triangle that has two corners at one
-// position. half_edges (3 n_faces) are those of a mesh whose twins share both vertices; their
-// origins become the representatives, which are the lowest of the joined vertices. Two boundary
-// edges that run in opposite directions become twins; of more, or with an inner edge among them,
-// all half-edges become siblings without a twin.
-// Nothing if there is no seam. Cost: O(n log b), with b boundary edges; O(n) if there are none.
+// Edges coincide if both their ends have equal positions. The ends of a boundary edge are joined
+// with those of the edges that coincide with it, except vertices of a triangle that has two corners
+// at one position. half_edges: 3 n_faces, with twins that share both vertices; their origins become
+// the representatives, which are the lowest of the joined vertices. Two boundary edges that run in
+// opposite directions become twins. If there are more, or an inner edge is among them, all their
+// half-edges become siblings without a twin. Returns none if there is no seam. Cost: O(n log b),
+// with b boundary edges; O(n) if there are none.
 std::optional<JoinedSeams> join_seams(std::span<const Vec3> positions,
                                       std::span<HalfEdge> half_edges);
 

@@ -1,4 +1,4 @@
-// What one committed edit did to a mesh, enough to take it back and to do it again exactly.
+// The record of one committed edit of a mesh, from which it can be undone and redone exactly.
 #pragma once
 
 #include <cstddef>
@@ -26,8 +26,8 @@ class TopologyEdit {
     std::uint32_t bits_;
 };
 
-// Attributes that a gesture may change, of the elements it changed. Levels and texture
-// coordinates follow from the edits.
+// The attributes that a gesture may change, for the elements that it has changed. Levels and
+// texture coordinates follow from the edits.
 struct AttributeState {
     std::vector<VertexId> vertices;
     std::vector<Vec3> positions;         // n_vertices
@@ -45,27 +45,27 @@ struct AttributeState {
 struct MeshChange {
     SlotCounts slots_before;
     std::vector<TopologyEdit> edits;  // in the order they were made
-    AttributeState before;            // of what existed before and moved or went
-    AttributeState after;             // of what exists after and moved or came
-    std::vector<FaceId> faces;        // slots whose face moved, came or went; sorted
+    AttributeState before;      // elements that existed before and have changed or been removed
+    AttributeState after;       // elements that exist afterwards and have changed or been added
+    std::vector<FaceId> faces;  // slots whose face has changed, been added or removed; sorted
 
-    // A pinned vertex may turn where it stands, so wedges count by themselves.
+    // Wedges are tested, too: the normal of a pinned vertex may change while its position does not.
     bool is_empty() const {
         return edits.empty() && before.vertices.empty() && before.wedges.empty();
     }
     std::size_t memory_bytes() const;
 };
 
-// Precondition: `mesh` is as the change left it (undo) or found it (redo). Restores ids,
-// attributes and free lists to the byte. Cost: O(size of the change). undo() allocates nothing;
-// redo() throws std::bad_alloc where there is no memory, and the mesh is then as before.
+// Precondition: `mesh` is in the state after the change (undo) or before it (redo). Both restore
+// ids, attributes and free lists to the byte. Cost: O(size of the change). undo() allocates
+// nothing. redo() may throw std::bad_alloc; the mesh is then unchanged.
 void undo(const MeshChange& change, TriMesh& mesh) noexcept;
 void redo(const MeshChange& change, TriMesh& mesh);
 
-// The vertex that split(bc) inserted, while it is still removable.
+// The vertex that the split of bc inserted. Precondition: it is removable.
 VertexId inserted_vertex(const TriMesh& mesh, EdgeId bc);
-// Takes back edits, last first; attributes are not restored. slots_before: those of the mesh before
-// the edits. Allocates nothing.
+// Takes back edits, last first, without restoring attributes. slots_before: the slots of the mesh
+// before the edits. Allocates nothing.
 void take_back(std::span<const TopologyEdit> edits, const SlotCounts& slots_before,
                TriMesh& mesh) noexcept;
 

@@ -8,13 +8,13 @@
 
 namespace pectin {
 
-// Below this the sum of two unit normals says nothing of a direction: its ends oppose each other
-// (by more than 174 degrees), and the face normal is added.
+// If the sum of two unit normals is shorter than this, they are opposed (by more than 174 degrees)
+// and the sum gives no reliable direction, so the face normal is added.
 inline constexpr double kShortNormalSum = 0.1;
 
-// On one side of an edge: normalise(nb + nc), with the side's face normal added where that sum is
-// shorter than kShortNormalSum; 0 if all vanish. area_normal(): any positive multiple of the face
-// normal, or 0; most sums do without.
+// The normal of a midpoint on one side of an edge: normalise(nb + nc), with the unit normal of that
+// side's face added if the sum is shorter than kShortNormalSum; 0 if all vanish. area_normal():
+// returns any positive multiple of the face normal, or 0. It is called only if it is needed.
 template <std::invocable AreaNormal>
 Vec3f midpoint_normal(const Vec3f& nb, const Vec3f& nc, const AreaNormal& area_normal) {
     Vec3 sum = Vec3{nb} + Vec3{nc};

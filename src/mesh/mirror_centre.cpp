@@ -11,7 +11,7 @@
 namespace pectin {
 namespace {
 
-// Coordinates of files have six digits at least; what agrees to so much of the diagonal is equal.
+// Files have coordinates of at least six digits. Distances below this part of the diagonal are 0.
 constexpr double kEqual = 1e-6;
 
 using Cell = std::array<std::int64_t, 3>;
@@ -25,7 +25,8 @@ class ImageCounter {
         std::sort(cells_.begin(), cells_.end());
     }
 
-    // How many points have a point near their image across the plane where the axis has `middle`.
+    // The number of points that have a point near their mirror image across the plane axis =
+    // middle.
     std::size_t count(int axis, double middle) const {
         return static_cast<std::size_t>(std::count_if(points_.begin(), points_.end(), [&](Vec3 p) {
             p[axis] = 2.0 * middle - p[axis];
@@ -38,7 +39,7 @@ class ImageCounter {
         const Vec3 cells = (p - origin_) / cell_;
         return {std::llround(cells.x), std::llround(cells.y), std::llround(cells.z)};
     }
-    // Only the mirrored coordinate is not what a point's own was to the bit.
+    // Mirroring rounds only the mirrored coordinate, so the other two are compared exactly.
     bool has_near(const Vec3& p, int axis) const {
         Cell cell = cell_of(p);
         auto& along = cell[static_cast<std::size_t>(axis)];
@@ -69,7 +70,7 @@ Vec3 mirror_centre(std::span<const Vec3> points) {
     const ImageCounter images(points, box.min, equal);
     for (int axis = 0; axis < 3; ++axis) {
         if (std::abs(middle[axis]) <= equal) continue;
-        // The plane through 0 has images only where the object reaches across it.
+        // The plane through 0 can mirror points only if the object reaches across it.
         const bool crosses = box.min[axis] < 0.0 && box.max[axis] > 0.0;
         const std::size_t at_origin = crosses ? images.count(axis, 0.0) : 0;
         if (images.count(axis, middle[axis]) > at_origin) centre[axis] = middle[axis];

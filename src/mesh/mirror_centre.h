@@ -1,4 +1,4 @@
-// The point about which ties between equally good diagonals are decided.
+// The point relative to which ties between equally good diagonals are decided.
 #pragma once
 
 #include <span>
@@ -7,10 +7,10 @@
 
 namespace pectin {
 
-// A choice that depends on the distances from this point along each axis alone is mirrored where
-// the object is. Per axis it is 0, where the object's mirror plane usually is, or the middle of the
-// object's box if more of the points have a mirror image there. Cost: O(n) where the middle is 0,
-// O(n log n) elsewhere.
+// A choice that depends only on distances from this point along each axis is mirrored if the object
+// is. On each axis the coordinate is 0, where the mirror plane of an object usually is, or the
+// middle of the object's box if more points have a mirror image there. Cost: O(n) if the middle is
+// 0, otherwise O(n log n).
 Vec3 mirror_centre(std::span<const Vec3> points);
 
 }  // namespace pectin

@@ -16,21 +16,21 @@ namespace {
 
 enum class Bound { lower, upper };
 
-// Corners along one bound of a piece of the polygon that wait for their triangles, from left to
-// right. The first is the left end of the piece or on its other bound. No triangle of three
-// successive ones lies inside.
+// The corners along one bound of a monotone piece that still lack triangles, from left to right.
+// The first is the left end of the piece or lies on its other bound. No triangle of three
+// successive corners lies inside the polygon.
 struct Chain {
     Bound bound = Bound::lower;
     std::vector<std::uint32_t> corners;
 };
 
-// A stretch of the sweep line inside the polygon, between two sides. Side i runs from corner i to
-// the next; lower sides lead to the right, upper ones to the left.
+// An interval of the sweep line inside the polygon, between two sides. Side i runs from corner i to
+// the next one; lower sides run to the right, upper ones to the left.
 struct Interval {
     std::uint32_t lower = 0, upper = 0;
     Chain chain;
-    // Where two intervals have met at a corner and none has been passed since: what waits above
-    // that corner. `chain` is what waits below it then. Empty otherwise.
+    // If two intervals have merged at a corner, and no corner has been passed since: the chain
+    // above that corner; `chain` is then the one below it. Otherwise empty.
     Chain above;
     bool has_two_pieces() const { return !above.corners.empty(); }
 };
@@ -56,11 +56,11 @@ class Sweep {
 
   private:
     using Pointer = std::unique_ptr<Interval>;
-    // Intervals from the lowest to the highest. A bound that is replaced leaves them in order.
+    // Orders intervals from the lowest to the highest. Replacing a bound keeps the order.
     struct IsBelow {
         using is_transparent = void;
         Sweep* sweep;
-        // The later of the lower sides begins at the sweep line.
+        // The lower side that begins later begins at the sweep line.
         bool operator()(const Pointer& i, const Pointer& j) const {
             if (sweep->is_left_of(i->lower, j->lower)) return sweep->is_below(i->lower, j->lower);
             return i != j && !sweep->is_below(j->lower, i->lower);
@@ -84,7 +84,7 @@ class Sweep {
         ++result_.steps;
         return orientation(points_[i], points_[j], points_[k]);
     }
-    // Of a side that the sweep line meets and a corner on that line.
+    // Compares a side that the sweep line meets with a corner on that line.
     bool is_below(std::uint32_t side, std::uint32_t corner) {
         std::uint32_t left = side, right = next(side);
         if (is_left_of(right, left)) std::swap(left, right);
@@ -107,7 +107,7 @@ class Sweep {
         }
     }
 
-    //    \ .          The side that ends at v is replaced by the one that begins there.
+    //    \ .          The side that begins at v replaces the one that ends there.
     //     v----
     void move_bound(std::uint32_t v, Bound bound) {
         const std::uint32_t ending = bound == Bound::lower ? prev(v) : v;
@@ -119,7 +119,7 @@ class Sweep {
         interval_of_[beginning] = place;
     }
 
-    //      /          v begins an interval, or a part of the outside that splits one.
+    //      /          v begins an interval, or divides an existing one.
     //     v
     //      \ .
     void open(std::uint32_t v) {
@@ -135,7 +135,7 @@ class Sweep {
         const Place place = intervals_.insert(above, std::move(opened));
         interval_of_[(*place)->lower] = interval_of_[(*place)->upper] = place;
     }
-    // Leaves in `below` what is below v, and moves what is above it to `opened`.
+    // Leaves in `below` the part below v, and moves the part above it to `opened`.
     void split(Interval& below, std::uint32_t v, Interval& opened) {
         std::swap(below.upper, opened.upper);
         const std::uint32_t last = below.chain.corners.back();
@@ -153,7 +153,7 @@ class Sweep {
         }
     }
 
-    //     \           The interval above v and that below it become one.
+    //     \           The intervals above and below v merge.
     //      v
     //     /
     void merge(std::uint32_t v) {
@@ -174,7 +174,7 @@ class Sweep {
         intervals_.erase(place);
     }
 
-    // Adds a corner on one of the interval's bounds.
+    // Adds a corner on one of the interval's two bounds.
     void add(Interval& interval, std::uint32_t v, Bound bound) {
         if (interval.has_two_pieces()) {
             Chain closed = std::exchange(interval.above, {});
@@ -188,7 +188,7 @@ class Sweep {
             interval.chain = {bound, {interval.chain.corners.back(), v}};
         }
     }
-    // Adds a corner on the chain's own bound, with the triangles that lie inside.
+    // Adds a corner on the chain's bound, and cuts off all triangles that lie inside.
     void extend(Chain& chain, std::uint32_t v) {
         std::vector<std::uint32_t>& corners = chain.corners;
         const int inside = chain.bound == Bound::lower ? 1 : -1;
@@ -200,7 +200,7 @@ class Sweep {
         }
         corners.push_back(v);
     }
-    // Joins all of the chain to a corner on the other bound or at the right end.
+    // Connects all corners of the chain with one on the other bound or at the right end.
     void close(const Chain& chain, std::uint32_t v) {
         for (std::size_t i = 1; i < chain.corners.size(); ++i) {
             add_triangle(chain.bound, chain.corners[i - 1], chain.corners[i], v);
@@ -215,7 +215,7 @@ class Sweep {
     Intervals intervals_{IsBelow{this}};
     std::vector<Place> interval_of_;  // n; the interval that a side bounds
     SweptPolygon result_;
-    bool is_simple_ = true;  // as far as is known
+    bool is_simple_ = true;  // no contradiction has been found
 };
 
 }  // namespace

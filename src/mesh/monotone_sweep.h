@@ -1,4 +1,7 @@
-// A simple polygon of the plane cut into triangles by a sweep.
+// Triangulates a simple plane polygon with a sweep line.
+// Sources: D. T. Lee, F. P. Preparata. Location of a point in a planar subdivision and its
+// applications. SIAM Journal on Computing 6 (1977). M. R. Garey, D. S. Johnson, F. P. Preparata,
+// R. E. Tarjan. Triangulating a simple polygon. Information Processing Letters 7 (1978).
 #pragma once
 
 #include <cstddef>
@@ -16,14 +19,11 @@ struct SweptPolygon {
     std::size_t steps = 0;                  // comparisons of corners with sides and with chains
 };
 
-// The triangles of a polygon whose corners are in counter-clockwise order. A line sweeps over the
-// plane and parts the polygon into pieces that are monotone in x (D. T. Lee, F. P. Preparata.
-// Location of a point in a planar subdivision and its applications. SIAM Journal on Computing 6
-// (1977)); these are triangulated as they appear (M. R. Garey, D. S. Johnson, F. P. Preparata, R.
-// E. Tarjan. Triangulating a simple polygon. Information Processing Letters 7 (1978)). All
-// decisions are exact. Nothing where corners or sides are found to touch or to cross; then
-// clip_ears may help. That is not always found: some triangles may turn clockwise then.
-// Cost: O(n log n).
+// Triangulates a polygon whose corners are in counter-clockwise order. The sweep divides it into
+// pieces that are monotone in x (Lee & Preparata 1977), which are triangulated as they appear
+// (Garey et al. 1978). All decisions are exact. Returns none if it finds that corners or sides
+// touch or intersect; clip_ears may still succeed. It does not always find this; some triangles may
+// then be clockwise. Cost: O(n log n).
 std::optional<SweptPolygon> sweep_triangles(std::span<const Vec2> points);
 
 }  // namespace pectin

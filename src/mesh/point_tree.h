@@ -1,4 +1,6 @@
-// A spatial index of points of the plane that answers whether any lies in a triangle.
+// A spatial index of plane points for the query whether any of them lies in a triangle.
+// Source: J. L. Bentley. Multidimensional binary search trees used for associative searching.
+// Communications of the ACM 18 (1975).
 #pragma once
 
 #include <algorithm>
@@ -13,12 +15,11 @@
 
 namespace pectin {
 
-// A k-d tree (J. L. Bentley. Multidimensional binary search trees used for associative searching.
-// Communications of the ACM 18 (1975)) of points that can be removed one by one. Its nodes are
-// numbered as in a binary heap.
+// A k-d tree (Bentley 1975) whose points can be removed one by one. Nodes are numbered as in a
+// binary heap.
 class PointTree {
   public:
-    // Of the points with these indices. Cost: O(n log n).
+    // Contains the points with these indices. Cost: O(n log n).
     PointTree(std::span<const Vec2> points, std::vector<std::uint32_t> members)
         : points_(points), members_(std::move(members)), is_removed_(points.size(), false) {
         std::size_t leaves = 1;
@@ -35,9 +36,9 @@ class PointTree {
         for (std::size_t node = leaf_of_[point]; node > 0; node /= 2) --nodes_[node].count;
     }
 
-    // Whether holds(i) for any point i that may lie in the triangle a, b, c, which turns
-    // counter-clockwise. Nodes beyond one of its sides or outside its box are passed over. Adds the
-    // number of nodes visited to `steps`.
+    // Whether holds(i) is true for any point i that may lie in the counter-clockwise triangle a, b,
+    // c. Skips nodes beyond one of its sides or outside its box. Adds the number of visited nodes
+    // to `steps`.
     template <typename Holds>
     bool any_near(const std::array<Vec2, 3>& triangle, std::size_t& steps, Holds holds) const {
         return any_near(1, triangle, steps, holds);
@@ -47,7 +48,7 @@ class PointTree {
     static constexpr std::size_t kLeafSize = 8;
     struct Node {
         Vec2 min{INFINITY}, max{-INFINITY};
-        std::uint32_t count = 0;           // of points that are not removed
+        std::uint32_t count = 0;           // points that are not removed
         std::uint32_t begin = 0, end = 0;  // of members_
     };
 
@@ -74,7 +75,7 @@ class PointTree {
         build(2 * n + 1, middle, end);
     }
 
-    // Whether all of the node's box lies to the right of the line from p to q, beyond rounding.
+    // Whether the node's box lies entirely to the right of the line from p to q, despite rounding.
     static bool is_right_of(const Node& node, const Vec2& p, const Vec2& q) {
         const Vec2 along = q - p;
         const Vec2 leftmost{along.y > 0.0 ? node.min.x : node.max.x,
@@ -109,9 +110,9 @@ class PointTree {
     }
 
     std::span<const Vec2> points_;
-    std::vector<std::uint32_t> members_;  // those of a node lie side by side
+    std::vector<std::uint32_t> members_;  // those of a node are adjacent
     std::vector<bool> is_removed_;        // n_points
-    std::vector<Node> nodes_;             // from 1; node n has the children 2n and 2n + 1
+    std::vector<Node> nodes_;             // numbered from 1; node n has the children 2n and 2n + 1
     std::vector<std::uint32_t> leaf_of_;  // n_points; the leaf that holds it
 };
 

@@ -7,26 +7,26 @@
 namespace pectin {
 namespace {
 
-// All figures here come out the same to the bit for the mirrored quad and from any first corner:
-// differences of mirrored coordinates are exact negatives, and sums and products commute. Figures
-// that differ by less than these count as equal nonetheless, since files round mirrored
+// All quantities here are bitwise equal for the mirrored quad and for any first corner: differences
+// of mirrored coordinates are exact negatives, and sums and products commute. Quantities that
+// differ by less than these tolerances count as equal nonetheless, since files round mirrored
 // coordinates.
-constexpr double kEqualLengths = 1e-6;    // relative, of squares
+constexpr double kEqualLengths = 1e-6;    // relative, of squared lengths
 constexpr double kEqualCosines = 1e-6;    // absolute
 constexpr double kEqualDistances = 1e-3;  // relative to the longer diagonal
 
-// A diagonal with less than this share of the quad on one side leaves a sliver there.
+// A triangle with less than this share of the quad's area is a sliver.
 constexpr double kSliver = 1e-3;
-// Relative to the squared length of the diagonals; below it an area is rounding.
+// Relative to the squared length of the diagonals. Smaller areas are rounding errors.
 constexpr double kNoArea = 1e-12;
 
 using Quad = std::array<Vec3, 4>;
 
-// One of the quad's diagonals: from corner `from` to corner from + 2.
+// The quad's diagonal from corner `from` to corner from + 2.
 struct Diagonal {
     Diagonal(const Quad& q, std::size_t start, const Vec3& normal)
         : from(start), along(q[start + 2] - q[start]), squared_length(glm::dot(along, along)) {
-        // Each triangle's area is the mean of what it is seen from both ends of the diagonal.
+        // Each area is the mean of those computed at the two ends of the diagonal.
         const auto twice_area = [&](const Vec3& tip) {
             const Vec3 &a = q[start], &c = q[start + 2];
             return 0.5 * (glm::dot(glm::cross(along, tip - a), normal) +
@@ -38,10 +38,10 @@ struct Diagonal {
     std::size_t from;
     Vec3 along;
     double squared_length;
-    double smaller_area;  // twice that of the smaller triangle, times the normal's length
+    double smaller_area;  // twice the smaller triangle's area, times the normal's length
 };
 
-// 2: two proper triangles; 1: one is a sliver; 0: one has no area or faces the other way.
+// 2: both triangles are proper; 1: one is a sliver; 0: one has no area or faces the other way.
 int shape_class(const Diagonal& d, const Vec3& normal) {
     if (d.smaller_area > kSliver * glm::dot(normal, normal)) return 2;
     return d.smaller_area > 0.0 ? 1 : 0;
@@ -53,14 +53,14 @@ double cosine_at(const Vec3& tip, const Vec3& p, const Vec3& q) {
     return squares > 0.0 ? glm::dot(u, v) / std::sqrt(squares) : 1.0;
 }
 
-// Of the smallest angle of the two triangles.
+// The cosine of the smallest angle of the two triangles.
 double largest_cosine(const Quad& q, std::size_t from) {
     const Vec3 &a = q[from], &b = q[from + 1], &c = q[from + 2], &d = q[(from + 3) % 4];
     return std::max({cosine_at(a, b, c), cosine_at(a, c, d), cosine_at(b, a, c), cosine_at(d, a, c),
                      cosine_at(c, a, b), cosine_at(c, a, d)});
 }
 
-// Keeps of the candidates those whose value is the least up to `equal`.
+// Keeps the candidates whose value exceeds the least by at most `equal`.
 template <typename Value>
 void keep_least(std::array<bool, 4>& candidates, double equal, Value value) {
     double least = INFINITY;
@@ -88,7 +88,7 @@ bool nearest_corner_is_odd(const Quad& q, const Vec3& centre, double equal) {
     return !is_nearest[0] && !is_nearest[2];
 }
 
-// Whether 1-3 is better than 0-2, of two that both are possible.
+// Whether 1-3 is better than 0-2 if both are possible.
 bool is_second_better(const Quad& q, const Diagonal& first, const Diagonal& second,
                       const Vec3& centre) {
     const double longer = std::max(first.squared_length, second.squared_length);
@@ -102,7 +102,7 @@ bool is_second_better(const Quad& q, const Diagonal& first, const Diagonal& seco
 }  // namespace
 
 QuadDiagonal choose_diagonal(const Quad& corners, const Vec3& centre) {
-    // The area vector of any quad, flat or not, is half of this.
+    // Twice the area vector of the quad, which need not be flat.
     const Vec3 normal = glm::cross(corners[2] - corners[0], corners[3] - corners[1]);
     const Diagonal first(corners, 0, normal), second(corners, 1, normal);
     const int first_class = shape_class(first, normal), second_class = shape_class(second, normal);

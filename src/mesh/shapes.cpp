@@ -34,8 +34,8 @@ struct CirclePoint {
     double cos = 0.0, sin = 0.0;
 };
 
-// Cosine and sine of 2 pi i / n, from the first octant by mirroring: exact on the axes, and
-// points that mirror each other do so exactly.
+// Cosine and sine of 2 pi i / n, mirrored from the first octant. They are exact on the axes, and
+// mirror images are exact, too.
 CirclePoint circle_point(Index i, Index n) {
     Index a = 4 * (i % n);  // in quarter turns / n
     const bool below = a > 2 * n;
@@ -50,7 +50,7 @@ CirclePoint circle_point(Index i, Index n) {
     return {left ? -x : x, below ? -y : y};
 }
 
-// --- Sphere: an icosahedron whose edges are halved and pushed out to the unit sphere.
+// --- Sphere: an icosahedron whose edges are halved and whose midpoints move to the unit sphere.
 
 struct IcoEdge {
     Index a = 0, b = 0;
@@ -77,8 +77,8 @@ Index find_or_add_edge(std::vector<IcoEdge>& edges, Index a, Index b) {
     return static_cast<Index>(edges.size() - 1);
 }
 
-// (+-1, +-phi, 0) and its cyclic permutations: edges cross the axes, so their midpoints, pushed
-// out, are the axis points +-x, +-y, +-z to the bit.
+// (+-1, +-phi, 0) and its cyclic permutations. Some edges cross the axes, and their normalised
+// midpoints are exactly the axis points +-x, +-y, +-z.
 Icosphere make_icosahedron() {
     constexpr double p = std::numbers::phi;
     static constexpr Index kFaces[20][3] = {
@@ -159,7 +159,7 @@ IndexedFaceSet make_sphere(int resolution) {
 
 // --- Cube: the surface points of a lattice of (n + 1)^3.
 
-// Points are counted layer by layer along z: the first and the last layer are full grids, those
+// Points are numbered layer by layer along z. The first and the last layer are full grids; those
 // between are rings, counter-clockwise from (0, 0).
 Index cube_point(const std::array<Index, 3>& at, Index n) {
     const auto [i, j, k] = at;
@@ -204,7 +204,7 @@ IndexedFaceSet make_cube(Index n) {
     return shape;
 }
 
-// --- Plane: its texture lies on it as seen from above with -z up.
+// --- Plane: seen from above, with -z up, the texture is upright.
 IndexedFaceSet make_plane(Index n) {
     IndexedFaceSet shape;
     shape.normals = {Vec3f{0.0f, 1.0f, 0.0f}};
@@ -278,7 +278,8 @@ void add_side(IndexedFaceSet& shape, Index n) {
     }
 }
 
-// Rings 1 .. n - 1 and the centre are the cap's own, ring n is the rim it shares with the side.
+// Rings 1 .. n - 1 and the centre belong to the cap; ring n is the rim that it shares with the
+// side.
 void add_cap(IndexedFaceSet& shape, Index n, bool top) {
     const Index around = 4 * n;
     const double y = top ? 1.0 : -1.0;

@@ -14,12 +14,12 @@
 namespace pectin {
 namespace {
 
-// Of the quad's area; an exchange leaves no smaller triangle.
+// Relative to the quad's area. An exchange makes no smaller triangle.
 constexpr double kSliver = 1e-3;
-// Of the object's size; midpoints closer to each other count as equal.
+// Relative to the object's size. Distances that differ by less count as equal.
 constexpr double kEqualDistances = 1e-7;
 
-// A diagonal h = ab of a polygon, with c before and d behind it.
+// A diagonal h = ab of a polygon, with the apex c on the side of h and d on the other side.
 //       c
 //     /   \          .
 //    a --- b
@@ -29,8 +29,8 @@ struct Diagonal {
     std::uint32_t h = 0, g = 0;  // its half-edges a -> b and b -> a
 };
 
-// Which of several exchanges comes first. An exchange and its mirror image have the same rank; the
-// side tells these apart.
+// The order of exchanges. An exchange and its mirror image have the same rank, and differ only in
+// the side.
 struct Key {
     std::uint32_t length = 0;            // of the new diagonal, squared, as bits of a float
     std::array<std::int64_t, 6> rank{};  // distances of the midpoints from the mirror planes
@@ -60,8 +60,9 @@ class Exchange {
           polygon_of_(polygon_of),
           corner_of_(corner_of) {}
 
-    // This ends: the number of half-edges beyond two between the same vertices, summed over all
-    // pairs of vertices, never grows, and the first exchange of each pass lowers it.
+    // This terminates: take the number of half-edges beyond two between the same two vertices,
+    // summed over all pairs of vertices. It never grows, and the first exchange of each pass lowers
+    // it.
     std::vector<std::uint32_t> run(std::span<const HalfEdgeId> half_edges) {
         std::vector<std::uint32_t> changed;
         if (!find_shared(half_edges)) return changed;
@@ -90,7 +91,7 @@ class Exchange {
     static std::uint64_t unordered_pair_of(std::uint32_t v, std::uint32_t w) {
         return pair_of(std::min(v, w), std::max(v, w));
     }
-    // The corners that h runs from and to.
+    // The two corners at the ends of h.
     std::uint64_t corners(std::uint32_t h) const {
         return pair_of(corner_of_[h], corner_of_[next(h)]);
     }
@@ -102,8 +103,8 @@ class Exchange {
         return unordered_pair_of(vertex(prev(d.h)), vertex(prev(d.g)));
     }
 
-    // Diagonals run between the same two corners of one polygon both ways. Returns whether there
-    // are any.
+    // Finds the diagonals: half-edges with a partner in the opposite direction between the same two
+    // corners of one polygon. Returns whether there are any.
     bool find_shared(std::span<const HalfEdgeId> half_edges) {
         std::unordered_set<std::uint64_t> met;
         for (const HalfEdgeId h : half_edges) {
@@ -129,7 +130,7 @@ class Exchange {
         for (std::uint32_t h = 3 * face; h < 3 * face + 3; ++h) half_edge_of_[corners(h)] = h;
     }
 
-    // Whether the other diagonal is possible and its ends have no edge.
+    // Whether the other diagonal is possible and no edge joins its ends.
     bool leads_elsewhere(const Diagonal& d) const {
         const auto other = users_.find(new_ends(d));
         return (other == users_.end() || other->second == 0) &&
@@ -157,7 +158,7 @@ class Exchange {
         return key;
     }
 
-    // In ascending order. Diagonals that are no longer shared are forgotten.
+    // The possible exchanges in ascending order. Diagonals that are no longer shared are dropped.
     std::vector<Candidate> candidates() {
         std::erase_if(shared_, [&](std::uint64_t pair) {
             const auto h = half_edge_of_.find(pair);
@@ -172,7 +173,7 @@ class Exchange {
                   [](const Candidate& x, const Candidate& y) { return x.key < y.key; });
         return result;
     }
-    // Of those that would meet at the same ends the first, or none if it has the rank of another.
+    // The first of those with the same new ends; none if another has the same rank.
     static std::vector<Candidate> without_rivals(std::vector<Candidate> candidates) {
         std::unordered_map<std::uint64_t, std::size_t> first;
         std::vector<bool> is_kept(candidates.size(), false);
@@ -189,7 +190,7 @@ class Exchange {
         std::erase_if(candidates, [&](const Candidate&) { return !is_kept[i++]; });
         return candidates;
     }
-    // Those that have no triangle in common with one before.
+    // Those that have no triangle in common with an earlier one.
     static std::vector<Candidate> without_neighbours(std::vector<Candidate> candidates) {
         std::unordered_set<std::uint32_t> taken;
         std::erase_if(candidates, [&](const Candidate& candidate) {
@@ -201,7 +202,7 @@ class Exchange {
         return candidates;
     }
 
-    // abc and bad become adc and bcd.
+    // Replaces abc and bad by adc and bcd.
     void exchange(const Diagonal& d) {
         users_[ends(d.h)] -= 2;
         half_edge_of_.erase(corners(d.h));

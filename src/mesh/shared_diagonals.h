@@ -1,4 +1,4 @@
-// Diagonals that have the same two ends as another edge.
+// Exchanges diagonals that have the same two ends as another edge.
 #pragma once
 
 #include <cstdint>
@@ -10,24 +10,25 @@
 
 namespace pectin {
 
-// Replaces diagonals of polygons that join the same two vertices as another edge of the mesh by the
-// other diagonal of their two triangles, where that one joins two vertices that no edge joins yet
-// and both new triangles face the polygon's way. This is repeated until no such exchange is left.
+// A diagonal of a polygon that joins the same two vertices as another edge of the mesh is replaced
+// by the other diagonal of its two triangles, if no edge joins the ends of that one yet and both
+// new triangles face the same way as the polygon. This is repeated until no such exchange is left.
 //
-// What is replaced depends neither on the order of the polygons nor on their first corners, and
-// mirroring the mesh in any axis through `centre` mirrors it. In each pass all such diagonals are
-// exchanged except two kinds, which the next pass looks at again. Of two diagonals of one triangle
-// the one with the shorter replacement comes first, then the one with the midpoints nearest to the
-// mirror planes, then the one on the positive side. So it is where two replacements would meet at
-// the same ends, but there both diagonals stay if only their sides differ.
+// The result depends neither on the order of the polygons nor on their first corners, and mirroring
+// the mesh along any axis through `centre` mirrors the result. Each pass exchanges all such
+// diagonals with two exceptions, which are left for the next pass. Of two diagonals of one triangle
+// only the first is exchanged: the one with the shorter replacement, then the one whose midpoints
+// are nearest to the mirror planes, then the one on the positive side. The same order decides
+// between two replacements that have the same ends; but if only their sides differ, neither is
+// exchanged.
 //
-//   corner_of      3 n_faces; into input.corners; the faces of a polygon lie side by side
+//   corner_of      3 n_faces; index into input.corners; the faces of a polygon are adjacent
 //   polygon_of     n_faces
-//   half_edges     all that share their ends with more than one other; 3 f + k runs from corner k
-//                  of face f to the next
+//   half_edges     all that share their ends with more than one other half-edge; 3 f + k runs
+//                  from corner k of face f to the next
 //
-// Returns the polygons whose triangles have changed, ascending. Cost: O(1) where none of the
-// half-edges is a diagonal, else O(n), and O(d log d) for each pass over d shared diagonals.
+// Returns the polygons whose triangles have changed, ascending. Cost: O(1) if no
+// half-edge is a diagonal, otherwise O(n) and O(d log d) per pass over d shared diagonals.
 std::vector<std::uint32_t> exchange_shared_diagonals(const IndexedFaceSet& input,
                                                      std::span<const Vec3> positions,
                                                      const Vec3& centre,

@@ -1,5 +1,5 @@
-// Ids of elements, sorted digit by digit: comparing some ten thousand in no order costs several
-// times as much, since the machine guesses half of the outcomes wrong.
+// Radix sort of ids. Sorting ten thousand random ids by comparison costs several times as much,
+// since the processor predicts half of the comparisons wrongly.
 #pragma once
 
 #include <algorithm>
@@ -14,10 +14,10 @@
 
 namespace pectin {
 
-// Cost: O(n) time and memory, for ids below 2^22 two passes.
+// Cost: O(n) time and memory; two passes for ids below 2^22.
 template <typename Id>
 void sort_ids(std::span<Id> ids) {
-    constexpr std::size_t kFew = 512;  // counting digits costs as much as sorting these
+    constexpr std::size_t kFew = 512;  // below this, std::sort is faster
     constexpr std::uint32_t kDigitBits = 11, kDigits = 1u << kDigitBits;
     if (std::is_sorted(ids.begin(), ids.end())) return;
     if (ids.size() < kFew) {

@@ -17,7 +17,7 @@
 namespace pectin {
 namespace {
 
-// Twice the polygon's area, along its normal, whatever its shape (Newell).
+// Newell's normal: its length is twice the area of the polygon, which need not be flat.
 Vec3 newell_normal(std::span<const Vec3> corners) {
     Vec3 sum{0.0};
     for (std::size_t i = 0; i < corners.size(); ++i) {
@@ -28,8 +28,8 @@ Vec3 newell_normal(std::span<const Vec3> corners) {
     return sum;
 }
 
-// The power of two by which corners are multiplied, so that neither products nor squares of their
-// coordinates overflow or underflow.
+// The power of two by which the corners are scaled, so that products and squares of their
+// coordinates neither overflow nor underflow.
 int scale_exponent(std::span<const Vec3> corners) {
     double largest = 0.0;
     for (const Vec3& p : corners) {
@@ -51,10 +51,10 @@ std::vector<Vec3> scaled(std::span<const Vec3> corners) {
 
 double largest_of(const Vec3& v) { return std::max({v.x, v.y, v.z}); }
 
-// The axis that the normal is nearest to; the first of those that are equally near up to rounding.
+// The axis nearest to the normal; the first one if several are equally near up to rounding.
 int dropped_axis(std::span<const Vec3> corners, const Vec3& normal) {
     Vec3 size = glm::abs(normal);
-    if (normal == Vec3{0.0}) {  // its corners are on a line, or it crosses itself
+    if (normal == Vec3{0.0}) {  // the corners are collinear, or the areas cancel
         Box box;
         for (const Vec3& p : corners) box.include(p);
         size = largest_of(box.extent()) - box.extent();
@@ -64,8 +64,8 @@ int dropped_axis(std::span<const Vec3> corners, const Vec3& normal) {
     return size.x >= least ? 0 : size.y >= least ? 1 : 2;
 }
 
-// Ranks of the corners in the order in which ears of equal length are cut: first those farthest
-// from the mirror planes, so that diagonals end at corners on or near to these.
+// The ranks by which ears of equal length are ordered. Corners far from the mirror planes are cut
+// off first, so that diagonals end at corners on or near these planes.
 std::vector<std::uint32_t> clipping_order(std::span<const Vec3> corners, const Vec3& centre) {
     struct Key {
         std::array<std::int64_t, 6> cells{};
@@ -73,7 +73,7 @@ std::vector<std::uint32_t> clipping_order(std::span<const Vec3> corners, const V
     };
     Box box;
     for (const Vec3& p : corners) box.include(p);
-    constexpr double kEqual = 1e-6;  // of the polygon's size; more than rounding makes different
+    constexpr double kEqual = 1e-6;  // relative to the polygon's size; more than rounding errors
     const double per_unit = 1.0 / std::max(kEqual * box.diagonal(), 1e-300);
     std::vector<Key> keys(corners.size());
     for (std::uint32_t i = 0; i < corners.size(); ++i) {
@@ -93,7 +93,7 @@ std::vector<std::uint32_t> clipping_order(std::span<const Vec3> corners, const V
     return ranks;
 }
 
-// Whether all corners are on one line, up to rounding.
+// Whether all corners are collinear up to rounding.
 bool lie_on_line(std::span<const Vec3> corners) {
     Vec3 along{0.0};
     for (const Vec3& p : corners) {
@@ -113,8 +113,8 @@ bool has_reversed(const std::vector<Vec2>& points, std::span<const CornerTriangl
     });
 }
 
-// The search for ears may take this many steps for each corner and bit of their number. Smooth and
-// ragged outlines take up to half of it.
+// The search for ears may take this number of steps per corner and per bit of the number of
+// corners. Smooth and ragged outlines take up to half of it.
 constexpr std::size_t kEarSteps = 4;
 
 class PolygonTriangulator {
@@ -137,8 +137,8 @@ class PolygonTriangulator {
     }
 
   private:
-    // Whether a way was found to cover the polygon. Ears give triangles that need few flips, but
-    // thin ones may take long to find; then a sweep does it, unless the polygon touches itself.
+    // Returns whether the triangles cover the polygon. Ears need few flips afterwards, but thin
+    // ones may take long to find. Then a sweep is used instead, unless the polygon touches itself.
     bool clip() {
         const std::size_t n = polygon_.points.size();
         if (auto ears = clip_ears(polygon_, kEarSteps * n * std::bit_width(n))) {
@@ -165,7 +165,7 @@ class PolygonTriangulator {
             polygon_.in_plane[i][dropped] = -(slopes[u] * p[u] + slopes[v] * p[v]);
         }
     }
-    // Projects along the normal, which rounds. False where there is none.
+    // Projects along the normal, which rounds. Returns false if there is no normal.
     bool project_along_normal() {
         const Vec3 n = unit_or_zero(normal_);
         if (n == Vec3{0.0}) return false;
@@ -188,7 +188,7 @@ bool triangulate_quad(std::span<const Vec3> corners, const Vec3& centre,
                       std::vector<CornerTriangle>& triangles) {
     std::array<Vec3, 4> quad{corners[0], corners[1], corners[2], corners[3]};
     const int exponent = scale_exponent(quad);
-    constexpr int kHarmless = 64;  // fourth powers of coordinates below 2^64 are numbers
+    constexpr int kHarmless = 64;  // fourth powers of coordinates below 2^64 are finite
     Vec3 scaled_centre = centre;
     if (std::abs(exponent) > kHarmless) {
         for (Vec3& p : quad) p = scaled(p, exponent);

@@ -1,4 +1,4 @@
-// Polygons to triangles.
+// Triangulates polygons.
 #pragma once
 
 #include <array>
@@ -12,13 +12,13 @@ namespace pectin {
 
 // Appends n - 2 triangles of the polygon with these corners (in order, at least 3), as indices of
 // corners, each with the polygon's orientation. Quads get the diagonal of choose_diagonal. Larger
-// polygons are projected along the axis that their normal is nearest to, which moves no coordinate,
-// cut by their ears or by a sweep and made constrained Delaunay. Apart from ties in polygons that
-// are their own mirror image, the result does not depend on the first corner, and mirroring the
-// polygon in any axis through `centre` mirrors it. Returns whether the triangles cover the polygon
-// and nothing else. They do unless it crosses itself (where it is not flat: in that projection and
-// in its own plane). Cost: O(n log n) for polygons that neither touch nor cross themselves; for
-// others that of clip_ears.
+// polygons are projected along the axis nearest to their normal, so that no coordinate is rounded,
+// triangulated by clip_ears or by a sweep, and made constrained Delaunay. Except for ties in
+// polygons that are their own mirror image, the result does not depend on the first corner, and
+// mirroring the polygon along any axis through `centre` mirrors it. Returns whether the triangles
+// cover exactly the polygon. They do unless it intersects itself (if it is not flat: in that
+// projection and in its own plane). Cost: O(n log n) for polygons that neither touch nor intersect
+// themselves; for others the cost of clip_ears.
 bool triangulate(std::span<const Vec3> corners,
                  std::vector<std::array<std::uint32_t, 3>>& triangles,
                  const Vec3& centre = Vec3{0.0});

@@ -17,8 +17,8 @@ bool differ_across_seams(const TriMesh& mesh) {
     return false;
 }
 
-// Finds the ends that each inserted vertex is the midpoint of, by undoing all splits of a copy, and
-// computes the colours again in the order of the splits, for each base face by itself.
+// Undoes all splits in a copy to find the two ends of which each inserted vertex is the midpoint.
+// Then computes the colours again in the order of the splits, separately for each base face.
 class Recoloring {
   public:
     Recoloring(const TriMesh& mesh, const UnsharedVertices& vertices)
@@ -39,14 +39,14 @@ class Recoloring {
     struct Midpoint {
         VertexId m;
         std::pair<VertexId, VertexId> ends;
-        std::vector<FaceId> bases;  // base faces with pieces at it
+        std::vector<FaceId> bases;  // base faces with pieces at the midpoint
     };
 
     static std::uint64_t key(FaceId base, VertexId v) {
         return std::uint64_t{index(base)} << 32 | index(v);
     }
 
-    // From the highest level down all midpoints can be removed.
+    // In the order of descending levels all midpoints can be removed.
     void undo_splits() {
         TriMesh copy = mesh_;
         std::vector<VertexId> inserted;

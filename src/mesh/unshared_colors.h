@@ -1,4 +1,4 @@
-// Vertex colours as the input shares its vertices.
+// Vertex colours for the vertices of UnsharedVertices.
 #pragma once
 
 #include <cstdint>
@@ -9,11 +9,11 @@
 
 namespace pectin {
 
-// Colours of all vertices that UnsharedVertices tells of, by its numbers. The mesh has one colour
-// where a seam has joined vertices; where these differ, inserted vertices get on each side the mean
-// of the colours there, as those in a mesh without seams do. Nothing where the mesh's own colours
-// are right, or it has none.
-// Cost: O(n log n), with a copy of the mesh, where colours differ across a seam; else O(n).
+// The colours of all vertices of `vertices`, by their numbers there. Where a seam has joined
+// vertices the mesh has only one colour. If the colours on its two sides differ, a vertex inserted
+// on the seam gets on each side the mean of the colours on that side, as in a mesh without seams.
+// None if the colours of the mesh are right already, or if it has none. Cost: O(n log n) and a copy
+// of the mesh if colours differ across a seam, otherwise O(n).
 std::optional<std::vector<Vec3f>> unshared_colors(const TriMesh& mesh,
                                                   const UnsharedVertices& vertices);
 

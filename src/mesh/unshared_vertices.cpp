@@ -12,7 +12,7 @@ constexpr std::uint32_t kAsInMesh = 0xffffffffu;
 
 }  // namespace
 
-// Walks along the pieces of base edges on one side, within the pieces of one base face.
+// Walks along the pieces of a base edge on one side, within the pieces of one base face.
 class UnsharedVertices::Walk {
   public:
     explicit Walk(UnsharedVertices& to) : to_(to), mesh_(to.mesh_) {}
@@ -48,7 +48,7 @@ class UnsharedVertices::Walk {
         }
         return h;
     }
-    // Collects the base face's corners at the vertex between.
+    // Collects the base face's corners at the vertex between two pieces.
     HalfEdgeId next_piece(HalfEdgeId h) {
         HalfEdgeId g = TriMesh::next(h);
         corners_.push_back(g);
@@ -59,7 +59,7 @@ class UnsharedVertices::Walk {
         return g;
     }
 
-    // The first side that is visited has the mesh's own vertex.
+    // The first side that is visited keeps the vertex of the mesh.
     std::uint32_t vertex_of(VertexId m, VertexId low, VertexId high) {
         const auto slots = mesh_.vertex_slots();
         const auto next = slots + static_cast<std::uint32_t>(to_.added_.size());
@@ -100,7 +100,7 @@ std::uint32_t UnsharedVertices::of(HalfEdgeId corner) const {
     return own == kAsInMesh ? index(v) : own;
 }
 
-// Of the corners of the base face the one at this corner's vertex.
+// The corner of the base face that is at the same vertex as `corner`.
 VertexId UnsharedVertices::base_corner(HalfEdgeId corner) const {
     const UnsharedSeams& seams = mesh_.input_form().seams;
     const std::size_t first = 3 * std::size_t{index(mesh_.base_face(TriMesh::face(corner)))};
@@ -114,7 +114,7 @@ VertexId UnsharedVertices::base_corner(HalfEdgeId corner) const {
 const Vec3& UnsharedVertices::position(VertexId v) const {
     const UnsharedSeams& seams = mesh_.input_form().seams;
     if (seams.is_empty() || !mesh_.is_base(v)) return mesh_.position(v);
-    // Equal ones may differ in the sign of a zero.
+    // Equal positions may differ in the sign of a zero.
     const Vec3& at = mesh_.position(seams.representatives[index(v)]);
     return at == mesh_.position(v) ? mesh_.position(v) : at;
 }

@@ -1,4 +1,4 @@
-// The vertices of a mesh as its input shares them: each side of an unshared seam has its own.
+// The vertices of a mesh with separate vertices on each side of an unshared seam, as in the input.
 #pragma once
 
 #include <cstdint>
@@ -9,21 +9,22 @@
 
 namespace pectin {
 
-// The mesh as it is when this is made. Where it has no unshared seams each corner's vertex is its
-// own; where it has, corners at base vertices have those that the input gave them, and corners at
-// a vertex that was inserted on a seam have one for each pair of input vertices that its base edge
-// runs between on their side.
+// Describes the mesh at the time of construction. Without unshared seams every corner has the
+// vertex that it has in the mesh. With seams, a corner at a base vertex has the vertex of the
+// input; at a vertex that was inserted on a seam, corners have a common vertex if the base edge
+// runs between the same two input vertices on their sides.
 class UnsharedVertices {
   public:
-    explicit UnsharedVertices(const TriMesh& mesh);  // O(1) without seams, else O(n log n)
+    explicit UnsharedVertices(const TriMesh& mesh);  // O(1) without seams, otherwise O(n log n)
 
-    // Below vertex_slots() a vertex of the mesh, from there on an added one.
+    // A vertex of the mesh if below vertex_slots(); otherwise vertex_slots() plus an index into
+    // added().
     std::uint32_t of(HalfEdgeId corner) const;
-    // The vertex of the mesh that each added one lies at.
+    // For each added vertex the vertex of the mesh at the same position.
     std::span<const VertexId> added() const { return added_; }
-    // Where a vertex lies: at its representative.
+    // The position of v's representative.
     const Vec3& position(VertexId v) const;
-    // All edges along seams.
+    // All edges along seams, including pieces of base edges.
     std::span<const EdgeId> edges() const { return edges_; }
 
   private:

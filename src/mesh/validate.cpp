@@ -1,4 +1,4 @@
-// TriMesh::validate: the invariants of the class, checked one by one.
+// TriMesh::validate: checks the invariants of the class one by one.
 #include <algorithm>
 #include <cmath>
 #include <utility>
@@ -8,9 +8,9 @@
 namespace pectin {
 namespace {
 
-// Normals are normalised in double and rounded once.
+// Normals are normalised in double and rounded to float once.
 constexpr float kUnitTolerance = 1e-5f;
-// Enough to tell what is wrong without flooding the reader.
+// More messages than these rarely help.
 constexpr std::size_t kMostMessages = 20;
 
 }  // namespace
@@ -40,6 +40,7 @@ class TriMesh::Validator {
             if (exists(vertex_of_wedge_[i])) check(WedgeId{i});
         }
         check_free_lists();
+        if (messages_.empty()) check_free_list_order();
         return std::move(messages_);
     }
 
@@ -50,14 +51,14 @@ class TriMesh::Validator {
         messages_.push_back(std::string(what) + ' ' + std::to_string(index(id)));
     }
 
-    // Everything after this may follow ids without looking.
+    // The other checks follow ids without testing their range.
     bool half_edges_are_in_range() {
-        for (std::uint32_t i = 0; i < mesh_.half_edges_.size(); ++i) {
-            const HalfEdge& h = mesh_.half_edges_[i];
+        for (std::uint32_t i = 0; i < mesh_.faces_.half_edges.size(); ++i) {
+            const HalfEdge& h = mesh_.faces_.half_edges[i];
             if (!mesh_.is_live(face(HalfEdgeId{i}))) continue;
             expect(index(h.origin) < mesh_.vertex_slots() && index(h.edge) < mesh_.edge_slots() &&
                        index(h.wedge) < mesh_.wedge_slots() &&
-                       (!exists(h.twin) || index(h.twin) < mesh_.half_edges_.size()),
+                       (!exists(h.twin) || index(h.twin) < mesh_.faces_.half_edges.size()),
                    "2: id out of range at half-edge", HalfEdgeId{i});
         }
         return messages_.empty();
@@ -93,7 +94,7 @@ class TriMesh::Validator {
             return;
         }
         const HalfEdgeId h = mesh_.half_edge(e);
-        expect(index(h) < mesh_.half_edges_.size() && mesh_.edge(h) == e,
+        expect(index(h) < mesh_.faces_.half_edges.size() && mesh_.edge(h) == e,
                "4: another's half-edge at edge", e);
         expect(uses == (exists(mesh_.twin(h)) ? 2 : 1), "4: wrong number of half-edges at edge", e);
         check_siblings(e);
@@ -143,52 +144,57 @@ class TriMesh::Validator {
     }
 
     void check_free_lists() {
-        check_free(mesh_.free_vertices_, mesh_.vertex_slots(), "1: free list wrong at vertex",
+        check_free(mesh_.vertices_, "1: free list wrong at vertex", "1: not cleared at dead vertex",
                    [this](VertexId v) { return mesh_.is_live(v); });
-        check_free(mesh_.free_wedges_, mesh_.wedge_slots(), "1: free list wrong at wedge",
+        check_free(mesh_.wedges_, "1: free list wrong at wedge", "1: not cleared at dead wedge",
                    [this](WedgeId w) { return exists(vertex_of_wedge_[index(w)]); });
-        check_free(mesh_.free_edges_, mesh_.edge_slots(), "1: free list wrong at edge",
+        check_free(mesh_.edges_, "1: free list wrong at edge", "1: not cleared at dead edge",
                    [this](EdgeId e) { return mesh_.is_live(e); });
-        check_free(mesh_.free_faces_, mesh_.face_slots(), "1: free list wrong at face",
+        check_free(mesh_.faces_, "1: free list wrong at face", "1: not cleared at dead face",
                    [this](FaceId f) { return mesh_.is_live(f); });
     }
 
     // The free list names exactly the slots that are not live, each once, and they are cleared.
-    template <typename Id, typename IsLive>
-    void check_free(const GrowingArray<Id>& free, std::uint32_t slots, const char* what,
-                    IsLive is_live) {
-        std::vector<bool> listed(slots, false);
-        for (Id id : free) {
-            expect(index(id) < slots && !listed[index(id)], what, id);
-            if (index(id) < slots) listed[index(id)] = true;
+    template <typename Columns, typename IsLive>
+    void check_free(const SlotTable<Columns>& table, const char* wrong_list,
+                    const char* not_cleared, IsLive is_live) {
+        using Id = typename Columns::Id;
+        std::vector<bool> listed(table.slots(), false);
+        for (Id id : table.free_slots()) {
+            expect(index(id) < table.slots() && !listed[index(id)], wrong_list, id);
+            if (index(id) < table.slots()) listed[index(id)] = true;
         }
-        for (std::uint32_t i = 0; i < slots; ++i) {
-            expect(listed[i] != is_live(Id{i}), what, Id{i});
-            if (!is_live(Id{i})) check_cleared(Id{i});
+        for (std::uint32_t i = 0; i < table.slots(); ++i) {
+            const bool live = is_live(Id{i});
+            expect(listed[i] != live, wrong_list, Id{i});
+            if (!live) expect(table.is_cleared(Id{i}), not_cleared, Id{i});
         }
     }
 
-    void check_cleared(VertexId v) {
-        expect(mesh_.position(v) == Vec3{0.0} && mesh_.level(v) == 0 && !mesh_.is_deformed(v) &&
-                   (!mesh_.has_colors() || mesh_.color(v) == Vec3f{0.0f}),
-               "1: not cleared at dead vertex", v);
-    }
-
-    void check_cleared(WedgeId w) {
-        expect(mesh_.normal(w) == Vec3f{0.0f} && (!mesh_.has_uvs() || mesh_.uv(w) == Vec2f{0.0f}),
-               "1: not cleared at dead wedge", w);
-    }
-
-    void check_cleared(EdgeId e) {
-        expect(mesh_.level(e) == 0 && mesh_.sibling(e) == e, "1: not cleared at dead edge", e);
-    }
-
-    void check_cleared(FaceId f) {
-        for (int corner = 0; corner < 3; ++corner) {
-            expect(
-                mesh_.half_edge(half_edge(f, corner)) == HalfEdge{} && !exists(mesh_.base_face(f)),
-                "1: not cleared at dead face", f);
+    // Undoes and repeats every split that can be undone, in a copy. This must restore all ids,
+    // half-edges and free lists. Precondition: invariants 1 to 11 hold.
+    void check_free_list_order() {
+        if (mesh_.highest_level_ == kMaxLevel) return;  // not every edge may be split
+        TriMesh copy = mesh_;
+        for (std::uint32_t i = 0; i < mesh_.vertex_slots(); ++i) {
+            const std::optional<Star> star = copy.removable(VertexId{i});
+            if (!star) continue;
+            const SplitIds before = mesh_.ids_of(*star);
+            const Split split = copy.insert_midpoint(copy.unsplit(*star));
+            expect(split.m == before.m && split.left.m == before.wedge && split.mc == before.mc &&
+                       split.am == before.am && split.dm == before.dm &&
+                       split.face3 == before.face3 && split.face4 == before.face4,
+                   "12: other ids after unsplit and split of vertex", before.m);
         }
+        const auto lists_are_equal = [](const auto& x, const auto& y) {
+            return std::ranges::equal(x.free_slots(), y.free_slots());
+        };
+        expect(lists_are_equal(copy.vertices_, mesh_.vertices_) &&
+                   lists_are_equal(copy.wedges_, mesh_.wedges_) &&
+                   lists_are_equal(copy.edges_, mesh_.edges_) &&
+                   lists_are_equal(copy.faces_, mesh_.faces_) &&
+                   same_bytes(copy.faces_.half_edges, mesh_.faces_.half_edges),
+               "12: unsplit and split are not inverse, vertex slots", copy.vertex_slots());
     }
 
     const TriMesh& mesh_;

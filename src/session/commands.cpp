@@ -1,4 +1,4 @@
-// Commands that are done at once: objects, settings, refinement of the whole, files.
+// Commands that are not drags: objects, settings, readapt, bake, files.
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -31,7 +31,7 @@ ShapeKind shape_kind(command::Shape::Kind kind) {
     return ShapeKind::sphere;
 }
 
-// Those of faces, strictly inside at least one of the zones.
+// The number of vertices of faces that lie strictly inside at least one of the zones.
 std::uint64_t vertices_inside(const TriMesh& mesh, std::span<const Box> zones) {
     std::uint64_t count = 0;
     for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
@@ -51,7 +51,7 @@ std::string refuse_counts(int most, const std::string& which) {
            " control points per axis " + which;
 }
 
-// JSON that is no model or script.
+// Whether a file is JSON and neither a model nor a script.
 bool is_plain_json(const FileKind& kind, std::string_view contents) {
     return !kind.is_known() && is_json(contents);
 }
@@ -130,20 +130,20 @@ Refusal Session::State::run(const command::Symmetry& symmetry_command) {
     return std::nullopt;
 }
 
-// Where edges longer than l_max are refined: everywhere where the user gave the length, which then
-// has nothing to do with a lattice; else in the zones of the lattice that it comes from.
+// The zones in which readapt refines edges longer than l_max. A length that the user has set has
+// nothing to do with a lattice and applies everywhere. Otherwise it comes from a lattice and
+// applies in the zones of that lattice.
 std::vector<Box> Session::State::zones_of_readapt() const {
     if (adapt_settings.l_max.kind != Setting::Kind::value) return zones_in_use;
     constexpr double kFar = std::numeric_limits<double>::max();
     return {Box{.min = Vec3{-kFar}, .max = Vec3{kFar}}};
 }
 
-// In the active set, which has begun with all faces.
 Frame Session::State::adapt_everything() {
     const Warp no_warp;
     Embedding embedding(*active, no_warp);
-    AdaptLimits adapt_limits = limits(lattice_in_use);
-    // At the budget, refinement rests until a drag or the settings change.
+    AdaptLimits adapt_limits = limits_in_use();
+    // Once the budget is used up, refinement stops until a drag or a change of settings.
     const bool was_hit = outcome.budget_hit;
     if (was_hit) adapt_limits.budget = 0;
     Adaptation adaptation = adapt_without_self_intersections(
@@ -183,14 +183,14 @@ Refusal Session::State::run(const command::Readapt& readapt) {
         outcome.blocked.clear();
         record(frame);
         add_step(readapt, change);
-    } catch (...) {  // no memory: the object as it was
+    } catch (...) {  // out of memory: restores the object
         if (active->is_begun()) {
             active->cancel();
         } else {
             undo(change, *mesh);
         }
         update_everything();
-        take_outcome();
+        update_outcome();
         throw;
     }
     last.seconds.commit = stopwatch.lap();

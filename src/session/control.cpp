@@ -1,6 +1,7 @@
-// Control points of the cage moved by hand: classic free-form deformation.
-// Source: Sederberg & Parry, Free-Form Deformation of Solid Geometric Models, 1986; here with the
-// uniform cubic B-splines of Gain & Dodgson 1999.
+// Drags of control points of the cage: free-form deformation in its first form.
+// Source: T. W. Sederberg, S. R. Parry. Free-Form Deformation of Solid Geometric Models. SIGGRAPH
+// 1986; here with the uniform cubic B-splines of J. Gain, N. Dodgson. Adaptive Refinement and
+// Decimation under Free-Form Deformation. Eurographics UK 1999.
 #include <algorithm>
 #include <cassert>
 #include <cmath>
@@ -11,8 +12,8 @@
 namespace pectin {
 namespace {
 
-constexpr double kLargestMove = 1e6;  // diagonals of object and cage, as of a drag
-// A cage that is this many cells from its mirror image is meant to be its mirror image.
+constexpr double kLargestMove = 1e6;  // in diagonals of object and cage, as for a drag
+// A cage counts as symmetric if it is at most this many cells away from its mirror image.
 constexpr double kSameCage = 1e-9;
 
 std::string written(const IVec3& index) {
@@ -26,7 +27,8 @@ bool is_in(const IVec3& index, const Lattice& cage) {
 }
 
 bool is_symmetric(const Lattice& cage, const MirrorPlane& plane) {
-    const double distance = glm::length((image(plane, cage).origin - cage.origin) / cage.cell);
+    const double distance =
+        glm::length((mirror_image(plane, cage).origin - cage.origin) / cage.cell);
     return distance <= kSameCage;
 }
 
@@ -40,7 +42,7 @@ std::string refuse_difference(const IVec3& index, const Vec3& a, const Vec3& b) 
            decimal(b) + "; name each once, with symmetry its image, too";
 }
 
-// Displacements as they are asked for, each control point at most once.
+// Collects the displacements of control points and refuses two different ones for the same point.
 class Collector {
   public:
     explicit Collector(const Lattice& cage)
@@ -119,7 +121,7 @@ Refusal Session::State::begin_control(std::span<const IVec3> indices) {
     begun->control = std::move(control);
     Warp warp{{LatticeField{*lattice_settings.cage, std::move(std::get<0>(displacements))}}};
     Box zone = warp.zone();
-    if (symmetry) zone.include(symmetry->image(zone));  // the same up to rounding
+    if (symmetry) zone.include(symmetry->image(zone));  // they differ by rounding at most
     const std::vector<FaceId> faces = face_tree().faces_meeting(zone, *mesh);
     start_gesture(*begun, faces, std::move(warp));
     begun->measured.seconds.begin = stopwatch.lap();
@@ -141,7 +143,7 @@ Refusal Session::State::control_to(std::span<const Vec3> targets) {
 
 std::optional<command::Control> Session::State::end_control() {
     assert(active_gesture && active_gesture->is_control());
-    std::optional<command::Control> control = active_gesture->control;  // as in end_drag
+    std::optional<command::Control> control = active_gesture->control;  // see end_drag()
     const std::vector<Vec3> displacements = std::get<0>(control_displacements(*control));
     const bool is_noop = std::all_of(displacements.begin(), displacements.end(),
                                      [](const Vec3& d) { return d == Vec3{0.0}; });

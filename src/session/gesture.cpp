@@ -10,7 +10,7 @@
 namespace pectin {
 namespace {
 
-// Edits a vertex of the active set, past which frames are rolled back before the next.
+// The number of edits for each vertex of the active set beyond which the frames are rolled back.
 constexpr std::uint64_t kMostEdits = 4;
 
 }  // namespace
@@ -28,7 +28,7 @@ Gesture::Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
     try {
         active_.begin(faces, zone);
         embedding_.embed();
-    } catch (...) {  // no memory: nothing has been edited yet
+    } catch (...) {  // out of memory: nothing has been edited yet
         active_.abandon();
         throw;
     }
@@ -44,14 +44,13 @@ const Frame& Gesture::frame(std::span<const Vec3> displacements) {
 }
 
 const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
-    // A long drag makes and undoes more than it keeps; from the rest state it starts lean again.
+    // A long drag undoes most of its edits again. Rolling back to the rest state frees their
+    // memory.
     if (active_.edit_count() > kMostEdits * (active_.vertex_entries() + 1000)) roll_back();
-    auto* const drag = std::get_if<DragStep>(&warp_.steps.back());
-    const std::span<Vec3> d = drag ? std::span(drag->displacements)
-                                   : std::get<LatticeField>(warp_.steps.back()).displacements();
+    const std::span<Vec3> d = displacements_of(warp_.steps.back());
     assert(displacements.size() == d.size());
-    // At the budget, refinement rests until the drag changes: thinning would make room for a few
-    // splits, and the next frame would thin those.
+    // Once the budget is used up, refinement rests until the drag changes. Decimation would free
+    // some triangles for a few splits, and the next frame would remove these again.
     if (has_frames_ && last_.budget_hit && std::ranges::equal(d, displacements)) return last_;
     std::ranges::copy(displacements, d.begin());
     const auto begin = std::chrono::steady_clock::now();
@@ -119,7 +118,7 @@ void Gesture::append_moved_wedges(std::vector<WedgeId>& wedges) const {
     const std::uint32_t moved = active_.influenced_wedges_at_begin();
     if (wedges.empty()) wedges.reserve(all.size());
     const auto is_there = [](WedgeId w) { return exists(w); };
-    if (active_.unsplits() == 0) {  // none is gone
+    if (active_.unsplits() == 0) {  // none was removed
         wedges.insert(wedges.end(), all.begin(), all.begin() + moved);
     } else {
         std::copy_if(all.begin(), all.begin() + moved, std::back_inserter(wedges), is_there);

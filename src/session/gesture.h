@@ -1,4 +1,4 @@
-// One drag from mouse down to mouse up: frames that follow the mouse, one commit.
+// A gesture: frames of a deformation that changes, from mouse down to mouse up, and one commit.
 #pragma once
 
 #include <cstdint>
@@ -14,53 +14,54 @@
 
 namespace pectin {
 
-// What a frame did to the mesh, and what it took.
+// What a frame has done to the mesh, and the time it took.
 struct Frame {
     std::uint64_t splits = 0, unsplits = 0;
     bool floor_hit = false, budget_hit = false;
-    std::vector<EdgeId> blocked;  // see Refinement
-    std::uint64_t self_intersections =
-        0;  // left (Refinement::self_intersections); only a commit looks for them
+    std::vector<EdgeId> blocked;           // see Refinement
+    std::uint64_t self_intersections = 0;  // that remain; see Refinement. Only a commit finds them.
     IntersectionLimit intersection_limit = IntersectionLimit::none;
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 };
 
-// Begins the active set; cancel or commit ends it, the destructor cancels. What a
-// commit does depends only on the mesh before the gesture, the displacements and the limits: the
+// Begins the active set. commit() or cancel() ends it; the destructor cancels it. The result of a
+// commit depends only on the mesh before the gesture, the displacements and the limits, since the
 // frames before it are rolled back first.
 class Gesture {
   public:
-    // faces: those that meet the warp's zone, sorted. limits: none to deform only. kept: vertices
-    // that decimation does not remove. Cost: weights of the active set.
+    // faces: the faces that meet the zone of the warp, sorted. limits: nothing for a gesture
+    // without adaptive meshing. kept: vertices that decimation does not remove. Throws
+    // std::bad_alloc; the mesh is then unchanged. Cost: that of Embedding::embed().
     Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
             const std::optional<AdaptLimits>& limits, std::vector<VertexId> kept = {});
     ~Gesture();
     Gesture(const Gesture&) = delete;
     Gesture& operator=(const Gesture&) = delete;
 
-    // The object as these displacements of the warp's last step have it: one for each of its
-    // moves, or for each control point.
-    // Cost: O(active set).
+    // Deforms and adapts the object by these displacements of the warp's last step; see
+    // displacements_of(). Cost: O(active set).
     const Frame& frame(std::span<const Vec3> displacements);
-    // The same as a single frame from the rest state, for good. Self-intersections are looked for
-    // here alone.
+    // Ends the gesture with a single frame from the rest state, and returns what it has changed.
+    // Only this frame searches for self-intersections.
     MeshChange commit(std::span<const Vec3> displacements);
-    // Gives everything back, to the byte, and allocates nothing for it. Returns the faces that it
-    // had changed, or nothing where there is no memory for them.
+    // Restores the mesh byte for byte, without allocating. Returns the faces that the gesture had
+    // changed, or nothing if there is no memory for the list.
     std::optional<std::vector<FaceId>> cancel() noexcept;
 
-    // --- For who shows the frames.
-    // Slots that edits have made, cut or freed since it was last asked, those that were rolled back
-    // among them.
+    // --- For the renderer
+
+    // Returns the slots of faces that edits have inserted, split or freed since the last call, also
+    // where they were rolled back.
     std::vector<FaceId> take_edited_faces();
-    // The live wedges that the last frame has placed. Cost: O(active set).
+    // Appends the live wedges whose positions or normals the last frame has set. Cost: O(active
+    // set).
     void append_moved_wedges(std::vector<WedgeId>& wedges) const;
     std::size_t memory_bytes() const { return embedding_.memory_bytes(); }
 
     const Warp& warp() const { return warp_; }
     const Frame& last_frame() const { return last_; }
     std::uint64_t influenced_vertices() const { return influenced_; }
-    std::uint64_t folded_vertices() const { return folded_; }  // of the commit
+    std::uint64_t folded_vertices() const { return folded_; }  // after the commit
 
   private:
     using Adapt = Adaptation (*)(ActiveSet&, Embedding&, const Criteria&);
@@ -76,7 +77,7 @@ class Gesture {
     Frame last_;
     bool has_frames_ = false;
     std::vector<FaceId> rolled_back_faces_;
-    std::size_t taken_faces_ = 0;  // of the active set's edited ones
+    std::size_t taken_faces_ = 0;  // how many of the active set's edited faces were returned
 };
 
 }  // namespace pectin

@@ -7,7 +7,7 @@
 namespace pectin {
 namespace {
 
-// What a command that can be a step owns beside itself.
+// The memory that a command owns, for the commands that can be steps.
 std::size_t owned_bytes(const Command& command) {
     if (const auto* drag = std::get_if<command::Drag>(&command)) {
         return capacity_bytes(drag->moves) + capacity_bytes(drag->pins) + capacity_bytes(drag->via);

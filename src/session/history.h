@@ -1,5 +1,5 @@
-// Undo and redo: the commands that changed the object, with what each did, within a limit of
-// memory.
+// The history for undo and redo: the commands that changed the object and their changes, within a
+// limit of memory.
 #pragma once
 
 #include <cstddef>
@@ -14,7 +14,7 @@
 
 namespace pectin {
 
-// Where adaptive meshing stopped short, for the mesh as a step left it.
+// Where adaptive meshing has stopped short, for the mesh after a step.
 struct AdaptOutcome {
     bool floor_hit = false, budget_hit = false;
     std::vector<EdgeId> blocked{};  // sorted; see Refinement::blocked
@@ -26,34 +26,34 @@ class History {
         Command command;
         MeshChange change;
         AdaptOutcome outcome;
-        // Of a bake, which renames everything: the mesh before it, or once undone, after it.
+        // For a bake, which renumbers everything: the mesh before it, or the mesh after it once it
+        // is undone. Otherwise null.
         std::unique_ptr<TriMesh> exchanged{};
 
         std::size_t memory_bytes() const;
     };
 
-    // A thousand drags of ten thousand vertices each, or fifteen of all of a 1.3 M face model, and
-    // no more than a machine of 4 GB can spare beside such a model.
+    // Enough for a thousand drags of ten thousand vertices each, or for fifteen drags of a whole
+    // model of 1.3 million faces. A machine with 4 GB has as much left beside such a model.
     static constexpr std::size_t kDefaultLimit = 1'000'000'000;  // bytes
 
-    // A new step drops what could be redone. Where the limit is exceeded the oldest steps are
-    // dropped.
-    // Where there is no memory it throws, and neither the step nor the history has changed.
+    // Adds a step and drops the steps that could be redone, and the oldest ones if the limit is
+    // exceeded. Throws std::bad_alloc; neither the step nor the history has changed then.
     void add(Step&& step);
-    // Starts anew; the limit stays.
+    // Drops all steps and counts. The limit stays.
     void clear();
 
     std::size_t undo_count() const { return done_; }
     std::size_t redo_count() const { return steps_.size() - done_; }
-    // How many more steps there would be to undo, had the limit not dropped them.
+    // The number of steps that could still be undone if the limit had not dropped them.
     std::size_t lost_undo_count() const { return lost_undos_; }
-    // How many steps the limit has dropped since this was last called.
+    // Returns the number of steps that the limit has dropped since the last call.
     std::size_t take_dropped_count() { return std::exchange(dropped_, 0); }
-    // Of the step that led to the mesh as it is, counted from the beginning whatever was dropped.
+    // The number of the step that led to the present mesh. Dropped steps count, too.
     std::size_t step_number() const { return lost_undos_ + done_; }
 
-    // Takes steps back, or does them again: apply(Step&) has the mesh follow, latest first or
-    // earliest first. Precondition: there are as many.
+    // Undoes or redoes `count` steps by calling apply(Step&) for each of them, the latest first or
+    // the earliest first. Precondition: there are that many.
     template <typename Apply>
     void undo(std::size_t count, Apply apply) {
         for (; count > 0; --count, --done_) visit(steps_[done_ - 1], apply);
@@ -65,16 +65,16 @@ class History {
         keep_limit();
     }
 
-    // Of the step that led to the mesh as it is.
+    // The outcome of the step that led to the present mesh.
     const AdaptOutcome& outcome() const {
         return done_ > 0 ? steps_[done_ - 1].step.outcome : first_outcome_;
     }
-    // Other settings: where a step stopped by the old ones means nothing any more.
+    // Clears all outcomes, which mean nothing after a change of settings.
     void forget_outcomes();
 
-    // In bytes; none: no limit. Holds at once and from now on: the oldest steps that can be undone
-    // are dropped until memory_bytes() is within it. Two things are kept beyond the limit: the
-    // newest step, and the steps that can be redone. Each of these builds on the one before it, so
+    // Sets the limit in bytes; nothing means no limit. From now on the oldest steps that can be
+    // undone are dropped until memory_bytes() is within the limit. The newest step is always kept,
+    // and so are the steps that can be redone: each of these builds on the one before it, so
     // dropping the oldest would make all of them useless. Cost: O(steps dropped).
     void set_limit(std::optional<std::size_t> limit);
     std::optional<std::size_t> limit() const { return limit_; }
@@ -84,7 +84,7 @@ class History {
   private:
     struct Entry {
         Step step;
-        std::size_t bytes = 0;  // of the step as it was last measured
+        std::size_t bytes = 0;  // of the step when it was last measured
     };
 
     template <typename Apply>
@@ -98,10 +98,10 @@ class History {
     void drop_last();
 
     std::deque<Entry> steps_;
-    std::size_t done_ = 0;  // steps_[0, done_) are in the mesh
+    std::size_t done_ = 0;  // steps_[0, done_) are done, the others undone
     std::size_t lost_undos_ = 0;
-    std::size_t dropped_ = 0;     // by the limit, and not reported yet
-    AdaptOutcome first_outcome_;  // of the mesh that undoing all leads to
+    std::size_t dropped_ = 0;     // by the limit, not yet reported
+    AdaptOutcome first_outcome_;  // of the mesh before the first step
     std::size_t bytes_ = 0;       // of all steps and the first outcome
     std::optional<std::size_t> limit_ = kDefaultLimit;
 };

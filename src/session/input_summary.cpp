@@ -9,7 +9,8 @@
 namespace pectin {
 namespace {
 
-// A count of the report; `one` and `many` tell it behind the number, where it is news.
+// A count of the report. `one` and `many` are the words after the number; null if it is not
+// reported.
 struct Finding {
     const char* name;
     std::uint32_t BuildReport::*count;
@@ -17,7 +18,7 @@ struct Finding {
     const char* many = nullptr;
 };
 
-// In the order in which they are told.
+// In the order in which they are reported.
 constexpr std::array kFindings{
     Finding{"triangulated_polygons", &BuildReport::triangulated_polygons},
     Finding{
@@ -53,7 +54,7 @@ constexpr std::array kFindings{
 static_assert(kFindings.size() * sizeof(std::uint32_t) == sizeof(BuildReport),
               "a count of the report is missing here");
 
-// The same of what the reader dropped.
+// The same for what the reader has dropped.
 struct Dropped {
     const char* name;
     ReadFinding ReadReport::*found;
@@ -97,7 +98,7 @@ constexpr std::array kDropped{
             "statements with unknown keywords dropped"},
 };
 
-// Where it is found first, and which keyword that is.
+// The first line of the finding, with the keyword if that is unknown.
 std::string first_of(const ReadFinding& found, const ReadReport& read) {
     const std::string line = "line " + std::to_string(found.line);
     if (&found != &read.unknown_statements) {

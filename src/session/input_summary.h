@@ -1,4 +1,4 @@
-// What was found in a model's input and done about it, for people and for `stats`.
+// Summarises what was found in the input of a model, for the user and for `stats`.
 #pragma once
 
 #include <string>
@@ -10,12 +10,12 @@
 
 namespace pectin {
 
-// All counts of the reports, by their names in `stats`.
+// All counts of the reports with their names in `stats`.
 std::vector<Statistics::Count> input_counts(const BuildReport& report, const ReadReport& read = {});
 
-// "beetle.obj: 47 edges cut ...; 2 isolated vertices": what is worth telling, in one sentence that
-// begins with the file's name. First comes what was dropped, each with the line where it is found
-// first. Empty where all is as it should be.
+// Returns one sentence with the findings that the user should know, such as "beetle.obj: 47 edges
+// cut ...; 2 isolated vertices". It begins with the name of the file and with what was dropped,
+// each with the line where it occurs first. Empty if there are no such findings.
 std::string input_summary(const std::string& path, const BuildReport& report,
                           const ReadReport& read = {});
 

@@ -1,4 +1,4 @@
-// The figures that a scan of the mesh gives.
+// The statistics that follow from the mesh alone.
 #pragma once
 
 #include "command/statistics.h"
@@ -6,7 +6,7 @@
 
 namespace pectin {
 
-// Counts, max_level, edge_max and angle_min_deg of `statistics`. Cost: O(n).
+// Sets the counts, max_level, edge_max and angle_min_deg of `statistics`. Cost: O(n).
 void measure(const TriMesh& mesh, Statistics& statistics);
 
 }  // namespace pectin

@@ -15,12 +15,12 @@
 namespace pectin {
 namespace {
 
-// Where reading ends and building ends, of the time that loading takes.
+// The fractions of the time of loading at which reading and building end.
 constexpr double kRead = 0.4, kBuilt = 0.75;
-// Where writing ends and copying material files begins, of the time that saving takes.
+// The fraction of the time of saving at which writing ends and copying material files begins.
 constexpr double kWritten = 0.95;
 
-// The results of several folders as one: what one of them has is not missing in another.
+// Combines the results of several folders. A file that one folder has is not missing in the others.
 class MaterialReport {
   public:
     void add(const MaterialCopy& copy);
@@ -43,7 +43,7 @@ void MaterialReport::add(const MaterialCopy& copy) {
     add(copy.failed, failed_);
 }
 
-// folder: where they are copied to.
+// folder: the folder into which the files are copied.
 SaveReport MaterialReport::take(const std::string& folder) const {
     SaveReport report;
     const char* last_part = "";

@@ -1,4 +1,4 @@
-// Models from files and to files: long work that touches no session, on whatever thread.
+// Loads and saves models. This may take long, uses no session, and may run on any thread.
 #pragma once
 
 #include <memory>
@@ -17,40 +17,41 @@
 
 namespace pectin {
 
-// An object with all that follows from it alone, for Session::adopt. Behind pointers: the active
-// set refers to the mesh wherever the object goes.
+// An object with the data that depends on it alone, for Session::adopt(). It is on the heap, since
+// the active set refers to the mesh.
 struct LoadedModel {
     std::unique_ptr<TriMesh> mesh;
     std::unique_ptr<ActiveSet> active;
-    std::unique_ptr<FaceTree> tree;  // none: it is made when first asked for
-    BuildReport report;              // what building it took
-    ReadReport read_report;          // what reading its file dropped
-    Box box;                         // of all its vertices
-    // Where the files that its material libraries name may lie, the likeliest first; absolute.
+    std::unique_ptr<FaceTree> tree;  // null if it is to be built when first needed
+    BuildReport report;              // what building the mesh has found
+    ReadReport read_report;          // what reading the file has dropped
+    Box box;                         // of all vertices
+    // Absolute paths of the folders that may contain the material files, the most likely first.
     std::vector<std::string> material_folders{};
 };
 
-// Where the material files of the model in this file lie.
+// The folder of the material files of the model in this file.
 std::string material_folder(const std::string& model_path);
 
-// Without a tree. Cost: O(n).
+// Makes a model without a tree. Cost: O(n).
 LoadedModel make_model(BuiltMesh built);
 
-// Reads the file and makes a model of it, tree and all, so that neither the first pick nor the
-// first drag has to wait. Throws Cancelled, FileError: read_model's, or that there is no surface.
-// Cost: O(n log n).
+// Reads the file and makes a model with a tree, so that neither the first pick nor the first drag
+// has to wait. Throws Cancelled, and FileError if read_model() does or if the file contains no
+// surface. Cost: O(n log n).
 LoadedModel load_model(const command::Open& open, const Progress& progress = {});
 
-// What there is to tell of a model that is saved: which material files were copied along, which
-// were not found, and which were not copied, and why. Empty where there are none.
+// Reports which material files were copied with a saved model, which were not found, and which were
+// not copied and why. Empty if there are none.
 struct SaveReport {
     std::string text;
-    bool has_failed = false;  // a file should have been copied and could not be
+    bool has_failed = false;  // a file that should have been copied could not be copied
 };
 
-// Writes the mesh to the file, whole or not at all, then copies the material files that are not
-// there yet into its folder. Nobody may change the mesh meanwhile. Throws Cancelled (the file is as
-// it was), FileError: write_model's. Cost: O(n), and that of copying.
+// Writes the mesh to the file, completely or not at all, and then copies the material files that
+// its folder lacks. Precondition: nobody changes the mesh meanwhile. Throws Cancelled, and
+// FileError if write_model() does; the file is then
+// unchanged. Cost: O(n), and that of copying.
 SaveReport save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress = {},
                       std::span<const std::string> material_folders = {});
 

@@ -9,7 +9,6 @@
 
 namespace pectin {
 
-// The new object starts a new history; settings stay.
 void Session::State::adopt(LoadedModel model) {
     active = std::move(model.active);
     mesh = std::move(model.mesh);
@@ -30,7 +29,7 @@ void Session::State::adopt(LoadedModel model) {
     dirty.everything = true;
 }
 
-// The folder in which all was put together last is the likeliest to have it.
+// The folder of the last save is the most likely one to contain all material files.
 void Session::State::record_saved(const std::string& path) {
     const std::string folder = material_folder(path);
     std::erase(material_folders, folder);
@@ -52,13 +51,13 @@ void Session::State::update_faces(std::span<const FaceId> faces) noexcept {
 }
 
 void Session::State::update_everything() noexcept {
-    tree.reset();  // made anew when it is asked for
+    tree.reset();  // built again when it is needed
     dirty = {};
     dirty.everything = true;
 }
 
 void Session::State::mark_dirty(std::span<const FaceId> faces) {
-    // Nobody has looked for so long that a picture is better drawn from scratch.
+    // The changes were not taken for so long that redrawing everything is cheaper.
     if (dirty.faces.size() > 2 * std::size_t{mesh->face_slots()}) {
         dirty = {};
         dirty.everything = true;
@@ -95,7 +94,7 @@ Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
 std::optional<std::string> Session::execute(const Command& command) {
-    if (is_dragging()) return "a drag is in hand; end or cancel it first";
+    if (is_dragging()) return "a drag is active; end or cancel it first";
     state_->remark.clear();
     state_->has_failed_partly = false;
     Refusal refusal = std::visit([this](const auto& c) { return state_->run(c); }, command);
@@ -136,13 +135,10 @@ std::optional<std::string> Session::drag_to(std::span<const Vec3> targets) {
     return state_->drag_to(drag);
 }
 
-std::optional<std::string> Session::drag_to(std::span<const DragTarget> targets) {
+std::optional<std::string> Session::drag_to(std::span<const Move> moves) {
     command::Drag drag = state_->active_gesture->drag;
-    for (std::size_t i = 0; i < drag.moves.size(); ++i) {
-        drag.moves[i].to = targets[i].to;
-        drag.moves[i].twist = targets[i].twist;
-        drag.moves[i].scale = targets[i].scale;
-    }
+    assert(std::ranges::equal(drag.moves, moves, {}, &Move::from, &Move::from));
+    drag.moves.assign(moves.begin(), moves.end());
     return state_->drag_to(drag);
 }
 
@@ -183,7 +179,7 @@ std::optional<Lattice> Session::lattice_in_use() const {
 std::vector<LatticeField> Session::active_lattices() const {
     assert(is_dragging());
     if (!state_->active_gesture->gesture) return {};
-    return lattice_fields(state_->active_gesture->gesture->warp().steps.back());
+    return merged_lattices(state_->active_gesture->gesture->warp().steps.back());
 }
 
 std::optional<Pick> Session::pick(const Ray& ray) {
@@ -201,9 +197,9 @@ std::optional<Pick> Session::pick(const Ray& ray) {
 
 DirtyElements Session::take_dirty() {
     DirtyElements taken = std::exchange(state_->dirty, {});
-    // Slots that were cut off since have nothing to show.
+    // Slots that no longer exist have nothing to draw.
     const auto tidy = [](auto& ids, auto end) {
-        // A frame names what it moves in order, each once, and what it inserted after that.
+        // A frame lists what it moves in order, without duplicates, and then what it has inserted.
         const auto last = std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>());
         if (last != ids.end()) {
             std::sort(last + 1, ids.end());

@@ -1,6 +1,9 @@
-// Commands in, mesh changes out: the one thing that window, script and tests talk to.
+// The session of one object: executes commands and drags, and reports what they change. Window,
+// scripts and tests all use this one interface.
 #pragma once
 
+#include <cstddef>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <span>
@@ -12,6 +15,7 @@
 #include "ffd/lattice.h"
 #include "ffd/lattice_field.h"
 #include "ffd/symmetry.h"
+#include "geometry/move.h"
 #include "geometry/ray.h"
 #include "mesh/tri_mesh.h"
 #include "session/gesture.h"
@@ -22,32 +26,29 @@
 
 namespace pectin {
 
-// What a picture of the mesh has to learn anew.
+// The elements that a renderer must update.
 struct DirtyElements {
-    bool everything = false;        // another object: the lists below mean nothing
-    std::vector<WedgeId> wedges{};  // slots that moved or turned; sorted, each once
-    std::vector<FaceId> faces{};  // slots that came, went or have other corners; sorted, each once
+    bool everything = false;  // the object is another one, and the lists below mean nothing
+    // Slots of wedges that moved or whose normals changed. Sorted, without duplicates.
+    std::vector<WedgeId> wedges{};
+    // Slots of faces that appeared, disappeared or have other corners. Sorted, without duplicates.
+    std::vector<FaceId> faces{};
 };
 
 // A point of the surface.
 struct Pick {
     FaceId face = kNone<FaceId>;
     Vec3 point{0.0};
-    Vec3 normal{0.0};  // of the face, unit, outwards
+    Vec3 normal{0.0};  // of the face: unit length, outwards
 };
 
 struct DragOptions {
-    bool connected = false;  // only the surface that hangs together with the points follows
-    bool fold_free = false;  // in steps that are proven one to one
+    bool connected = false;  // moves only the part of the surface that is connected to the handles
+    bool fold_free = false;  // goes in steps that are proven one to one
 };
 
-// What is asked of a point that is being dragged.
-struct DragTarget {
-    Vec3 to{0.0};
-    std::optional<command::Drag::Twist> twist{};
-    double scale = 1.0;
-};
-
+// Everything is in world space. The functions that return an optional string return nothing on
+// success. Otherwise they return the reason for the user, and the object is unchanged.
 class Session {
   public:
     Session();
@@ -55,79 +56,91 @@ class Session {
     Session(Session&&) noexcept;
     Session& operator=(Session&&) noexcept;
 
-    // Does it, or says why not and leaves everything as it was. Paths are used as they are.
-    // Throws what io throws (FileError) for files; the object is then as it was, too.
+    // --- Commands and files
+
+    // Executes a command. Refused while a gesture is active. Paths are used as they are given.
+    // Throws what io throws for files (FileError); the object is then unchanged, too.
     std::optional<std::string> execute(const Command& command);
 
-    // Makes it the object, as opening its file does. Precondition: no drag is in hand. Cost: O(1),
-    // and that of freeing what was there.
+    // Makes the model the object of the session, as opening its file does. The history is cleared,
+    // and the settings stay. Precondition: no gesture is active. Cost: O(1), and the time to free
+    // the object before it.
     void adopt(LoadedModel model);
-    // For save_model, and what follows it; the save command does both by itself.
+    // For callers of save_model(): the folders in which material files are searched, and a record
+    // of the path of a saved model. The save command uses both itself.
     const std::vector<std::string>& material_folders() const;
-    // What the last command or drag has to tell though it is done: what was found in the input,
-    // what was copied along or not, where triangles cut each other, how many steps the limit of the
-    // history has dropped. Mostly empty.
-    const std::string& remark() const;
-    // Whether that is a failure, though the command is done: a model is saved, but a material file
-    // could not be copied along.
-    bool has_failed_partly() const;
     void record_saved(const std::string& path);
+    // What the last command or drag has to report although it has succeeded: findings in the input,
+    // which material files were copied, remaining self-intersections, how many steps the limit of
+    // the history has dropped. Often empty.
+    const std::string& remark() const;
+    // Whether the remark reports a failure: the model is saved, but a material file could not be
+    // copied to its folder.
+    bool has_failed_partly() const;
 
     // --- A drag that follows the mouse: begin it, move it, then end or cancel it. No command is
-    // executed meanwhile. Ending it does what the Drag command that it came to does, to the byte,
-    // whatever the frames before. With symmetry on, all of it happens on both sides.
+    // executed meanwhile. Ending it gives byte for byte the mesh of the Drag command that it
+    // returns, whatever frames came before. With symmetry everything happens on both sides.
+
+    // points: at least one handle. pins: points to hold.
     std::optional<std::string> begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins,
                                           const DragOptions& options = {});
-    // One target for each point. Cost: O(active set), as long as a fold-free drag needs no further
-    // step; where it does the object is embedded anew, O(active set) a step, and the drag gets a
-    // waypoint. A refusal leaves the frame before.
+    // Shows a frame in which the handles are at these targets, one for each point of begin_drag().
+    // A refusal keeps the frame before. Cost: O(active set). If a fold-free drag needs another
+    // step, the object is embedded anew, O(active set) for each step, and the drag gets a waypoint.
     std::optional<std::string> drag_to(std::span<const Vec3> targets);
-    std::optional<std::string> drag_to(std::span<const DragTarget> targets);
-    // As it is now, with its waypoints so far.
+    // The same with twist and scale. Precondition: `from` of each move is the point of
+    // begin_drag().
+    std::optional<std::string> drag_to(std::span<const Move> moves);
+    // The Drag command so far, with the waypoints that it has got.
     const command::Drag& active_drag() const;
     const Frame& last_frame() const;
-    // The command it came to; none if its targets are its points. It is a step in the history if it
-    // has changed anything.
+    // Ends the drag and returns the command that it amounts to, or nothing if all targets are the
+    // points where it began. It is a step in the history if it has changed the object.
     std::optional<command::Drag> end_drag();
-    void cancel_drag();  // gives everything back, to the byte; also of control points
+    // Restores the object byte for byte. Also cancels a drag of control points.
+    void cancel_drag();
+    // Whether a gesture is active, of points or of control points.
     bool is_dragging() const;
 
-    // --- The same for control points of the cage, by the indices that users know
-    // (Lattice::user_index). Several, each once.
+    // --- A drag of control points of the cage, in the same way. indices: at least one, each once,
+    // as users count them (Lattice::user_index).
     std::optional<std::string> begin_control(std::span<const IVec3> indices);
     std::optional<std::string> control_to(std::span<const Vec3> targets);
     std::optional<command::Control> end_control();
 
-    // Draws screenshots from now on; none: they are refused. Must outlive the session or be taken
-    // away.
-    void set_viewport(Viewport* viewport);
+    // --- Queries
 
     const TriMesh& mesh() const;
-    // The surface point that a ray meets first. Not during a drag. Cost: O(log n), the first time
-    // O(n log n).
+    // Returns the first point of the surface on the ray; nothing during a gesture. Cost: O(log n);
+    // O(n log n) for the first pick of an object.
     std::optional<Pick> pick(const Ray& ray);
-    // Of the last drag, or of the one in hand.
+    // The lattice of the active gesture, or of the last drag.
     std::optional<Lattice> lattice_in_use() const;
-    // What the last step of the drag in hand does, as displaced lattices whose fields add up: one,
-    // or with symmetry that and its image where they are not the same. Cost: O(control points).
+    // Displaced lattices whose fields add up to the last step of the active gesture: one, or two if
+    // symmetry is on and the mirror image is a different lattice. Cost: O(control points).
     std::vector<LatticeField> active_lattices() const;
-    // What has changed since it was last asked. Cost: O(changed).
+    // Returns and forgets what has changed since the last call. Cost: O(changed).
     DirtyElements take_dirty();
     Statistics statistics() const;  // O(n)
-    // What was found in the input of the object; see input_summary.
+    // What was found in the input of the object; see input_summary().
     const BuildReport& input_report() const;
     const ReadReport& read_report() const;
 
-    // --- For who shows them.
     const AdaptSettings& adapt_settings() const;
     const LatticeSettings& lattice_settings() const;
     const std::optional<MirrorPlane>& symmetry() const;
-    const AdaptOutcome& outcome() const;  // of the mesh as it is
-    // Of the last drag or control, as Statistics has it.
+    // Where adaptive meshing of the present mesh has stopped short.
+    const AdaptOutcome& outcome() const;
+    // Statistics::folded_vertices of the last drag or control command.
     std::uint64_t folded_vertices() const;
     const History& history() const;
     std::size_t undo_count() const { return history().undo_count(); }
     std::size_t redo_count() const { return history().redo_count(); }
+
+    // Sets what draws screenshots, which are refused while it is null. The viewport must outlive
+    // the session or be set to null before it ends.
+    void set_viewport(Viewport* viewport);
 
   private:
     struct State;

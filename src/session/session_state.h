@@ -1,4 +1,4 @@
-// What a Session holds, shared by the files that implement it.
+// The state of a Session, shared by the files that implement it.
 #pragma once
 
 #include <chrono>
@@ -9,8 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "ffd/drag_plan.h"
 #include "ffd/drag_solver.h"
-#include "ffd/injective_steps.h"
+#include "ffd/fold_guard.h"
 #include "session/gesture.h"
 #include "session/history.h"
 #include "session/model_file.h"
@@ -19,6 +20,7 @@
 
 namespace pectin {
 
+// The reason of a refusal, or nothing on success.
 using Refusal = std::optional<std::string>;
 
 inline constexpr const char* kNoObject =
@@ -26,7 +28,7 @@ inline constexpr const char* kNoObject =
 
 class Stopwatch {
   public:
-    // Seconds since the last lap.
+    // Returns the seconds since the last lap and starts a new one.
     double lap() {
         const auto now = Clock::now();
         const std::chrono::duration<double> passed = now - last_;
@@ -40,25 +42,25 @@ class Stopwatch {
 };
 
 struct Session::State {
-    // A drag of points or of control points between begin and end.
+    // A drag of points or of control points that has begun and not ended.
     struct ActiveGesture {
-        command::Drag drag{};                // `to` is where the last frame put it
-        command::Control control{};          // the same of control points; empty in a drag
+        command::Drag drag{};                // with the targets of the last frame
+        command::Control control{};          // likewise for control points; empty in a drag
         Lattice lattice{};                   // of the last step
-        double reach = 0.0;                  // diagonal of the first step's zone
+        double reach = 0.0;                  // diagonal of the zone of the first step
         std::optional<DragSolver> solver{};  // of the last step
-        std::unique_ptr<FoldGuard> guard{};  // of the solver; null unless the drag is fold-free
-        bool is_one_step_left = true;        // whether the last segment is the last step
-        Statistics::Last measured{};         // so far
-        std::unique_ptr<Gesture> gesture{};  // refers to the active set; none if memory gave out
+        std::unique_ptr<FoldGuard> guard{};  // for the solver; null unless the drag is fold-free
+        bool is_one_step_left = true;        // the last step is the whole last segment
+        Statistics::Last measured{};         // up to now
+        std::unique_ptr<Gesture> gesture{};  // null if memory ran out; refers to the active set
 
         bool is_control() const { return !control.points.empty(); }
     };
 
-    // Behind pointers: the active set refers to the mesh wherever the session goes.
+    // On the heap, since the active set refers to the mesh, also after the session was moved.
     std::unique_ptr<TriMesh> mesh = std::make_unique<TriMesh>();
     std::unique_ptr<ActiveSet> active = std::make_unique<ActiveSet>(*mesh);
-    std::unique_ptr<FaceTree> tree;  // made when first asked for
+    std::unique_ptr<FaceTree> tree;  // built when first needed
     std::unique_ptr<ActiveGesture> active_gesture;
     History history;
     AdaptSettings adapt_settings;
@@ -66,41 +68,45 @@ struct Session::State {
     std::optional<MirrorPlane> symmetry;
     DirtyElements dirty;
     Viewport* viewport = nullptr;
-    double diagonal = 0.0;                  // of the object's box as it was opened
-    std::optional<Lattice> lattice_in_use;  // the last step's of the last drag
-    std::vector<Box> zones_in_use;          // all steps'; none after a connected drag
+    double diagonal = 0.0;                  // of the object's box when it was opened
+    std::optional<Lattice> lattice_in_use;  // of the last step of the last drag
+    std::vector<Box> zones_in_use;          // of all its steps; empty after a connected drag
     Statistics::Last last;
     std::uint64_t folded = 0;
-    AdaptOutcome outcome;                       // of the mesh as it is
-    BuildReport input_report;                   // what opening the object took
-    ReadReport read_report;                     // what opening it dropped
-    double largest_coordinate = 0.0;            // of the object as it was opened
+    AdaptOutcome outcome;                       // of the present mesh
+    BuildReport input_report;                   // what opening the object has found
+    ReadReport read_report;                     // what opening the object has dropped
+    double largest_coordinate = 0.0;            // of the object when it was opened
     std::string remark;                         // of the last command
-    bool has_failed_partly = false;             // the last command, as the remark says
-    std::vector<std::string> material_folders;  // as LoadedModel has them
+    bool has_failed_partly = false;             // whether the remark reports a failure
+    std::vector<std::string> material_folders;  // see LoadedModel
 
     bool has_object() const { return mesh->face_slots() > 0; }
-    AdaptLimits limits(const std::optional<Lattice>& lattice) const {
-        AdaptLimits limits = adapt_settings.limits(lattice ? lattice->smallest_cell_extent() : kOff,
-                                                   diagonal, largest_coordinate);
+    // The limits of adaptive meshing. feature_extent: the smallest feature that the deformation can
+    // give the surface, from which L_max follows.
+    AdaptLimits limits(double feature_extent) const {
+        AdaptLimits limits = adapt_settings.limits(feature_extent, diagonal, largest_coordinate);
         limits.symmetry = symmetry;
         return limits;
+    }
+    AdaptLimits limits_in_use() const {
+        return limits(lattice_in_use ? lattice_in_use->smallest_cell_extent() : kOff);
     }
     void adopt(LoadedModel model);
     void record_saved(const std::string& path);
     const FaceTree& face_tree();
     void record(const Frame& frame);
-    // The picture has to learn these faces and their corners anew.
+    // Marks the faces and their wedges for the renderer.
     void mark_dirty(std::span<const FaceId> faces);
-    // The same, and the tree has to follow.
+    // Marks the faces and updates them in the tree.
     void update_faces(std::span<const FaceId> faces) noexcept;
-    // The same for all faces. Allocates nothing.
+    // Marks everything and drops the tree. Allocates nothing.
     void update_everything() noexcept;
-    struct OutcomeOfReachedStep;
-    // Of the step that led to the mesh as it is.
-    void take_outcome() noexcept;
+    // Sets the outcome to that of the step of the history that led to the present mesh.
+    void update_outcome() noexcept;
+    struct UpdateOutcomeAtExit;
 
-    // --- One for each command.
+    // --- One function for each command.
     Refusal run(const command::Open& open);
     Refusal run(const command::Shape& shape);
     Refusal run(const command::Adapt& adapt);
@@ -119,17 +125,19 @@ struct Session::State {
     Refusal run(const command::Stats& stats);
     Refusal run(const command::Screenshot& screenshot);
 
-    // --- Steps (undo.cpp).
-    // Takes over the change. Where there is no memory it throws, and the change is as it was.
+    // --- Steps of the history (undo.cpp).
+    // Moves the change into the history. Throws std::bad_alloc with the change unmodified.
     void add_step(Command command, MeshChange& change);
-    // Refines and decimates the whole object once.
-    Frame adapt_everything();
     // Adds to the remark how many steps the limit of the history has dropped, if any.
     void report_dropped_steps() noexcept;
-    // Of a bake's step: the mesh on its one side for that on its other.
+    // Undoes or redoes a bake: exchanges the mesh for the one of its step.
     void exchange(TriMesh& other);
 
-    // --- Drags (drag.cpp).
+    // Refines and decimates the whole object once. Precondition: the active set has begun with all
+    // faces.
+    Frame adapt_everything();
+
+    // --- Drags (drag.cpp, drag_faces.cpp).
     Refusal begin_drag(const command::Drag& drag);
     Refusal drag_to(const command::Drag& drag);
     std::optional<command::Drag> end_drag();
@@ -137,11 +145,13 @@ struct Session::State {
     Refusal check_targets(const command::Drag& drag, double reach) const;
     DragPlan plan_of(const command::Drag& drag) const;
     Refusal embed(ActiveGesture& begun);
+    std::vector<Box> zones_on_both_sides(const Warp& warp) const;
     std::variant<std::vector<FaceId>, std::string> faces_of(const command::Drag& drag,
                                                             std::span<const Box> zones);
     bool is_single_step(const command::Drag& drag, Refusal& refusal) const;
     bool is_past_half_way() const;
     std::vector<Vec3> last_displacements() const;
+    std::vector<VertexId> vertices_at_handles(const command::Drag& drag);
 
     // --- Control points (control.cpp).
     Refusal begin_control(std::span<const IVec3> indices);
@@ -150,11 +160,10 @@ struct Session::State {
     std::variant<std::vector<Vec3>, std::string> control_displacements(
         const command::Control& control) const;
 
-    // --- Both.
-    std::vector<VertexId> vertices_at_handles(const command::Drag& drag);
+    // --- Gestures of both kinds (active_gesture.cpp).
     void start_gesture(ActiveGesture& begun, std::span<const FaceId> faces, Warp warp);
     void update_frame(std::span<const Vec3> displacements);
-    // Ends the gesture with these displacements of the last step; a step of the history.
+    // Ends the gesture with these displacements of the last step and adds it to the history.
     void commit(std::span<const Vec3> displacements, bool is_noop);
     void finish_commit(MeshChange& change);
     void cancel_drag() noexcept;

@@ -1,27 +1,21 @@
 #include "session/settings.h"
 
 #include <algorithm>
-#include <cmath>
-#include <numbers>
 
 #include "geometry/decimal.h"
 
 namespace pectin {
 namespace {
 
-constexpr double kAutoThetaMin = 7.0 / 9.0;  // of theta_max: the paper's pi/7 and pi/9
-constexpr double kAutoFloor = 1e-4;          // of the box diagonal
-// Of the largest coordinate: 2^10 units in the last place, so that halves of edges are halves.
-constexpr double kLeastFloor = 0x1p-42;
-
 double value_or_off(const Setting& s) { return s.kind == Setting::Kind::value ? s.value : kOff; }
 
 double theta_min_of(const AdaptSettings& s) {
     const double theta_max = value_or_off(s.theta_max);
-    return s.theta_min.is_automatic() ? kAutoThetaMin * theta_max : value_or_off(s.theta_min);
+    return s.theta_min.is_automatic() ? kDefaultThetaMinFraction * theta_max
+                                      : value_or_off(s.theta_min);
 }
 
-// An angle of 180 degrees or more switches its test off.
+// An angle of 180 degrees or more disables its test.
 double angle_or_off(double degrees) { return degrees < 180.0 ? degrees : kOff; }
 
 }  // namespace
@@ -44,21 +38,22 @@ std::variant<AdaptSettings, std::string> AdaptSettings::with(const command::Adap
     return s;
 }
 
-AdaptLimits AdaptSettings::limits(double smallest_cell, double diagonal,
+AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
                                   double largest_coordinate) const {
     AdaptLimits limits;
-    limits.theta_max = angle_or_off(value_or_off(theta_max));
-    limits.theta_min = angle_or_off(
-        theta_min.is_automatic() && limits.theta_max == kOff ? kOff : theta_min_of(*this));
-    limits.l_max = l_max.is_automatic() ? smallest_cell : value_or_off(l_max);
+    NormalDivergence::Angles angles;
+    angles.theta_max = angle_or_off(value_or_off(theta_max));
+    angles.theta_min = angle_or_off(
+        theta_min.is_automatic() && angles.theta_max == kOff ? kOff : theta_min_of(*this));
+    limits.curvature = NormalDivergence(angles);
+    limits.l_max = l_max.is_automatic() ? default_l_max(feature_extent) : value_or_off(l_max);
     if (!flatness.is_automatic()) {
         limits.flatness = value_or_off(flatness);
-    } else if (limits.theta_max < kOff) {
-        // The sagitta of an arc that turns by theta_max, in units of its chord.
-        limits.flatness = 0.5 * std::tan(limits.theta_max / 4.0 * std::numbers::pi / 180.0);
+    } else if (angles.theta_max < kOff) {
+        limits.flatness = default_flatness(angles.theta_max);
     }
-    limits.floor = std::max(floor.is_automatic() ? kAutoFloor * diagonal : floor.value,
-                            kLeastFloor * largest_coordinate);
+    limits.floor = std::max(floor.is_automatic() ? kDefaultFloorFraction * diagonal : floor.value,
+                            kLeastFloorFraction * largest_coordinate);
     limits.propagation = propagation;
     limits.budget = budget;
     return limits;

@@ -1,4 +1,4 @@
-// The settings that commands change and drags use, and what they come to for a given object.
+// The settings that commands change and drags use, and their values for a given object.
 #pragma once
 
 #include <optional>
@@ -6,6 +6,7 @@
 #include <variant>
 
 #include "adapt/criteria.h"
+#include "adapt/defaults.h"
 #include "command/command.h"
 #include "ffd/lattice.h"
 
@@ -13,7 +14,7 @@ namespace pectin {
 
 struct AdaptSettings {
     bool enabled = true;
-    Setting theta_max = Setting::of(180.0 / 7.0);  // degrees
+    Setting theta_max = Setting::of(kDefaultThetaMax);  // degrees
     Setting theta_min = Setting::automatic();
     Setting l_max = Setting::automatic();
     Setting flatness = Setting::automatic();
@@ -21,24 +22,26 @@ struct AdaptSettings {
     std::uint64_t budget = 4'000'000;  // triangles
     double propagation = 1.0;
 
-    // The settings with the command's given ones, or why they do not go together.
+    // Returns these settings with the changes of the command, or the reason why they contradict
+    // each other.
     std::variant<AdaptSettings, std::string> with(const command::Adapt& change) const;
-    // smallest_cell: of the lattice in use, kOff if there is none. diagonal and largest coordinate:
-    // of the object's box as it was opened. The floor stays well above what coordinates resolve.
-    AdaptLimits limits(double smallest_cell, double diagonal,
+    // The limits in world units. feature_extent: the smallest feature extent of the deformation, or
+    // kOff if there is none. diagonal, largest_coordinate: of the object's box when it was opened.
+    // The floor is well above what coordinates of that size resolve.
+    AdaptLimits limits(double feature_extent, double diagonal,
                        double largest_coordinate = 0.0) const;
 };
 
-inline constexpr double kAutoRadius = 0.25;  // of a brush, of the box diagonal
+inline constexpr double kAutoRadius = 0.25;  // of a brush, as a fraction of the box diagonal
 
-// Which lattice a drag gets.
+// The lattice that a drag gets.
 struct LatticeSettings {
-    std::optional<double> radius;  // brush; none: a quarter of the box diagonal
-    int span = 3;                  // brush
-    std::optional<Lattice> cage;   // in use instead of the brush, if set
+    std::optional<double> radius;  // of the brush; by default a quarter of the box diagonal
+    int span = 3;                  // of the brush
+    std::optional<Lattice> cage;   // used instead of the brush if it is set
 
-    // For a drag whose first moved point is `grabbed`. Not valid where an object without extent
-    // gives the brush no radius.
+    // The lattice of a drag whose first handle is `grabbed`. It is not valid if the object has no
+    // extent from which the radius of the brush could follow.
     Lattice lattice(const Vec3& grabbed, double diagonal) const;
 };
 

@@ -1,4 +1,4 @@
-// The figures of the stats command.
+// The values of the stats command.
 #include "adapt/adapt.h"
 #include "session/input_summary.h"
 #include "session/measure.h"
@@ -11,7 +11,7 @@ Statistics Session::State::statistics() const {
     measure(*mesh, s);
     s.input = input_counts(input_report, read_report);
     s.last = last;
-    const Criteria criteria(limits(lattice_in_use), zones_in_use, {});
+    const Criteria criteria(limits_in_use(), zones_in_use, {});
     const Assessment assessment = assess(*active, criteria, outcome.blocked);
     s.divergence_max_deg = assessment.divergence_max_deg;
     s.needing_refinement = outcome.budget_hit ? 0 : assessment.needing_refinement;

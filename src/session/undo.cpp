@@ -1,5 +1,4 @@
-// Steps: what the history keeps of an edit, how the object goes back and forth along it, and how
-// much memory that may take.
+// Steps of the history: how an edit becomes one, undo, redo, and the limit of memory.
 #include <cmath>
 #include <utility>
 
@@ -9,7 +8,7 @@
 namespace pectin {
 namespace {
 
-constexpr double kMegabyte = 1e6;  // as memory is shown in the window
+constexpr double kMegabyte = 1e6;  // bytes, as the window shows memory
 constexpr double kMostBytes = 0x1p63;
 
 std::string counted_steps(std::size_t count) {
@@ -35,19 +34,19 @@ void Session::State::exchange(TriMesh& other) {
     update_everything();
 }
 
-void Session::State::take_outcome() noexcept {
+void Session::State::update_outcome() noexcept {
     try {
         outcome = history.outcome();
     } catch (const std::bad_alloc&) {
-        outcome = {};  // edges that were held back are not counted then
+        outcome = {};  // blocked edges are not counted then
     }
 }
 
-// Takes the outcome of the step that undo or redo has reached, also where it stopped before the
-// last one because memory ended.
-struct Session::State::OutcomeOfReachedStep {
+// Updates the outcome when undo or redo ends, even if it stops before the last step because memory
+// has run out.
+struct Session::State::UpdateOutcomeAtExit {
     State& state;
-    ~OutcomeOfReachedStep() { state.take_outcome(); }
+    ~UpdateOutcomeAtExit() { state.update_outcome(); }
 };
 
 void Session::State::add_step(Command command, MeshChange& change) {
@@ -70,7 +69,7 @@ void Session::State::report_dropped_steps() noexcept {
         if (!remark.empty()) remark += "; ";
         remark += remark_on_dropped_steps(count, *history.limit());
     } catch (const std::bad_alloc&) {
-        // The step is done all the same.
+        // The step succeeds without the remark.
     }
 }
 
@@ -85,7 +84,7 @@ Refusal Session::State::run(const command::Undo& undo_command) {
         }
         return text;
     }
-    const OutcomeOfReachedStep outcome_of_reached_step{*this};
+    const UpdateOutcomeAtExit update_outcome_at_exit{*this};
     history.undo(count, [this](History::Step& step) {
         if (step.exchanged) {
             exchange(*step.exchanged);
@@ -102,7 +101,7 @@ Refusal Session::State::run(const command::Redo& redo_command) {
     if (count > history.redo_count()) {
         return too_few("redo", history.redo_count(), count);
     }
-    const OutcomeOfReachedStep outcome_of_reached_step{*this};
+    const UpdateOutcomeAtExit update_outcome_at_exit{*this};
     history.redo(count, [this](History::Step& step) {
         if (step.exchanged) {
             exchange(*step.exchanged);

@@ -1,4 +1,4 @@
-// Where a session's pictures come from: a host that can draw.
+// The interface through which a session draws screenshots. A host that can draw implements it.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ class Viewport {
   public:
     virtual ~Viewport() = default;
 
-    // Draws the object and writes the picture, or says why not. `lattice`: the one that drags use
-    // or the last one used, if there is any. Throws what drawing and io throw.
+    // Draws the object and writes the picture. Returns the reason if it cannot. lattice: the cage,
+    // or else the lattice of the last drag, if any. Throws what drawing and io throw.
     virtual std::optional<std::string> screenshot(const TriMesh& mesh,
                                                   const std::optional<Lattice>& lattice,
                                                   const command::Screenshot& screenshot) = 0;

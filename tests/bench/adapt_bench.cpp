@@ -15,7 +15,8 @@ namespace pectin::bench {
 namespace {
 
 AdaptLimits limits(double theta_max, double theta_min) {
-    return {.theta_max = theta_max, .theta_min = theta_min, .floor = 1e-6};
+    return {.curvature = NormalDivergence({.theta_max = theta_max, .theta_min = theta_min}),
+            .floor = 1e-6};
 }
 
 void report(benchmark::State& state, const char* what, double count, double total_seconds,

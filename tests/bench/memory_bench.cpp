@@ -73,7 +73,8 @@ void report_operations(benchmark::State& state, const MeshChange& change) {
 // A drag that refines a whole sphere, or one that decimates it again.
 void undo_bytes_an_operation(benchmark::State& state) {
     const bool removes = state.range(0) != 0;
-    const AdaptLimits refining{.theta_max = 0.6, .theta_min = 0.0, .floor = 1e-6};
+    const AdaptLimits refining{.curvature = NormalDivergence({.theta_max = 0.6, .theta_min = 0.0}),
+                               .floor = 1e-6};
     const auto scene = [](const TriMesh& mesh) { return Scene(mesh, {0, 0, 1}, {0, 0, 0.2}, 4.0); };
     TriMesh mesh = sphere(6);
     if (removes) {

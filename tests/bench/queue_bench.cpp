@@ -23,7 +23,7 @@ class Octaves {
     template <typename Visit>
     bool take(Visit visit) {
         if (queue_.is_empty()) return false;
-        const RefinementQueue::Entries next = queue_.take();
+        const RefinementQueue::Batch next = queue_.take();
         taken_.clear();  // the entries are valid only until the next push
         for (const auto& partition : next.partitions)
             taken_.insert(taken_.end(), partition.begin(), partition.end());

@@ -1,5 +1,5 @@
-// The guarantees of adaptive meshing, on random meshes, lattices, drags and thresholds. Coarse
-// meshes with small thresholds matter most: they are what breaks the published rules.
+// The guarantees of adaptive meshing on random meshes, lattices, drags and thresholds. Coarse
+// meshes with small thresholds matter most, since they break the published rules.
 #include <gtest/gtest.h>
 
 #include "mesh/face_tree.h"
@@ -12,7 +12,7 @@ namespace {
 
 using test::Random;
 
-// Large enough for what the cases need; a runaway ends here and fails.
+// More than any case needs. Refinement that does not terminate ends here and fails.
 constexpr std::uint64_t kBudget = 4'000'000;
 
 AdaptLimits random_limits(const Warp& warp, double diagonal, Random& random) {
@@ -24,19 +24,19 @@ AdaptLimits random_limits(const Warp& warp, double diagonal, Random& random) {
     }
     if (random.chance(0.3)) settings.l_max = Setting::off();
     if (random.chance(0.2)) {
-        settings.l_max = Setting::of(warp.smallest_cell_extent() * random.scale(0.3, 3.0));
+        settings.l_max = Setting::of(warp.smallest_feature_extent() * random.scale(0.3, 3.0));
     }
     if (random.chance(0.1)) settings.theta_max = Setting::off();
     if (random.chance(0.2)) settings.flatness = Setting::of(random.scale(1e-3, 1.0));
     if (random.chance(0.1)) settings.flatness = Setting::off();
     if (random.chance(0.3)) settings.propagation = random.uniform(1.0, 1.49);
-    // Short lanes, so that small meshes have several.
+    // Short batches, so that small meshes are split concurrently, too.
     const int partition_batch = random.chance(0.6) ? random.integer(1, 8) : 512;
     // Small thresholds on large zones need millions of triangles; a floor keeps the cases small
     // and is itself part of what is tested.
     settings.floor = Setting::of(diagonal * random.scale(8e-3, 6e-2));
-    AdaptLimits limits = settings.limits(warp.smallest_cell_extent(), diagonal);
-    limits.partition_batch = static_cast<std::size_t>(partition_batch);
+    AdaptLimits limits = settings.limits(warp.smallest_feature_extent(), diagonal);
+    limits.partitioning.batch = static_cast<std::size_t>(partition_batch);
     return limits;
 }
 
@@ -52,8 +52,9 @@ std::uint64_t active_edges_needing_refinement(const ActiveSet& active, const Cri
     return count;
 }
 
-// From e to ever longer neighbours at rest that may be split: at the end one longer still lies
-// below the floor, in a face that another cut would make thinner than 1 : 512.
+// Follows the chain from e to ever longer neighbours at rest that may be split. The last edge is
+// rightly blocked if a longer edge of its faces is below the floor, and a split would make that
+// face thinner than 1:512.
 bool is_rightly_blocked(ActiveSet& active, const Criteria& criteria, EdgeId e) {
     const TriMesh& mesh = active.mesh();
     const double rho = criteria.limits().propagation;
@@ -84,7 +85,7 @@ bool is_rightly_blocked(ActiveSet& active, const Criteria& criteria, EdgeId e) {
     }
 }
 
-// One gesture, adapted once more before it ends.
+// One gesture, which is adapted a second time before it ends.
 MeshChange checked_gesture(TriMesh& mesh, const Warp& warp, const AdaptLimits& limits) {
     const Box zone = warp.zone();
     ActiveSet active(mesh);

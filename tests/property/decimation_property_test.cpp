@@ -1,4 +1,4 @@
-// Thinning, looked at vertex by vertex: none goes that the rules keep, and sculpted detail stays.
+// Decimation, vertex by vertex: it removes none that the rules keep, and sculpted detail stays.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -43,7 +43,7 @@ double distance_to_line(const Vec3& p, const Vec3& b, const Vec3& c) {
     return glm::distance(p, b + glm::dot(p - b, along) * along);
 }
 
-// The thinning of one gesture, and what the mesh was before it.
+// The decimation of one gesture, and the mesh before it.
 struct DecimationRun {
     AdaptLimits limits;
     Box zone;
@@ -52,6 +52,10 @@ struct DecimationRun {
     std::vector<Vec3f> rest_normals;   // by wedge id
     std::vector<TopologyEdit> unsplits;
     TriMesh decimated;
+
+    const NormalDivergence::Angles& angles() const {
+        return std::get<NormalDivergence>(limits.curvature).angles();
+    }
 };
 
 DecimationRun deform_and_decimate(TriMesh& mesh, const Warp& warp, const AdaptLimits& limits) {
@@ -78,7 +82,7 @@ DecimationRun deform_and_decimate(TriMesh& mesh, const Warp& warp, const AdaptLi
     return result;
 }
 
-// The greatest angle between the end normals on either side that counts.
+// The largest angle between the end normals over the sides that count.
 double bend_deg(const TriMesh& mesh, EdgeId e, const std::vector<Vec3f>& rest_normals) {
     double greatest = 0.0;
     const HalfEdgeId h = mesh.half_edge(e);
@@ -105,8 +109,8 @@ void expect_edges_of_star_pass(const DecimationRun& t, const TriMesh& mesh, Vert
     for (EdgeId e : test::live_edges(mesh)) {
         const HalfEdgeId h = mesh.half_edge(e);
         if (mesh.origin(h) != m && mesh.target(h) != m) continue;
-        if (t.limits.theta_min < kOff) {
-            EXPECT_LT(bend_deg(mesh, e, t.rest_normals), t.limits.theta_min + kAngleSlack);
+        if (t.angles().theta_min < kOff) {
+            EXPECT_LT(bend_deg(mesh, e, t.rest_normals), t.angles().theta_min + kAngleSlack);
         }
         EXPECT_LT(mesh.length(e), t.limits.l_max * (1 + kLengthSlack));
     }
@@ -133,7 +137,7 @@ void expect_restored_edge_satisfies_criteria(const DecimationRun& t, const TriMe
                                              EdgeId bc) {
     const HalfEdgeId h = mesh.half_edge(bc), twin = mesh.twin(h);
     if (mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h))) {
-        EXPECT_LE(bend_deg(mesh, bc, t.rest_normals), t.limits.theta_max + kAngleSlack);
+        EXPECT_LE(bend_deg(mesh, bc, t.rest_normals), t.angles().theta_max + kAngleSlack);
     }
     for (HalfEdgeId side : {h, twin}) {
         if (!exists(side) || !meets_zone_at_rest(t, mesh, TriMesh::face(side))) continue;
@@ -143,7 +147,7 @@ void expect_restored_edge_satisfies_criteria(const DecimationRun& t, const TriMe
     }
 }
 
-// Takes the vertices away one by one, as thinning did, and looks at each.
+// Repeats the unsplits one by one and checks each of them.
 void replay(const DecimationRun& t) {
     TriMesh mesh = t.refined;
     int level = std::numeric_limits<int>::max();
@@ -161,7 +165,7 @@ void replay(const DecimationRun& t) {
         expect_restored_edge_satisfies_criteria(t, mesh, edit.edge());
         if (testing::Test::HasFailure()) return;
     }
-    EXPECT_TRUE(mesh == t.decimated) << "thinning moved something";
+    EXPECT_TRUE(mesh == t.decimated) << "decimation moved a vertex";
 }
 
 AdaptLimits random_limits(double smallest_cell, double diagonal, Random& random) {
@@ -187,7 +191,7 @@ TEST(Decimation, RemovesOnlyFlatVerticesHighestLevelsFirst) {
         for (int gesture = 0; gesture < 3; ++gesture) {
             const Warp warp = test::random_warp(mesh, random);
             const DecimationRun t = deform_and_decimate(
-                mesh, warp, random_limits(warp.smallest_cell_extent(), diagonal, random));
+                mesh, warp, random_limits(warp.smallest_feature_extent(), diagonal, random));
             removed += t.unsplits.size();
             replay(t);
             if (HasFailure()) return;
@@ -197,7 +201,7 @@ TEST(Decimation, RemovesOnlyFlatVerticesHighestLevelsFirst) {
     std::printf("seeds 20000 to %d, %zu vertices removed\n", 20000 + cases - 1, removed);
 }
 
-// --- A tiny drag with a four times larger brush over sculpted detail
+// --- A tiny drag with a brush four times as large over sculpted detail
 
 Warp brush_warp(const Vec3& from, double radius, const Vec3& by) {
     const std::vector<Vec3> points{from};
@@ -213,7 +217,7 @@ struct Bump {
     double radius, height;
 };
 
-// How far the mesh rises above the shape it was sculpted from.
+// The height of the mesh above the shape it was sculpted from.
 double rise(const TriMesh& mesh, const Bump& bump) {
     double highest = 0.0;
     for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
@@ -224,7 +228,7 @@ double rise(const TriMesh& mesh, const Bump& bump) {
     return highest;
 }
 
-// How far the surface is below (or above) a point, along `up` of the bump.
+// The distance from a point to the surface along the direction `up`, upwards or downwards.
 double gap(const TriMesh& mesh, const Vec3& p, const Vec3& up) {
     double nearest = std::numeric_limits<double>::infinity();
     for (FaceId f : test::live_faces(mesh)) {
@@ -243,12 +247,12 @@ double gap(const TriMesh& mesh, const Vec3& p, const Vec3& up) {
 }
 
 struct Outcome {
-    double kept_height;   // share
+    double kept_height;   // fraction of the height before
     double greatest_gap;  // in heights
     std::size_t unsplits;
 };
 
-// l_max: of the tiny drag.
+// l_max and flatness are those of the tiny drag.
 Outcome decimate_with_large_brush(const Bump& bump, double theta_max, const Setting& l_max,
                                   const Setting& flatness) {
     TriMesh mesh = build_mesh(make_shape(bump.shape, bump.resolution)).mesh;
@@ -256,7 +260,7 @@ Outcome decimate_with_large_brush(const Bump& bump, double theta_max, const Sett
     AdaptSettings settings;
     settings.theta_max = Setting::of(theta_max);
     const auto limits = [&](const Warp& warp) {
-        return settings.limits(warp.smallest_cell_extent(), diagonal);
+        return settings.limits(warp.smallest_feature_extent(), diagonal);
     };
     const Warp sculpt = brush_warp(bump.at, bump.radius, bump.height * bump.up);
     deform_and_decimate(mesh, sculpt, limits(sculpt));

@@ -1,5 +1,5 @@
-// What a model brings along survives any sculpting: random meshes with seams, creases, groups,
-// colours and cuts, opened from a file, dragged at random with undo and redo mixed in.
+// Sculpting preserves everything that a model contains: random meshes with seams, creases, groups,
+// colours and cuts are read from a file and dragged at random, with undo and redo in between.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -25,7 +25,7 @@ using test::Random;
 
 const std::vector<std::string> kValid;
 
-// What every later state of a mesh is held against.
+// What every later state of the mesh is compared with.
 class Original {
   public:
     explicit Original(const TriMesh& mesh) : mesh_(mesh), text_(format_obj(mesh)) {
@@ -47,8 +47,8 @@ class Original {
     }
 
   private:
-    // No face changes its part; no texture coordinate leaves its base face's, so none crosses a
-    // seam.
+    // No face changes its part. Texture coordinates stay within those of their base face, so none
+    // crosses a seam.
     void expect_parts_and_uvs_kept(const TriMesh& mesh) const {
         for (FaceId f : test::live_faces(mesh)) {
             const FaceId base = mesh.base_face(f);
@@ -71,7 +71,7 @@ class Original {
         }
     }
 
-    // All sheets run along a cut over the same vertices.
+    // All sheets have the same vertices along a cut.
     void expect_cuts_closed(const TriMesh& mesh) const {
         std::map<std::pair<FaceId, VertexId>, HalfEdgeId> boundary;
         for (FaceId f : test::live_faces(mesh)) {
@@ -80,7 +80,7 @@ class Original {
                 if (!exists(mesh.twin(h))) boundary[{mesh.base_face(f), mesh.origin(h)}] = h;
             }
         }
-        const auto along = [&](HalfEdgeId base) {  // from its origin to its target
+        const auto along = [&](HalfEdgeId base) {  // the vertices from its origin to its target
             std::vector<VertexId> path{mesh_.origin(base)};
             while (path.back() != mesh_.target(base) && path.size() < mesh.vertex_slots()) {
                 const auto next = boundary.find({TriMesh::face(base), path.back()});
@@ -164,7 +164,7 @@ TEST(NothingIsLost, OverAThousandRandomDragsWithUndoAndRedo) {
             if (HasFailure()) return;
         }
         inserted += session.mesh().vertex_count() - session.mesh().base_vertex_count();
-        // What is saved is read and saved again to the same bytes.
+        // A saved file that is read and saved again has the same bytes.
         const std::string refined = format_obj(session.mesh());
         ASSERT_EQ(format_obj(build_mesh(parse_obj(refined, "refined.obj")).mesh), refined);
         if (random.chance(0.5)) {
@@ -187,7 +187,7 @@ TEST(NothingIsLost, OverAThousandRandomDragsWithUndoAndRedo) {
     EXPECT_GE(drags, test::case_count(1000));
 }
 
-// Five pages about one spine, some turned over, and a cover upon one of them.
+// Five sheets at one edge, some of them reversed, and a duplicate of one of them.
 TriMesh book(Random& random) {
     constexpr std::uint32_t kPages = 5, kSteps = 6, kRow = kSteps + 1;
     IndexedFaceSet set;

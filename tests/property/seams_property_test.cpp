@@ -1,4 +1,4 @@
-// Random drags on surfaces whose faces share no vertices leave no gap along any seam.
+// Random drags of surfaces whose faces share no vertices open no gap along any seam.
 #include <gtest/gtest.h>
 
 #include <unistd.h>
@@ -51,8 +51,8 @@ Command random_drag(const TriMesh& mesh, double size, Random& random) {
     }
 }
 
-// A side of a saved polygon whose ends are those of no other is an edge that is open in the mesh,
-// too: sides along seams agree to the bit.
+// A polygon's side without a second side between the same positions must be an open edge of the
+// mesh: the two sides of a seam have bitwise equal positions.
 void expect_no_gap(const Session& session) {
     const IndexedFaceSet set = parse_obj(format_obj(session.mesh()), "saved.obj");
     ASSERT_LE(test::open_sides(set), test::open_edges(session.mesh()));
@@ -112,7 +112,7 @@ TEST(UnsharedSeams, OfRealModelsNeverOpen) {
     const auto models = test::real_models();
     if (models.empty()) GTEST_SKIP() << "no models in " << PECTIN_MODELS;
     Total total;
-    // 500 drags in a long run.
+    // A long run makes 500 drags.
     const int wanted = std::getenv("PECTIN_TEST_LONG") ? 500 : 12;
     const auto count = static_cast<int>(models.size());
     const int each = (wanted + count - 1) / count;

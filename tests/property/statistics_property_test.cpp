@@ -1,4 +1,5 @@
-// After any drag, folds included, the figures say that nothing needs refinement that may have it.
+// After any drag, also one that folds space, no edge is left that needs refinement and may be
+// split.
 #include <gtest/gtest.h>
 #include <unistd.h>
 
@@ -14,7 +15,7 @@ namespace {
 
 using test::Random;
 
-// A file of the mesh, for a session to open.
+// Writes a mesh to a temporary file for a session to open.
 class MeshFile {
   public:
     explicit MeshFile(const TriMesh& mesh)
@@ -37,7 +38,7 @@ VertexId random_vertex(const TriMesh& mesh, Random& random) {
     }
 }
 
-TEST(Statistics, NeedNothingAfterAnyDrag) {
+TEST(Statistics, ReportNoEdgeInNeedOfRefinementAfterAnyDrag) {
     const int cases = test::case_count(150);
     int folds = 0, held = 0;
     for (int i = 0; i < cases; ++i) {
@@ -66,7 +67,7 @@ TEST(Statistics, NeedNothingAfterAnyDrag) {
         }
         if (HasFailure()) return;
     }
-    EXPECT_GT(folds, cases / 10) << "drags too timid to fold";
+    EXPECT_GT(folds, cases / 10) << "the drags are too short to fold space";
     EXPECT_GT(held, cases / 10);
     std::printf("seeds 8000 to %d: %d drags folded, after %d some edges were held back\n",
                 8000 + cases - 1, folds, held);

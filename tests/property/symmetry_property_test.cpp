@@ -211,8 +211,8 @@ TEST(RefinementByLMax, GivesTheSameFacesForAnyOrderOfSplits) {
         std::vector<Vec3> points;
         for (int k = random.integer(1, 3); k > 0; --k) points.push_back(random.direction());
         AdaptLimits limits{.l_max = random.scale(0.05, 0.2), .floor = 1e-4};
-        if (random.chance(0.5)) limits.theta_max = 12.0;
-        limits.partition_batch = random.chance(0.5) ? 4 : kPartitionBatch;
+        if (random.chance(0.5)) limits.curvature = NormalDivergence({.theta_max = 12.0});
+        limits.partitioning.batch = random.chance(0.5) ? 4 : kPartitionBatch;
         const std::vector<Triangle> expected = refined(input, points, limits);
         for (int k = 0; k < 3; ++k) {
             const std::vector<Triangle> found = refined(shuffled(input, random), points, limits);

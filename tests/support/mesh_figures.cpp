@@ -97,7 +97,7 @@ std::size_t crossings(const TriMesh& mesh) {
 }
 
 double asymmetry(const TriMesh& mesh) {
-    // Sorted along a direction in which few points of a regular mesh lie alike.
+    // Sorts along a direction in which few points of a regular mesh coincide.
     using SortKey = std::pair<double, Vec3>;
     const auto sort_key = [](const Vec3& p) {
         return SortKey(glm::dot(p, Vec3{0.7390851, 0.4142135, 0.5671432}), p);
@@ -129,7 +129,7 @@ std::size_t open_sides(const IndexedFaceSet& set) {
     using Point = std::array<double, 3>;
     std::map<std::pair<Point, Point>, std::size_t> sides;
     const auto point = [&](std::uint32_t corner) {
-        const Vec3 p = set.positions[set.corners[corner].position] + Vec3{0.0};  // -0 is 0
+        const Vec3 p = set.positions[set.corners[corner].position] + Vec3{0.0};  // turns -0 into 0
         return Point{p.x, p.y, p.z};
     };
     for (std::size_t p = 0; p < set.polygon_count(); ++p) {
@@ -150,7 +150,7 @@ std::size_t open_edges(const TriMesh& mesh) {
 }
 
 std::size_t faces_without_image(const TriMesh& mesh, int axis, double tolerance, double middle) {
-    // Faces by their centres, in cells that are searched with their neighbours.
+    // Puts faces into cells by their centres; a search visits a cell and its neighbours.
     struct Corners {
         Vec3 at[3];
     };

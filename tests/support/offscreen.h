@@ -1,4 +1,4 @@
-// Tests that draw: in a context of their own, skipped where there is none.
+// An offscreen context for tests that draw. They are skipped if no context is available.
 #pragma once
 
 #include <dlfcn.h>
@@ -57,7 +57,7 @@ class OffscreenTest : public testing::Test {
     std::unique_ptr<OffscreenHost> host_;
 };
 
-// Executes the lines of a script; a refusal fails the test.
+// Executes the lines of a script. A refused command fails the test.
 inline void execute(Session& session, const std::vector<std::string>& lines) {
     for (const std::string& line : lines) {
         const auto parsed = parse_command(line);

@@ -42,7 +42,7 @@ Process::Process(const std::vector<std::string>& words, const Environment& envir
                  const std::string& errors, const std::string& input) {
     posix_spawn_file_actions_t actions;
     posix_spawn_file_actions_init(&actions);
-    // Also for writing, so that a pipe without a writer is not waited for.
+    // Opened for writing, too, so that opening a pipe without a writer does not block.
     posix_spawn_file_actions_addopen(&actions, STDIN_FILENO, input.c_str(),
                                      input == "/dev/null" ? O_RDONLY : O_RDWR, 0);
     posix_spawn_file_actions_addopen(&actions, STDOUT_FILENO, "/dev/null", O_WRONLY, 0);

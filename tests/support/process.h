@@ -1,4 +1,4 @@
-// Other programs, run beside the test.
+// Starts other programs and controls them.
 #pragma once
 
 #include <sys/types.h>
@@ -12,25 +12,25 @@
 
 namespace pectin {
 
-// How long a condition may take to come true: only a failure has to wait for so long, and a machine
-// that does much else is slow.
+// The time that a condition may take to become true. It is long, because a busy machine is slow and
+// only a failing test waits for all of it.
 inline constexpr std::chrono::milliseconds kPatience = std::chrono::seconds(90);
 
 using Environment = std::vector<std::pair<std::string, std::string>>;  // empty value: not set
 
-// A program that is ended with this, at the latest.
+// A running program. The destructor kills it.
 class Process {
   public:
-    // Its error output goes to the file `errors`, and it reads from the file or pipe `input`.
+    // Standard error is written to the file `errors`; standard input is the file or pipe `input`.
     Process(const std::vector<std::string>& words, const Environment& environment,
             const std::string& errors = "/dev/null", const std::string& input = "/dev/null");
     ~Process();
     Process(const Process&) = delete;
     Process& operator=(const Process&) = delete;
 
-    // Its exit status; -1 where a signal ended it, none where it has not ended in time.
+    // The exit status; -1 if a signal ended the program, none if it has not ended in time.
     std::optional<int> wait(std::chrono::milliseconds most = kPatience);
-    // Stops it where it is, and lets it go on: between the two everything waits to be handled.
+    // Suspends and resumes the program. In between, its input and signals are queued.
     void pause() const;
     void resume() const;
     void signal(int number) const;
@@ -40,7 +40,7 @@ class Process {
     std::optional<int> status_;
 };
 
-// Whether it came true within a while.
+// Waits for the condition; returns whether it became true in time.
 bool eventually(const std::function<bool()>& condition, std::chrono::milliseconds most = kPatience);
 
 }  // namespace pectin

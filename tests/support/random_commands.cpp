@@ -120,8 +120,7 @@ bool execute(Session& session, const Command& command, Random& random,
     for (const auto& move : drag->moves) targets.push_back(move.to);
     bool refused = session.drag_to(targets).has_value();
     if (rotates && !refused && drag->moves.size() == 1) {
-        const DragTarget target{drag->moves[0].to, drag->moves[0].twist, drag->moves[0].scale};
-        refused = session.drag_to(std::span(&target, 1)).has_value();
+        refused = session.drag_to(std::span(drag->moves)).has_value();
     }
     if (refused || random.chance(0.2)) {
         session.cancel_drag();

@@ -1,4 +1,4 @@
-// Random commands of a session, carried out as a script or as a mouse would.
+// Random commands of a session, executed as a script or as the mouse does.
 #pragma once
 
 #include <cstddef>
@@ -10,22 +10,22 @@
 
 namespace pectin::test {
 
-// A vertex of the mesh or a point within a face.
+// A random vertex of the mesh or a random point of a face.
 Vec3 random_surface_point(const TriMesh& mesh, Random& random);
 
-// Drags of points of the surface, control points, settings, undo, redo, readapt and bake.
-// `size`: half the length of the object's side; lengths are drawn in proportion to it. The budget
-// stays at 5,000 triangles unless `budget` is larger.
+// A random command: a drag of a surface point or of control points, a setting, undo, redo, readapt
+// or bake. `size`: half the object's extent; lengths are proportional to it. The budget is at most
+// 5,000 triangles unless `budget` is larger.
 Command random_command(const TriMesh& mesh, Random& random, double size = 1.0,
                        std::uint64_t budget = 5'000);
 
-// Executes the command, a drag sometimes frame by frame as a mouse does it; `each_frame` is called
-// after every such frame. Whether it was done; refused and cancelled commands leave the mesh as it
-// was, which is checked for cancelled drags.
+// Executes the command and returns whether it was accepted. Some drags are executed frame by frame,
+// as by the mouse, and `each_frame` is called after every frame. Refused and cancelled commands do
+// not change the mesh; this is checked for cancelled drags.
 bool execute(Session& session, const Command& command, Random& random,
              const std::function<void()>& each_frame = {});
 
-// Undoes steps until none is left. How many there were.
+// Undoes all steps; returns their number.
 std::size_t undo_everything(Session& session);
 
 }  // namespace pectin::test

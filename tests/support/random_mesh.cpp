@@ -35,13 +35,13 @@ int random_resolution(ShapeKind kind, Random& random) {
     return 1;
 }
 
-// Normals as a file without any would get them.
+// Computes the normals that a file without normals would get.
 void drop_normals(IndexedFaceSet& set) {
     set.normals.clear();
     for (auto& corner : set.corners) corner.normal = IndexedFaceSet::kNoIndex;
 }
 
-// Texture coordinates cut into charts, so that seams run across the mesh.
+// Divides the texture coordinates into charts, so that seams run across the mesh.
 void add_uvs(IndexedFaceSet& set, Random& random) {
     set.uvs.clear();
     const int charts = random.integer(1, 4);
@@ -71,8 +71,8 @@ void add_polygon(IndexedFaceSet& set, std::vector<IndexedFaceSet::Corner> corner
     set.polygon_part.push_back(part);
 }
 
-// Some polygons the other way round, twice, with a fin on an edge (more than one in places), with
-// corners repeated or without surface.
+// Damages some polygons: reverses or duplicates them, adds fins to edges, repeats corners, or makes
+// them degenerate.
 void damage(IndexedFaceSet& set, Random& random) {
     const double reversed = random.chance(0.5) ? 0.1 : 0.0,
                  doubled = random.chance(0.4) ? 0.1 : 0.0;
@@ -115,7 +115,7 @@ void add_colors(IndexedFaceSet& set, Random& random) {
     }
 }
 
-// Groups and materials all over, and lines and points between them.
+// Assigns random groups and materials, and adds lines and points.
 void add_parts(IndexedFaceSet& set, Random& random) {
     set.parts.clear();
     for (int i = 0; i < 4; ++i) {
@@ -162,7 +162,7 @@ void unshare_vertices(IndexedFaceSet& set, Random& random, double fraction) {
     std::vector<bool> is_used(set.positions.size(), false);
     for (std::size_t p = 0; p < set.polygon_count(); ++p) {
         const bool has_own = random.chance(fraction);
-        std::map<std::uint32_t, std::uint32_t> own;  // a polygon may name a vertex twice
+        std::map<std::uint32_t, std::uint32_t> own;  // a polygon may use a vertex twice
         for (std::uint32_t c = set.polygon_begin(p); c < set.polygon_end[p]; ++c) {
             std::uint32_t& v = set.corners[c].position;
             if (!has_own || !is_used[v]) {
@@ -207,7 +207,7 @@ RandomMesh random_mesh(Random& random) {
     }
     if (random.chance(0.3)) add_colors(set, random);
     if (random.chance(0.3)) add_parts(set, random);
-    // A copy, so that this draws nothing from what comes after.
+    // A copy of the generator, so that later random numbers stay the same.
     if (Random copy = random; copy.chance(0.25)) {
         unshare_vertices(set, copy, copy.chance(0.5) ? 1.0 : 0.2);
         description += ", vertices not shared";
@@ -226,7 +226,7 @@ Warp random_warp(const TriMesh& mesh, Random& random) {
         const Vec3 grabbed = mesh.position(v);
         Lattice lattice =
             brush_lattice(grabbed, size * random.scale(0.05, 1.5), random.integer(1, 5));
-        if (random.chance(0.5)) {  // a cage with unequal cells
+        if (random.chance(0.5)) {  // a lattice with unequal cells
             lattice.deformable = {random.integer(1, 6), random.integer(1, 6), random.integer(1, 6)};
             lattice.cell = {size * random.scale(0.03, 0.5), size * random.scale(0.03, 0.5),
                             size * random.scale(0.03, 0.5)};

@@ -1,4 +1,4 @@
-// Random inputs for the property tests; the same seed gives the same case on every machine.
+// Random inputs for the property tests. The same seed gives the same input on every machine.
 #pragma once
 
 #include <cstdint>
@@ -11,18 +11,18 @@
 
 namespace pectin::test {
 
-// std distributions differ between libraries; these do not.
+// Distributions that, unlike those of std, are the same in every standard library.
 class Random {
   public:
     explicit Random(std::uint64_t seed) : engine_(seed) {}
     double uniform(double low, double high) {
         return low + (high - low) * static_cast<double>(engine_() >> 11) * 0x1p-53;
     }
-    int integer(int low, int high) {  // both included
+    int integer(int low, int high) {  // including both
         return low + static_cast<int>(engine_() % static_cast<std::uint64_t>(high - low + 1));
     }
     bool chance(double p) { return uniform(0.0, 1.0) < p; }
-    // A factor between low and high, as likely an octave up as down.
+    // A factor between low and high; its logarithm is uniformly distributed.
     double scale(double low, double high) { return low * std::pow(high / low, uniform(0.0, 1.0)); }
     Vec3 direction();
 
@@ -30,11 +30,11 @@ class Random {
     std::mt19937_64 engine_;
 };
 
-// What `count` cases should be here: more in a long run, fewer under sanitizers.
+// The number of cases to run instead of `count`: more in a long run, fewer under sanitizers.
 int case_count(int count);
 
-// The same surface whose polygons share no vertices with others, as in files of separate facets;
-// `share`: of the polygons, the others still share theirs.
+// Gives polygons their own vertices, as in files of separate facets. `share`: the fraction of
+// polygons to which this applies.
 void unshare_vertices(IndexedFaceSet& set, Random& random, double fraction = 1.0);
 
 struct RandomMesh {
@@ -42,13 +42,14 @@ struct RandomMesh {
     std::string description;
 };
 
-// Coarse and fine spheres, open grids, cubes with creases, cylinders, tori, a two-triangle
-// square; many of them perturbed, stretched or with thin triangles, some with texture coordinates,
-// colours, groups, lines; some damaged: not manifold, with faces turned, doubled or degenerate;
-// some with polygons that coincide with their neighbours' vertices without sharing them.
+// A random mesh: a sphere, an open grid, a cube with creases, a cylinder, a torus or a square of
+// two triangles. Many are perturbed, stretched or have thin triangles. Some have texture
+// coordinates, colours, groups or lines. Some are damaged: non-manifold, or with reversed,
+// duplicate or degenerate faces. Some have polygons that meet without sharing vertices.
 RandomMesh random_mesh(Random& random);
 
-// A drag of a point of the mesh by a brush or a cage with unequal cells, as one step of a warp.
+// A random drag of a point of the mesh, with a brush or a lattice of unequal cells, as one step of
+// a warp.
 Warp random_warp(const TriMesh& mesh, Random& random);
 
 }  // namespace pectin::test

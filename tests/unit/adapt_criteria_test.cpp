@@ -1,4 +1,4 @@
-// Each test and guard of adaptive meshing by itself, on two triangles.
+// Each trigger and guard of adaptive meshing by itself, on two triangles.
 #include "adapt/criteria.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,8 @@ namespace {
 using test::edge_between;
 using test::mesh_of;
 
-// Two right triangles at a crease: along 1-2, each side has wedges of its own.
+// Two right triangles that share the edge 1-2. In the first mesh it is a crease: each side has
+// wedges of its own.
 const std::string kCrease =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 1\nf 1/1 2/1 3/1\nf 3/2 2/2 4/2\n";
 const std::string kSmooth = "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nf 1 2 3\nf 3 2 4\n";
@@ -27,7 +28,12 @@ Vec3f rotated(double degrees) {
     return Vec3f{Vec3{std::sin(a), 0.0, std::cos(a)}};
 }
 
-// Two triangles whose normals and positions the tests set; the middle edge is the one asked about.
+NormalDivergence angles(double theta_max, double theta_min = kOff) {
+    return NormalDivergence({.theta_max = theta_max, .theta_min = theta_min});
+}
+
+// Two triangles whose normals and positions the tests set. The middle edge is the one that is
+// tested.
 class TwoTriangles {
   public:
     explicit TwoTriangles(const std::string& obj) : mesh(mesh_of(obj)) {
@@ -53,49 +59,49 @@ class TwoTriangles {
 TEST(NeedsRefinement, ComparesTheEndNormalsOfADeformedEdgeWithThetaMax) {
     TwoTriangles two(kSmooth);
     two.mesh.set_normal(two.wedge(0, 1), rotated(30.0));
-    EXPECT_FALSE(two.needs({.theta_max = 5.0})) << "not deformed";
+    EXPECT_FALSE(two.needs({.curvature = angles(5.0)})) << "not deformed";
     for (const VertexId end : {VertexId{1}, VertexId{2}}) {
         two.mesh.set_deformed(end, true);
-        EXPECT_TRUE(two.needs({.theta_max = 29.999}));
-        EXPECT_FALSE(two.needs({.theta_max = 30.001}));
+        EXPECT_TRUE(two.needs({.curvature = angles(29.999)}));
+        EXPECT_FALSE(two.needs({.curvature = angles(30.001)}));
         EXPECT_FALSE(two.needs({}));
         two.mesh.set_deformed(end, false);
     }
     two.mesh.set_deformed(VertexId{0}, true);
-    EXPECT_FALSE(two.needs({.theta_max = 5.0})) << "no end of the edge";
+    EXPECT_FALSE(two.needs({.curvature = angles(5.0)})) << "no end of the edge";
 }
 
 TEST(NeedsRefinement, ComparesNormalsPerSideSoThatCreasesAreNotRefined) {
     TwoTriangles two(kCrease);
     two.mesh.set_deformed(VertexId{1}, true);
     for (std::uint32_t v : {1u, 2u}) two.mesh.set_normal(two.wedge(1, v), rotated(90.0));
-    EXPECT_FALSE(two.needs({.theta_max = 5.0})) << "flat on both sides of a right angle";
+    EXPECT_FALSE(two.needs({.curvature = angles(5.0)})) << "flat on both sides of a right angle";
     two.mesh.set_normal(two.wedge(1, 2), rotated(120.0));
-    EXPECT_TRUE(two.needs({.theta_max = 29.99})) << "bent on the right";
-    EXPECT_FALSE(two.needs({.theta_max = 30.01}));
+    EXPECT_TRUE(two.needs({.curvature = angles(29.99)})) << "bent on the right";
+    EXPECT_FALSE(two.needs({.curvature = angles(30.01)}));
     two.mesh.set_normal(two.wedge(1, 2), rotated(90.0));
     two.mesh.set_normal(two.wedge(0, 1), rotated(-30.0));
-    EXPECT_TRUE(two.needs({.theta_max = 29.99})) << "bent on the left";
-    EXPECT_FALSE(two.needs({.theta_max = 30.01}));
+    EXPECT_TRUE(two.needs({.curvature = angles(29.99)})) << "bent on the left";
+    EXPECT_FALSE(two.needs({.curvature = angles(30.01)}));
 }
 
 TEST(NeedsRefinement, DoesNotTestASideWithoutNormalsOrWhoseNormalsStayOpposed) {
     TwoTriangles two(kCrease);
     two.mesh.set_deformed(VertexId{1}, true);
     two.mesh.set_normal(two.wedge(0, 1), Vec3f{0.0f});
-    EXPECT_FALSE(two.needs({.theta_max = 5.0}));
-    // At rest 119 degrees apart is a bend, 121 a spike that was there before: it counts only once
-    // the drag has opened it, since from then on it is 60 degrees at rest.
+    EXPECT_FALSE(two.needs({.curvature = angles(5.0)}));
+    // 119 degrees at rest are a bend, 121 degrees a spike that was there before the drag. The spike
+    // counts once the drag has opened it.
     for (const double rest : {119.0, 121.0}) {
         TwoTriangles spike(kCrease);
         spike.mesh.set_normal(spike.wedge(0, 1), rotated(rest));
         spike.active.begin(std::vector<FaceId>{FaceId{0}, FaceId{1}}, kEverywhere);
         spike.mesh.set_deformed(VertexId{1}, true);
         spike.mesh.set_normal(spike.wedge(0, 1), rotated(60.0));
-        EXPECT_TRUE(spike.needs({.theta_max = 20.0}));
-        // What the drag itself turns so far counts.
+        EXPECT_TRUE(spike.needs({.curvature = angles(20.0)}));
+        // The bend counts, however far the drag turns it.
         spike.mesh.set_normal(spike.wedge(0, 1), rotated(170.0));
-        EXPECT_EQ(spike.needs({.theta_max = 20.0}), rest < 120.0);
+        EXPECT_EQ(spike.needs({.curvature = angles(20.0)}), rest < 120.0);
         spike.active.finish();
     }
 }
@@ -108,10 +114,10 @@ TEST(NeedsRefinement, FindsLongEdgesOfFacesThatMeetTheZone) {
     EXPECT_FALSE(two.needs({.l_max = 0.1}, kElsewhere));
     EXPECT_FALSE(two.needs({.l_max = 0.1}, std::nullopt));
     EXPECT_FALSE(two.needs({}, kEverywhere));
-    // One of its two faces is enough, and only a touch of it.
+    // It is enough that one of the two faces touches the zone.
     EXPECT_TRUE(two.needs({.l_max = 0.1}, Box{.min = Vec3{-1.0}, .max = Vec3{0.0}}));
     EXPECT_TRUE(two.needs({.l_max = 0.1}, Box{.min = Vec3{1, 1, 0}, .max = Vec3{2.0}}));
-    // The present length counts, but the zone is compared with the rest.
+    // The present length counts, but the zone is compared with rest positions.
     two.active.begin(std::vector<FaceId>{FaceId{0}, FaceId{1}}, kEverywhere);
     for (std::uint32_t v = 0; v < 4; ++v) {
         two.mesh.set_position(VertexId{v}, 3.0 * two.mesh.position(VertexId{v}) + Vec3{0, 0, 7});
@@ -123,20 +129,20 @@ TEST(NeedsRefinement, FindsLongEdgesOfFacesThatMeetTheZone) {
     two.active.finish();
 }
 
-// So that refinement does not depend on which of its edges is looked at first.
+// So refinement does not depend on which edge of a face is tested first.
 TEST(NeedsRefinement, SplitsACoarseFaceOnlyAtItsLongestRestEdge) {
     TwoTriangles two(kSmooth);
     const EdgeId side = edge_between(two.mesh, 0, 1);
     const Criteria criteria({.l_max = 0.9, .floor = 0.1}, kEverywhere, std::nullopt);
     EXPECT_TRUE(criteria.needs_refinement(two.active, two.middle));
     EXPECT_FALSE(criteria.needs_refinement(two.active, side)) << "though it is long itself";
-    // One end moves: the middle edge is short now, but still the longest at rest.
+    // One end moves. The middle edge is short now, but still the longest at rest.
     two.active.begin(std::vector<FaceId>{FaceId{0}, FaceId{1}}, kEverywhere);
     two.mesh.set_position(VertexId{2}, {0.5, 0.1, 0});
     ASSERT_LT(two.mesh.length(two.middle), 0.9);
     EXPECT_TRUE(criteria.needs_refinement(two.active, two.middle));
     EXPECT_FALSE(criteria.needs_refinement(two.active, side));
-    // Where the floor keeps that one from being split, the next one is.
+    // If the floor keeps the middle edge from being split, the next edge is split.
     two.mesh.set_position(VertexId{2}, {0.9, 0.0, 0});
     EXPECT_FALSE(criteria.needs_refinement(two.active, two.middle));
     EXPECT_TRUE(criteria.needs_refinement(two.active, side) ||
@@ -167,7 +173,7 @@ TEST(Floor, ForbidsHalvesThatAreShorter) {
     EXPECT_FALSE(below(0.0));
 }
 
-// --- Thinning: m is the midpoint of the middle edge
+// --- Decimation: m is the midpoint of the middle edge
 
 class Midpoint : public TwoTriangles {
   public:
@@ -198,29 +204,29 @@ TEST(MayUnsplit, RequiresAllFourEdgesToDivergeByLessThanThetaMin) {
     for (const std::uint32_t bent : {0u, 1u, 2u, 3u}) {
         Midpoint m;
         const WedgeId w = m.wedge(bent < 3 ? 0 : 1, bent);
-        // Left and right pieces keep the wedges of the base corners.
+        // The faces on both sides keep the wedges of the base corners.
         m.mesh.set_normal(exists(w) ? w : m.split.left.c, rotated(20.0));
-        EXPECT_TRUE(m.may_unsplit({.theta_min = 20.001})) << bent;
-        EXPECT_FALSE(m.may_unsplit({.theta_min = 19.999})) << bent;
+        EXPECT_TRUE(m.may_unsplit({.curvature = angles(kOff, 20.001)})) << bent;
+        EXPECT_FALSE(m.may_unsplit({.curvature = angles(kOff, 19.999)})) << bent;
     }
 }
 
 TEST(MayUnsplit, TestsBothSidesOfACrease) {
     Midpoint m(kCrease);
     m.mesh.set_normal(m.split.right->m, rotated(20.0));
-    EXPECT_TRUE(m.may_unsplit({.theta_min = 20.001}));
-    EXPECT_FALSE(m.may_unsplit({.theta_min = 19.999}));
+    EXPECT_TRUE(m.may_unsplit({.curvature = angles(kOff, 20.001)}));
+    EXPECT_FALSE(m.may_unsplit({.curvature = angles(kOff, 19.999)}));
 }
 
 TEST(MayUnsplit, KeepsVerticesThatLieTooFarFromTheRestoredFaces) {
     Midpoint m;
     for (const double height : {0.05, -0.05}) {
         m.lift(height);
-        // |f1.delta| + |f2.delta|: twice the height where both faces are flat.
+        // |f1.delta| + |f2.delta| is twice the height, since the restored faces are coplanar.
         EXPECT_TRUE(m.may_unsplit({.flatness = 2.0 * 0.05 / kLength + 1e-9}));
         EXPECT_FALSE(m.may_unsplit({.flatness = 2.0 * 0.05 / kLength - 1e-9}));
     }
-    // Within the plane of its faces it may have slid.
+    // The vertex may slide within the plane of the restored faces.
     m.mesh.set_position(m.split.m, {0.8, 0.1, 0.0});
     EXPECT_TRUE(m.may_unsplit({.flatness = 1e-9}));
 }
@@ -246,7 +252,7 @@ TEST(MayUnsplit, MeasuresABoundaryVertexFromItsEdge) {
     };
     EXPECT_TRUE(may_unsplit(0.05 / 2.0 + 1e-9));
     EXPECT_FALSE(may_unsplit(0.05 / 2.0 - 1e-9));
-    // An edge of no length has no line to be near to.
+    // An edge of zero length has no line to measure from.
     mesh.set_position(VertexId{1}, Vec3{0.0});
     EXPECT_FALSE(may_unsplit(100.0));
 }
@@ -255,12 +261,12 @@ TEST(MayUnsplit, KeepsVerticesWhoseMergedEdgeWouldNeedRefinement) {
     Midpoint m;
     m.mesh.set_normal(m.split.left.b, rotated(-15.0));
     m.mesh.set_normal(m.split.left.c, rotated(15.0));
-    const AdaptLimits limits{.theta_max = 29.99, .theta_min = 20.0};
+    const AdaptLimits limits{.curvature = angles(29.99, 20.0)};
     EXPECT_TRUE(m.may_unsplit(limits)) << "nothing is deformed";
     m.mesh.set_deformed(VertexId{1}, true);
     EXPECT_FALSE(m.may_unsplit(limits));
-    EXPECT_TRUE(m.may_unsplit({.theta_max = 30.01, .theta_min = 20.0}));
-    // Each half passes: only the edge they make up does not.
+    EXPECT_TRUE(m.may_unsplit({.curvature = angles(30.01, 20.0)}));
+    // Both halves pass; only the merged edge does not.
     m.mesh.set_deformed(VertexId{1}, false);
     m.mesh.set_deformed(VertexId{2}, true);
     EXPECT_FALSE(m.may_unsplit(limits));
@@ -271,8 +277,8 @@ TEST(MayUnsplit, TestsBothSidesOfTheMergedEdge) {
     m.mesh.set_deformed(VertexId{1}, true);
     m.mesh.set_normal(m.split.right->b, rotated(-15.0));
     m.mesh.set_normal(m.split.right->c, rotated(15.0));
-    EXPECT_FALSE(m.may_unsplit({.theta_max = 29.99, .theta_min = 20.0}));
-    EXPECT_TRUE(m.may_unsplit({.theta_max = 30.01, .theta_min = 20.0}));
+    EXPECT_FALSE(m.may_unsplit({.curvature = angles(29.99, 20.0)}));
+    EXPECT_TRUE(m.may_unsplit({.curvature = angles(30.01, 20.0)}));
 }
 
 TEST(MayUnsplit, RequiresItsEdgesToBeShorterThanLMaxInAndOutOfTheZone) {
@@ -288,8 +294,8 @@ TEST(MayUnsplit, KeepsVerticesWhoseRestoredFacesInTheZoneWouldHaveLongEdges) {
     EXPECT_FALSE(m.may_unsplit({.l_max = kLength - 1e-9}, kEverywhere)) << "the restored edge";
     EXPECT_TRUE(m.may_unsplit({.l_max = kLength + 1e-9}, kEverywhere));
     EXPECT_TRUE(m.may_unsplit({.l_max = kLength - 1e-9}, kElsewhere));
-    // An outer edge is long, and the zone meets its face only once that is restored: the zone is
-    // in the half of 0, m, 2 that the edge 0-1 does not belong to.
+    // The outer edge 0-1 is long, and its face meets the zone only once it is restored: the zone is
+    // in the face 0, m, 2, to which the edge 0-1 does not belong.
     Midpoint outer;
     outer.mesh.set_position(VertexId{1}, {1.5, 0, 0});
     outer.mesh.set_position(outer.split.m, {0.75, 0.5, 0});
@@ -299,7 +305,7 @@ TEST(MayUnsplit, KeepsVerticesWhoseRestoredFacesInTheZoneWouldHaveLongEdges) {
     EXPECT_GT(1.2, half);
     EXPECT_TRUE(outer.may_unsplit({.l_max = 1.2}, kElsewhere));
     EXPECT_TRUE(outer.may_unsplit({.l_max = 2.0}, near_2));
-    // The face beyond counts alike.
+    // The same for the face on the other side.
     const Box near_3{.min = {0.95, 0.95, -0.1}, .max = {1.1, 1.1, 0.1}};
     EXPECT_FALSE(outer.may_unsplit({.l_max = 1.2}, near_3));
 }
@@ -308,7 +314,7 @@ TEST(MayUnsplit, AcceptsOnlyStarsThatMeetTheScope) {
     Midpoint m;
     EXPECT_TRUE(m.may_unsplit({}, std::nullopt, kEverywhere));
     EXPECT_FALSE(m.may_unsplit({}, std::nullopt, kElsewhere));
-    // One corner of each of its four faces in turn.
+    // Boxes around one corner or within one of the four faces.
     for (std::uint32_t v = 0; v < 4; ++v) {
         const Vec3 p = m.mesh.position(VertexId{v});
         EXPECT_TRUE(m.may_unsplit({}, std::nullopt, Box{.min = p - 0.01, .max = p + 0.01}));

@@ -1,4 +1,4 @@
-// Drags of whole shapes: refined where they bend, nowhere else, and back again.
+// Drags of whole shapes: they are refined where they bend and nowhere else, and decimated again.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -26,7 +26,7 @@ void expect_done(Session& session, const Command& command) {
     EXPECT_FALSE(refusal.has_value()) << *refusal;
 }
 
-// A cube of 8 x 8 quads a side, dragged at the middle of its top.
+// A cube with 8 x 8 quads on each side, dragged at the middle of its top.
 Session dragged_cube(double by, double radius = 1.0, const Setting& l_max = Setting::off()) {
     Session session;
     expect_done(session, Shape{Shape::Kind::cube, 8});
@@ -63,14 +63,14 @@ TEST(DraggedCube, IsNotRefinedWhereAHugeBrushMovesAllOfItButBendsNothing) {
         const Session session = dragged_cube(0.5, 200.0, l_max);
         const TriMesh& mesh = session.mesh();
         for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
-            EXPECT_TRUE(mesh.is_deformed(VertexId{v}));  // its right angles are, too
+            EXPECT_TRUE(mesh.is_deformed(VertexId{v}));  // also along the creases
         }
         EXPECT_EQ(session.statistics().last.splits, 0u);
     }
 }
 
 TEST(DraggedCube, KeepsItsCreasesWhereTheyBend) {
-    // A brush about a corner bends three sides and the edges between them.
+    // A brush around a corner bends three sides and the creases between them.
     Session session;
     expect_done(session, Shape{Shape::Kind::cube, 4});
     expect_done(session, Adapt{.theta_max = Setting::of(8.0), .l_max = Setting::off()});
@@ -98,7 +98,7 @@ TEST(LMax, HoldsForEveryFaceThatMeetsTheZone) {
         const Warp warp = test::random_warp(mesh, random);
         const Box zone = warp.zone();
         const double l_max =
-            std::max(warp.smallest_cell_extent(), 0.05 * mesh.bounding_box().diagonal());
+            std::max(warp.smallest_feature_extent(), 0.05 * mesh.bounding_box().diagonal());
         ActiveSet active(mesh);
         active.begin(FaceTree(mesh).faces_meeting(zone, mesh), zone);
         Embedding embedding(active, warp);
@@ -123,6 +123,10 @@ TEST(LMax, HoldsForEveryFaceThatMeetsTheZone) {
 
 // --- Floor and budget, frame by frame
 
+NormalDivergence angles(double theta_max, double theta_min = kOff) {
+    return NormalDivergence({.theta_max = theta_max, .theta_min = theta_min});
+}
+
 struct Frames {
     TriMesh mesh;
     ActiveSet active{mesh};
@@ -142,7 +146,7 @@ struct Frames {
 };
 
 TEST(Budget, IsKeptAndReportedAndRestsUntilTheDragChanges) {
-    Frames frames({.theta_max = 0.5, .theta_min = 0.4, .floor = 1e-4, .budget = 2000}, 0.8);
+    Frames frames({.curvature = angles(0.5, 0.4), .floor = 1e-4, .budget = 2000}, 0.8);
     const Frame first = frames.drag({0, 0.3, 0});
     EXPECT_TRUE(first.budget_hit);
     EXPECT_LE(frames.mesh.face_count(), 2000u);
@@ -156,29 +160,29 @@ TEST(Budget, IsKeptAndReportedAndRestsUntilTheDragChanges) {
 }
 
 TEST(Budget, OfThePresentFaceCountAllowsNoSplit) {
-    Frames frames({.theta_max = 0.5, .theta_min = 0.4, .floor = 1e-4, .budget = 10}, 0.8);
+    Frames frames({.curvature = angles(0.5, 0.4), .floor = 1e-4, .budget = 10}, 0.8);
     const Frame frame = frames.drag({0, 0.3, 0});
     EXPECT_TRUE(frame.budget_hit);
     EXPECT_EQ(frame.splits, 0u);
 }
 
 TEST(Floor, IsKeptAndReported) {
-    Frames frames({.theta_max = 0.5, .theta_min = 0.4, .floor = 0.02}, 0.8);
+    Frames frames({.curvature = angles(0.5, 0.4), .floor = 0.02}, 0.8);
     const TriMesh before = frames.mesh;
     const Frame frame = frames.drag({0, 0.3, 0});
     EXPECT_TRUE(frame.floor_hit);
     EXPECT_FALSE(frame.budget_hit);
     EXPECT_GT(frame.splits, 0u);
     for (EdgeId e : test::live_edges(frames.mesh)) {
-        // Halves keep to it; the edge across a split face may be somewhat shorter, as its height.
+        // Halves are not shorter. The new edge across a face may be, since it may be its height.
         EXPECT_GE(frames.mesh.length(e), 0.5 * 0.02);
     }
-    Frames coarse({.theta_max = 0.5, .theta_min = 0.4, .floor = 1.0}, 0.8);
+    Frames coarse({.curvature = angles(0.5, 0.4), .floor = 1.0}, 0.8);
     EXPECT_TRUE(coarse.drag({0, 0.3, 0}).floor_hit);
     EXPECT_EQ(coarse.active.splits(), 0u);
 }
 
-// Also where warps crush edges that are long at rest, and others wait for them to be split.
+// Also where the warp crushes edges that are long at rest, which then precede others.
 TEST(Floor, IsNeverCrossedByASplit) {
     int crushed = 0;
     for (std::uint64_t seed = 700; seed < 800; ++seed) {
@@ -194,7 +198,8 @@ TEST(Floor, IsNeverCrossedByASplit) {
         embedding.embed();
         embedding.deform();
         TriMesh replayed = mesh;
-        const AdaptLimits limits{.theta_max = random.scale(1.0, 20.0), .floor = floor};
+        const AdaptLimits limits{
+            .curvature = NormalDivergence({.theta_max = random.scale(1.0, 20.0)}), .floor = floor};
         refine(active, embedding, Criteria(limits, zone, zone));
         for (const TopologyEdit& edit : active.finish().edits) {
             ASSERT_TRUE(edit.is_split());
@@ -210,7 +215,7 @@ TEST(Floor, IsNeverCrossedByASplit) {
 }
 
 TEST(Gesture, DecimatesWhatEarlierFramesRefinedWhenTheDragReturns) {
-    Frames frames({.theta_max = 5.0, .theta_min = 4.0, .flatness = 0.02, .floor = 1e-3}, 0.8);
+    Frames frames({.curvature = angles(5.0, 4.0), .flatness = 0.02, .floor = 1e-3}, 0.8);
     const TriMesh before = frames.mesh;
     const Frame out = frames.drag({0, 0.4, 0});
     EXPECT_GT(out.splits, 100u);
@@ -221,7 +226,7 @@ TEST(Gesture, DecimatesWhatEarlierFramesRefinedWhenTheDragReturns) {
 }
 
 TEST(Gesture, IsCancelledByItsDestructor) {
-    Frames frames({.theta_max = 5.0, .theta_min = 4.0, .floor = 1e-3}, 0.8);
+    Frames frames({.curvature = angles(5.0, 4.0), .floor = 1e-3}, 0.8);
     const TriMesh before = frames.mesh;
     frames.drag({0, 0.4, 0});
     EXPECT_FALSE(frames.mesh == before);

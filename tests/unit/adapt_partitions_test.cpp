@@ -1,4 +1,4 @@
-// Many splits, and many unsplits, at the same time: all is as if they had gone one after another.
+// Concurrent splits and unsplits give the mesh that serial edits in their order give.
 #include <gtest/gtest.h>
 
 #include <tbb/global_control.h>
@@ -43,8 +43,8 @@ struct Scene {
     int steps = 0;             // of the warp
     bool is_mirrored = false;  // symmetric at x = 0, and refined so
 };
-// Smooth and closed; with creases and texture coordinates; with a border of the active set; with a
-// boundary; in a drag, and in one after another; and with symmetry on.
+// A smooth closed surface; creases and texture coordinates; a border of the active set; a boundary;
+// one drag, and two drags one after another; symmetry.
 const Scene kScenes[] = {
     {"sphere", ShapeKind::sphere, 5, kAll},
     {"cube", ShapeKind::cube, 40, kAll},
@@ -77,8 +77,7 @@ std::optional<MirrorPlane> symmetry_of(const Scene& scene) {
     return scene.is_mirrored ? std::optional(MirrorPlane{}) : std::nullopt;
 }
 
-// The scene's mesh in its warp, all of it or what lies in the zone active, refined and decimated by
-// length.
+// The mesh of a scene, deformed by its warp. The faces that meet the scene's zone are active.
 class Refined {
   public:
     explicit Refined(const Scene& scene)
@@ -132,18 +131,18 @@ TEST(Partitions, GiveTheSameMeshAsSerialEdits) {
         const double half_again = 0.7 * half.l_max;
         refined.decimate({.l_max = 1.5 * half.l_max});
         EXPECT_EQ(refined.mesh().validate(), kValid);
-        // In slots that are free now.
+        // These splits use slots that the unsplits have freed.
         EXPECT_GT(refined.refine({.l_max = half_again, .floor = 1e-6}).concurrent_splits, 10'000u);
         EXPECT_EQ(refined.mesh().validate(), kValid);
         EXPECT_GT(refined.decimate({.l_max = half.l_max}).concurrent_unsplits, 4096u);
         EXPECT_EQ(refined.mesh().validate(), kValid);
 
-        // What it has placed lies where the whole would be taken.
+        // Inserted vertices lie where deforming the whole active set takes them.
         const TriMesh embedded = refined.mesh();
         refined.deform();
         EXPECT_TRUE(refined.mesh() == embedded);
 
-        // Its log does all that again, one after another, and takes it back.
+        // The log of edits repeats them one after another, and undoes them.
         const MeshChange change = refined.finish();
         TriMesh again = before;
         redo(change, again);
@@ -153,7 +152,7 @@ TEST(Partitions, GiveTheSameMeshAsSerialEdits) {
     }
 }
 
-// Also where lanes are short, and so border on each other in many places.
+// With short batches too, whose partitions border on each other in many places.
 TEST(Partitions, KeepAMirroredMeshMirrored) {
     for (const Scene& scene : kScenes) {
         if (!scene.is_mirrored) continue;
@@ -161,7 +160,7 @@ TEST(Partitions, KeepAMirroredMeshMirrored) {
             SCOPED_TRACE(scene.name + (", " + std::to_string(partition_batch)));
             Refined refined(scene);
             AdaptLimits half = half_of(refined.mesh());
-            half.partition_batch = partition_batch;
+            half.partitioning.batch = partition_batch;
             ASSERT_LT(test::asymmetry(refined.mesh()), 1e-9);
             const Refinement halved = refined.refine(half);
             EXPECT_GT(halved.concurrent_splits, halved.splits / 2);
@@ -176,8 +175,8 @@ TEST(Partitions, KeepAMirroredMeshMirrored) {
 
 TEST(Partitions, UndoAllSplitsWithAllLimitsOff) {
     for (const Scene& scene : kScenes) {
-        if (!scene.is_all_active) continue;  // what propagates past the zone stays there
-        if (scene.steps > 0) continue;       // all else has moved
+        if (!scene.is_all_active) continue;  // splits beyond the scope are not undone
+        if (scene.steps > 0) continue;       // base vertices have moved
         SCOPED_TRACE(scene.name);
         const TriMesh before = mesh_of(scene);
         Refined refined(scene);
@@ -186,13 +185,12 @@ TEST(Partitions, UndoAllSplitsWithAllLimitsOff) {
         EXPECT_EQ(refined.mesh().vertex_count(), before.vertex_count());
         EXPECT_EQ(refined.mesh().face_count(), before.face_count());
         EXPECT_EQ(refined.mesh().validate(), kValid);
-        refined.mesh().shrink(before.slot_counts());
-        EXPECT_TRUE(refined.mesh() == before);
+        EXPECT_TRUE(refined.mesh().baked().mesh == before.baked().mesh);
         refined.active().finish();
     }
 }
 
-// Free lists and logs, too.
+// This includes free lists and logs.
 TEST(Partitions, GiveTheSameBytesOnAnyNumberOfThreads) {
     const auto refined_on = [](const Scene& scene, int threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
@@ -238,8 +236,8 @@ TEST(Partitions, StayWithinTheBudget) {
     }
 }
 
-// What goes is longest in its faces when its turn comes, and comes from a lane that owns its
-// corners; the rest is left over.
+// An accepted edge is the longest of its faces when its turn comes. All other edges are deferred:
+// returned, or queued again.
 TEST(ConcurrentSplits, SplitTheLongestEdgesOfTheirFacesAndDeferTheOthers) {
     for (const Scene& scene : kScenes) {
         if (scene.steps > 0) continue;  // at rest, lengths are those of the mesh
@@ -255,26 +253,35 @@ TEST(ConcurrentSplits, SplitTheLongestEdgesOfTheirFacesAndDeferTheOthers) {
             if (criteria.needs_refinement(refined.active(), e))
                 queue.push(e, classifier.octave_of(e));
         }
-        const RefinementQueue::Entries next = queue.take();
-        ASSERT_FALSE(next.is_one_partition);
+        const RefinementQueue::Batch next = queue.take();
+        ASSERT_FALSE(next.is_serial);
         std::size_t needed = 0;
         for (const auto& partition : next.partitions) {
             for (EdgeId e : partition)
                 needed += classifier.still_needs_split(e, next.octave) ? 1 : 0;
         }
         ConcurrentSplits concurrent(refined.active(), refined.embedding(), classifier, limits);
-        concurrent.split(next);
-        std::size_t left = 0;
-        concurrent.for_each_deferred([&](std::size_t, EdgeId e, VertexId end) {
-            EXPECT_TRUE(refined.mesh().is_live(e) && refined.mesh().is_live(end));
-            ++left;
-        });
-        EXPECT_EQ(concurrent.split_count() + left, needed);
-        EXPECT_GT(concurrent.split_count(), needed / 4);
+        RefinementQueue queued;
+        const ConcurrentSplits::Result done = concurrent.split(next, queued);
+        std::size_t returned = 0;
+        for (const PendingSplits& deferred : done.deferred) {
+            returned += deferred.splits.size();
+            for (const PendingSplit& split : deferred.splits)
+                EXPECT_TRUE(refined.mesh().is_live(split.edge) &&
+                            refined.mesh().is_live(split.end));
+        }
+        std::size_t queued_again = 0;
+        for (; !queued.is_empty() && returned == 0;) {
+            const RefinementQueue::Batch batch = queued.take();
+            if (batch.octave != next.octave) break;
+            for (const auto& partition : batch.partitions) queued_again += partition.size();
+        }
+        EXPECT_GE(done.splits + returned + queued_again, needed);
+        EXPECT_GT(done.splits, needed / 4);
         EXPECT_EQ(refined.mesh().validate(), kValid);
 
         const MeshChange change = refined.finish();
-        ASSERT_EQ(change.edits.size(), concurrent.split_count());
+        ASSERT_EQ(change.edits.size(), done.splits);
         for (const TopologyEdit edit : change.edits) {
             in_turn.for_each_side(edit.edge(), [&](HalfEdgeId h) {
                 const double longest = (1.0 + 1e-6) * in_turn.length(edit.edge());

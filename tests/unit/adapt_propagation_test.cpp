@@ -30,7 +30,7 @@ TEST(Propagation, EndsWhereNoNeighbourIsLonger) {
         Propagation propagation(active, limits, [](EdgeId) { return true; });
         for (EdgeId e : test::live_edges(mesh)) {
             std::vector<EdgeId> chain{e};
-            EXPECT_FALSE(propagation.extend(chain));  // nothing is held back
+            EXPECT_FALSE(propagation.extend(chain));  // no edge is blocked
             const auto longest_neighbour = [&](EdgeId of) {
                 float length = 0.0f;
                 mesh.for_each_side(of, [&](HalfEdgeId h) {
@@ -53,8 +53,8 @@ TEST(Propagation, EndsWhereNoNeighbourIsLonger) {
     EXPECT_GT(others, 100);
 }
 
-// A fan about one vertex, each spoke a little longer than the one before, so that propagation goes
-// from the first to the last.
+// A fan around one vertex. Each spoke is a little longer than the one before, so that propagation
+// leads from the first spoke to the last.
 IndexedFaceSet fan(std::uint32_t spokes) {
     IndexedFaceSet input;
     input.parts.emplace_back();
@@ -92,7 +92,7 @@ TEST(Propagation, ComparesEachEdgeOfALongChainAFewTimesOnly) {
     EXPECT_GT(longest, 10'000u);
 }
 
-// Levels have an end, too: beyond it nothing in the fan may be split any more.
+// Levels end. When they do, nothing in the fan may be split any more.
 TEST(Propagation, ComparesEachEdgeOfAChainThatMayNotBeSplitAFewTimesOnly) {
     constexpr std::uint32_t kSpokes = 80'000;
     TriMesh mesh = build_mesh(fan(kSpokes)).mesh;

@@ -25,7 +25,7 @@ TEST(RefinementQueue, ReturnsEveryEdgeOnceLongestOctaveFirst) {
         const auto count = static_cast<std::uint32_t>(random.integer(0, 59'999));
         for (std::uint32_t e = 0; e < count; ++e) push(e);
         while (!queue.is_empty()) {
-            const Queue::Entries next = queue.take();
+            const Queue::Batch next = queue.take();
             std::vector<EdgeId> taken;
             for (const auto& partition : next.partitions)
                 taken.insert(taken.end(), partition.begin(), partition.end());
@@ -43,13 +43,13 @@ TEST(RefinementQueue, ReturnsEveryEdgeOnceLongestOctaveFirst) {
     }
 }
 
-// Each lane goes on where it was, and has a part of the order to itself.
+// Each partition continues where its last batch ended, in a part of the order that is its own.
 TEST(RefinementQueue, DividesManyEdgesIntoDistantPartitions) {
     Queue queue;
     const std::uint32_t count = 80'000;
     for (std::uint32_t e = 0; e < count; ++e) queue.push(EdgeId{e}, 1000);
-    const Queue::Entries first = queue.take();
-    EXPECT_FALSE(first.is_one_partition);
+    const Queue::Batch first = queue.take();
+    EXPECT_FALSE(first.is_serial);
     std::vector<std::uint32_t> begins;
     for (const auto& partition : first.partitions) {
         ASSERT_EQ(partition.size(), kPartitionBatch);
@@ -58,7 +58,7 @@ TEST(RefinementQueue, DividesManyEdgesIntoDistantPartitions) {
             EXPECT_EQ(index(partition[i]), begins.back() + i);
         }
     }
-    const Queue::Entries second = queue.take();
+    const Queue::Batch second = queue.take();
     for (std::size_t i = 0; i < kPartitions; ++i) {
         EXPECT_EQ(index(second.partitions[i].front()), begins[i] + kPartitionBatch);
     }
@@ -73,8 +73,8 @@ TEST(RefinementQueue, ReturnsFewEdgesInTheirOrder) {
     for (std::uint32_t e = 0; e < 1500; ++e) queue.push(EdgeId{e}, 1000);
     std::uint32_t expected = 0;
     while (!queue.is_empty()) {
-        const Queue::Entries next = queue.take();
-        EXPECT_TRUE(next.is_one_partition);
+        const Queue::Batch next = queue.take();
+        EXPECT_TRUE(next.is_serial);
         for (EdgeId e : next.partitions.front()) EXPECT_EQ(index(e), expected++);
     }
     EXPECT_EQ(expected, 1500u);

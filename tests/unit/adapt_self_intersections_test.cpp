@@ -1,4 +1,4 @@
-// Which triangles cut each other: by hand on a few, against a look at all pairs on many.
+// Self-intersections of a few triangles by gesture, and of many against a test of all pairs.
 #include "adapt/self_intersections.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ using test::mesh_of;
 
 const Box kEverywhere{.min = Vec3{-9.0}, .max = Vec3{9.0}};
 
-// A mesh in hand, all of it.
+// A gesture in which the whole mesh is active.
 struct ActiveGesture {
     explicit ActiveGesture(TriMesh made) : mesh(std::move(made)), active(mesh) {
         const std::vector<FaceId> faces = test::live_faces(mesh);
@@ -32,58 +32,60 @@ struct ActiveGesture {
 const std::string kSheet = "v 0 0 0\nv 2 0 0\nv 0 2 0\n";
 
 TEST(SelfIntersections, AreEdgesThroughFacesThatWereDisjointAtRest) {
-    ActiveGesture hand(mesh_of(kSheet + "v 0.5 0.5 1\nv 0.5 1 1\nv 1 0.5 1\nf 1 2 3\nf 4 5 6\n"));
-    EXPECT_TRUE(SelfIntersections(hand.active).find().empty());
-    hand.move(3, {0.5, 0.5, -1});
-    const std::vector<SelfIntersection> expected{{edge_between(hand.mesh, 3, 4), FaceId{0}},
-                                                 {edge_between(hand.mesh, 3, 5), FaceId{0}}};
-    EXPECT_EQ(SelfIntersections(hand.active).find(), expected);
-    hand.active.roll_back();
-    hand.active.finish();
+    ActiveGesture gesture(
+        mesh_of(kSheet + "v 0.5 0.5 1\nv 0.5 1 1\nv 1 0.5 1\nf 1 2 3\nf 4 5 6\n"));
+    EXPECT_TRUE(SelfIntersections(gesture.active).find().empty());
+    gesture.move(3, {0.5, 0.5, -1});
+    const std::vector<SelfIntersection> expected{{edge_between(gesture.mesh, 3, 4), FaceId{0}},
+                                                 {edge_between(gesture.mesh, 3, 5), FaceId{0}}};
+    EXPECT_EQ(SelfIntersections(gesture.active).find(), expected);
+    gesture.active.roll_back();
+    gesture.active.finish();
 }
 
 TEST(SelfIntersections, ExcludeContactsAndIntersectionsAtRest) {
-    // The second sheet hangs on the first one's border, the third goes through it at rest.
-    ActiveGesture hand(mesh_of(kSheet +
-                               "v 0.5 0 0\nv 1.5 0 0\nv 1 0 1\n"
-                               "v 0.5 0.5 -1\nv 0.5 0.5 1\nv 3 3 3\nf 1 2 3\nf 4 5 6\nf 7 8 9\n"));
-    EXPECT_TRUE(SelfIntersections(hand.active).find().empty());
-    hand.move(3, {0.5, 0.4, -0.1});
-    hand.move(4, {1.5, 0.2, 0.1});
-    EXPECT_TRUE(SelfIntersections(hand.active).find().empty());
-    hand.active.roll_back();
-    hand.active.finish();
+    // The second triangle touches the border of the first; the third passes through it at rest.
+    ActiveGesture gesture(
+        mesh_of(kSheet + "v 0.5 0 0\nv 1.5 0 0\nv 1 0 1\n"
+                         "v 0.5 0.5 -1\nv 0.5 0.5 1\nv 3 3 3\nf 1 2 3\nf 4 5 6\nf 7 8 9\n"));
+    EXPECT_TRUE(SelfIntersections(gesture.active).find().empty());
+    gesture.move(3, {0.5, 0.4, -0.1});
+    gesture.move(4, {1.5, 0.2, 0.1});
+    EXPECT_TRUE(SelfIntersections(gesture.active).find().empty());
+    gesture.active.roll_back();
+    gesture.active.finish();
 }
 
 TEST(SelfIntersections, AreFoundBetweenFacesThatShareACorner) {
-    ActiveGesture hand(mesh_of(kSheet + "v -2 1 0\nv -2 -1 0\nf 1 2 3\nf 1 4 5\n"));
-    hand.move(3, {0.5, 0.5, 1});
-    hand.move(4, {0.5, 0.5, -1});
-    const std::vector<SelfIntersection> expected{{edge_between(hand.mesh, 3, 4), FaceId{0}}};
-    EXPECT_EQ(SelfIntersections(hand.active).find(), expected);
-    hand.active.roll_back();
-    hand.active.finish();
+    ActiveGesture gesture(mesh_of(kSheet + "v -2 1 0\nv -2 -1 0\nf 1 2 3\nf 1 4 5\n"));
+    gesture.move(3, {0.5, 0.5, 1});
+    gesture.move(4, {0.5, 0.5, -1});
+    const std::vector<SelfIntersection> expected{{edge_between(gesture.mesh, 3, 4), FaceId{0}}};
+    EXPECT_EQ(SelfIntersections(gesture.active).find(), expected);
+    gesture.active.roll_back();
+    gesture.active.finish();
 }
 
-// A midpoint that makes way for a spike goes only without it.
+// The inserted vertex lies above a spike. Without the vertex, the spike would pass through the
+// sheet.
 TEST(SelfIntersections, ArePredictedForAnUnsplit) {
     for (const double height : {0.05, 0.5}) {
-        ActiveGesture hand(
+        ActiveGesture gesture(
             mesh_of("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
                     "v 0.55 0.5 -1\nv 0.55 0.52 -1\nv 0.55 0.51 -0.1\n"
                     "f 1 2 3\nf 3 2 4\nf 5 6 7\n"));
-        hand.active.split(edge_between(hand.mesh, 1, 2));
+        gesture.active.split(edge_between(gesture.mesh, 1, 2));
         const VertexId m{7};
-        ASSERT_TRUE(hand.mesh.is_live(m));
-        hand.mesh.set_position(m, {0.5, 0.5, height + 0.1});
-        hand.move(6, {0.55, 0.51, height});
-        SelfIntersections intersections(hand.active);
+        ASSERT_TRUE(gesture.mesh.is_live(m));
+        gesture.mesh.set_position(m, {0.5, 0.5, height + 0.1});
+        gesture.move(6, {0.55, 0.51, height});
+        SelfIntersections intersections(gesture.active);
         EXPECT_TRUE(intersections.find().empty());
-        EXPECT_TRUE(intersections.would_intersect(*hand.mesh.removable(m)));
-        hand.move(6, {0.55, 0.51, -0.01});
-        EXPECT_FALSE(SelfIntersections(hand.active).would_intersect(*hand.mesh.removable(m)));
-        hand.active.roll_back();
-        hand.active.finish();
+        EXPECT_TRUE(intersections.would_intersect(*gesture.mesh.removable(m)));
+        gesture.move(6, {0.55, 0.51, -0.01});
+        EXPECT_FALSE(SelfIntersections(gesture.active).would_intersect(*gesture.mesh.removable(m)));
+        gesture.active.roll_back();
+        gesture.active.finish();
     }
 }
 
@@ -108,7 +110,7 @@ std::vector<SelfIntersection> intersections_by_scan(const ActiveSet& active) {
     return intersections;
 }
 
-// Far drags that fold, so that there is much to find, and to find again.
+// Long drags that fold space cause many intersections, before and after refinement.
 TEST(SelfIntersections, MatchBruteForceBeforeAndAfterEdits) {
     std::size_t found = 0;
     const std::uint64_t count = static_cast<std::uint64_t>(test::case_count(40));
@@ -137,7 +139,7 @@ TEST(SelfIntersections, MatchBruteForceBeforeAndAfterEdits) {
         active.roll_back();
         active.finish();
     }
-    std::cout << "cuts in seeds 7400 to " << 7399 + count << ": " << found << "\n";
+    std::cout << "self-intersections in seeds 7400 to " << 7399 + count << ": " << found << "\n";
     EXPECT_GT(found, 100u);
 }
 

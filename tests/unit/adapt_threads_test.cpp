@@ -1,4 +1,4 @@
-// Passes over an active set are cut into pieces for all threads; what comes out may not tell.
+// Passes over an active set run on all threads; the result does not depend on their number.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -21,7 +21,7 @@
 namespace pectin {
 namespace {
 
-// Frames and the commit of a drag that moves all of a sphere, splits and removes.
+// Several frames and the commit of a drag that moves, refines and decimates all of a sphere.
 TriMesh dragged(int threads, bool has_two_moves) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(threads));
@@ -44,8 +44,8 @@ TriMesh dragged(int threads, bool has_two_moves) {
     return session.mesh();
 }
 
-// The same with control points of a cage: the smooth torus in one pass, a cube, whose corners have
-// several normals, in two.
+// The same with control points of a cage. The smooth sphere takes one pass; the cube takes two,
+// since its corners have several normals.
 TriMesh moved_by_a_cage(int threads, command::Shape::Kind kind, int resolution) {
     const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
                                       static_cast<std::size_t>(threads));
@@ -88,7 +88,8 @@ TEST(Threads, DoNotChangeTheBytesOfADrag) {
     }
 }
 
-// For a user that is not the administrator; and only as many threads as there are already.
+// The limit does not apply to the administrator, so another user is taken. It allows only the
+// thread that exists.
 void allow_no_further_thread() {
     if (geteuid() == 0 && setuid(65534) != 0) std::_Exit(2);
     const rlimit none{1, 1};

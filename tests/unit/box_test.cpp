@@ -1,4 +1,4 @@
-// The exact test of a triangle against a box, next to one that clips.
+// The test of a triangle against a box, compared with clipping.
 #include "geometry/box.h"
 
 #include <gtest/gtest.h>
@@ -16,8 +16,9 @@ using Triangle = std::array<Vec3, 3>;
 
 bool meets(const Triangle& t, const Box& box) { return triangle_meets_box(t[0], t[1], t[2], box); }
 
-// Whether anything of the triangle is left after cutting it along the six planes of the box
-// (Sutherland & Hodgman 1974).
+// Whether anything of the triangle remains after clipping it by the six planes of the box.
+// Source: I. E. Sutherland, G. W. Hodgman. Reentrant Polygon Clipping. Communications of the ACM
+// 17(1), 1974.
 bool leaves_something_when_clipped(const Triangle& t, const Box& box) {
     std::vector<Vec3> polygon(t.begin(), t.end());
     for (int axis = 0; axis < 3; ++axis) {
@@ -44,7 +45,7 @@ Box random_box(Random& random) {
     return box;
 }
 
-// Large, small, thin; now and then without area.
+// Large, small and thin triangles, and some without area.
 Triangle random_triangle(Random& random) {
     const Vec3 centre = random.uniform(0.0, 2.0) * random.direction();
     const double size = random.scale(0.05, 20.0);
@@ -58,7 +59,7 @@ Triangle random_triangle(Random& random) {
 
 Box grown(const Box& box, double by) { return {.min = box.min - by, .max = box.max + by}; }
 
-TEST(TriangleMeetsBox, AgreesWithClippingButForABandOfRounding) {
+TEST(TriangleMeetsBox, AgreesWithClippingUpToRounding) {
     constexpr double kBand = 1e-9;
     Random random(20);
     int met = 0, missed = 0;
@@ -94,7 +95,7 @@ TEST(TriangleMeetsBox, FindsEveryTriangleWithASampledPointInside) {
     }
 }
 
-TEST(TriangleMeetsBox, SaysTheSameFromEveryCorner) {
+TEST(TriangleMeetsBox, DoesNotDependOnTheFirstCorner) {
     Random random(22);
     int near = 0;
     for (int i = 0; i < 40000; ++i) {
@@ -121,18 +122,18 @@ TEST(TriangleMeetsBox, CountsTouchingAsMeeting) {
     EXPECT_FALSE(meets({Vec3{1.01, 0, 0}, Vec3{2, 1, 1}, Vec3{2, 0, 0}}, unit));
 }
 
-TEST(TriangleMeetsBox, SeesATriangleAllAroundTheBoxAndOneAllInsideIt) {
+TEST(TriangleMeetsBox, FindsATriangleAroundTheBoxAndOneInsideIt) {
     const Box unit{.min = Vec3{0.0}, .max = Vec3{1.0}};
     EXPECT_TRUE(meets({Vec3{-9, -9, 0.5}, Vec3{9, -9, 0.5}, Vec3{0.5, 20, 0.5}}, unit));
     EXPECT_TRUE(meets({Vec3{0.4, 0.4, 0.4}, Vec3{0.6, 0.4, 0.4}, Vec3{0.4, 0.6, 0.4}}, unit));
-    // Its bounds contain the box, the plane passes it by.
+    // The bounds of the triangle contain the box, and its plane misses the box.
     EXPECT_FALSE(meets({Vec3{4, 0, 0}, Vec3{0, 4, 0}, Vec3{0, 0, 4}}, unit));
     EXPECT_TRUE(meets({Vec3{3, 0, 0}, Vec3{0, 3, 0}, Vec3{0, 0, 3}}, unit));
-    // Only the cross product of two edges tells them apart.
+    // Only the cross product of two edges separates them.
     EXPECT_FALSE(meets({Vec3{1.5, -0.2, 0.5}, Vec3{0.5, -0.8, 0.5}, Vec3{1.5, -0.8, 0.6}}, unit));
 }
 
-TEST(TriangleMeetsBox, MeetsNothingWhereTheBoxIsEmpty) {
+TEST(TriangleMeetsBox, IsFalseForAnEmptyBox) {
     EXPECT_FALSE(meets({Vec3{0.0}, Vec3{1, 0, 0}, Vec3{0, 1, 0}}, Box{}));
 }
 

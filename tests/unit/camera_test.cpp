@@ -37,7 +37,7 @@ TEST(Camera, SeesItsTargetInTheMiddleOfThePicture) {
     }
 }
 
-TEST(Camera, SendsARayThroughAPixelToWhereThatPixelIsSeen) {
+TEST(Camera, ProjectsPointsOfThePixelsRayBackToThePixel) {
     std::mt19937 bits(2);
     std::uniform_real_distribution<double> unit(0.0, 1.0);
     for (int i = 0; i < 1000; ++i) {
@@ -69,7 +69,7 @@ TEST(Camera, ProjectsAsItsMatricesDo) {
     }
 }
 
-TEST(Camera, HasNoPixelForWhatIsBehindTheEye) {
+TEST(Camera, HasNoPixelForPointsBehindTheEye) {
     const Camera camera{.eye = Vec3(0, 0, 3)};
     EXPECT_FALSE(camera.project({0, 0, 3.5}, kSize));
     EXPECT_FALSE(camera.project(camera.eye, kSize));
@@ -114,7 +114,7 @@ TEST(DepthRange, HoldsTheBoxBetweenNearAndFar) {
     EXPECT_LT(behind.near, behind.far);
 }
 
-// What lies outermost in the picture, as a share of the way from its middle to its border.
+// The outermost point in the picture, as a fraction of the way from its middle to its border.
 Vec2 extent_in_picture(const Camera& camera, std::span<const Vec3> points, const IVec2& size) {
     Vec2 most{0.0};
     for (const Vec3& p : points) {
@@ -150,14 +150,14 @@ TEST(Fit, LooksStraightUpOrDownToo) {
         EXPECT_TRUE(fit(box, kAspect, direction).is_valid());
 }
 
-TEST(Fit, TakesWhatHasNoSizeForSomethingOfSizeOne) {
+TEST(Fit, ShowsABoxOfSizeOneForPointsWithoutExtent) {
     EXPECT_TRUE(fit(Box{}, kAspect).is_valid());
     const Camera camera = fit(Box{.min = Vec3(7), .max = Vec3(7)}, kAspect);
     EXPECT_TRUE(camera.is_valid());
     expect_near(camera.target, Vec3(7), 0.5);
 }
 
-TEST(Orbit, KeepsThePivotWhereItIsSeenAndItsDistance) {
+TEST(Orbit, KeepsThePixelAndTheDistanceOfThePivot) {
     const Camera camera{.eye = Vec3(1, 2, 4), .target = Vec3(0.2, 0, 0)};
     const Vec3 pivot{0.5, -0.3, 0.1};
     const Camera rotated = orbited(camera, 0.7, -0.3, pivot);
@@ -184,7 +184,7 @@ TEST(Orbit, ReturnsAfterAFullRotation) {
     expect_near(rotated.eye, camera.eye, 1e-12);
 }
 
-TEST(Pan, MovesWhatIsAtTheTargetsDepthByThePixels) {
+TEST(Pan, MovesPointsAtTheDepthOfTheTargetByThePixels) {
     const Camera camera{.eye = Vec3(1, 2, 4)};
     const Camera moved = panned(camera, {30.0, -12.0}, kSize);
     const Vec2 pixel = *moved.project(camera.target, kSize);

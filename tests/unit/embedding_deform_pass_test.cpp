@@ -1,4 +1,4 @@
-// A frame of one drag, in blocks, against the formulas element by element.
+// The blocked pass over a frame of one drag, against the formulas element by element.
 #include <gtest/gtest.h>
 
 #include <utility>
@@ -14,7 +14,7 @@ namespace {
 
 const Vec3 kGrabbed{0, 0, 1}, kDisplacement{0.1, -0.05, 0.4};
 
-// The grabbed point and what lies round it, but not all of the object.
+// A drag that moves the grabbed point and its surroundings, but not all of the object.
 DragStep drag_step() {
     const Lattice lattice = brush_lattice(kGrabbed, 1.4, 3);
     return {std::get<DragSolver>(DragSolver::create(lattice, {&kGrabbed, 1}, {})).field(),
@@ -29,7 +29,7 @@ std::vector<FaceId> live_faces(const TriMesh& mesh) {
     return faces;
 }
 
-// Everything live as one drag has it, from rest; what is not live as it was.
+// Live elements are where the drag takes them from rest; elements that are not live are unchanged.
 void expect_deformed(const TriMesh& before, const ActiveSet& active, const DragStep& drag) {
     const TriMesh& after = active.mesh();
     std::size_t moved = 0;
@@ -67,7 +67,7 @@ void expect_deformed(const TriMesh& before, const ActiveSet& active, const DragS
     }
 }
 
-// Every edge whose faces no other has cut: many vertices that may go again.
+// Splits every edge whose faces have not been split yet, which gives many removable vertices.
 void split_many(TriMesh& mesh) {
     std::vector<bool> is_split(mesh.face_slots(), false);
     const std::uint32_t edges = mesh.edge_slots();
@@ -96,8 +96,9 @@ std::size_t remove_every_third(ActiveSet& active) {
     return removed;
 }
 
-// A sphere has one normal a vertex, so that one block does both; along the sides of a cube there
-// are several. Ids run on until vertices that an earlier gesture inserted are removed.
+// A sphere has one normal for each vertex, so vertex and wedge entries correspond; at the creases
+// of a cube there are several. Ids are consecutive until vertices of an earlier gesture are
+// removed.
 TEST(DeformPass, MatchesThePerVertexFormulasBitForBit) {
     for (const auto& [kind, resolution] :
          {std::pair{ShapeKind::sphere, 4}, std::pair{ShapeKind::cube, 25}}) {

@@ -1,4 +1,4 @@
-// A frame in which control points moved, in blocks, against the plain field element by element.
+// The blocked pass over a frame that moved control points, against the field element by element.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -52,8 +52,8 @@ void expect_deformed(const TriMesh& before, const TriMesh& after, const LatticeF
     }
 }
 
-// A sphere has one normal a vertex, so that one pass does both; along the sides of a cube there are
-// several.
+// A sphere has one normal for each vertex, so that one pass sets positions and normals; at the
+// creases of a cube there are several.
 TEST(LatticePass, MatchesThePerVertexField) {
     const LatticeField field = bent_field();
     for (const auto& [kind, resolution] :
@@ -67,7 +67,7 @@ TEST(LatticePass, MatchesThePerVertexField) {
         embedding.embed();
         embedding.deform();
         expect_deformed(shape, mesh, field);
-        // The displacements of each frame are its own.
+        // The next frame has other displacements.
         std::get<LatticeField>(warp.steps[0]).displacements()[0] += Vec3{0.1};
         embedding.deform();
         expect_deformed(shape, mesh, std::get<LatticeField>(warp.steps[0]));

@@ -1,5 +1,5 @@
-// The cubic B-spline basis and the zones of the lattice it spans.
-#include "ffd/basis.h"
+// The cubic B-spline basis in value, power and Bernstein form.
+#include "ffd/cubic_basis.h"
 
 #include <gtest/gtest.h>
 
@@ -84,6 +84,29 @@ TEST(BasisSpan, HoldsTheFourControlPointsThatReachAParameter) {
             EXPECT_NEAR(k < 4 ? span.value[k] : 0.0, basis(u - i), 1e-15);
             EXPECT_NEAR(k < 4 ? span.derivative[k] : 0.0, basis_derivative(u - i), 1e-15);
         }
+    }
+}
+
+TEST(BasisSpan, EqualsThePowerFormInsideACell) {
+    for (double t = 0.0; t < 1.0; t += 0.03125) {
+        const BasisSpan span = basis_span(t);
+        for (std::size_t k = 0; k < 4; ++k) {
+            const CubicCoefficients& p = kPowerSegments[k];
+            EXPECT_NEAR(span.value[k], ((p[3] * t + p[2]) * t + p[1]) * t + p[0], 1e-15);
+            EXPECT_NEAR(span.derivative[k], (3.0 * p[3] * t + 2.0 * p[2]) * t + p[1], 1e-15);
+        }
+    }
+}
+
+TEST(BernsteinSegments, SumToOneAndAreTheConversionOfTheWholeCell) {
+    const CubicSegments whole = bernstein_conversion(0.0, 1.0);
+    for (std::size_t i = 0; i < 4; ++i) {
+        double sum = 0.0;
+        for (std::size_t k = 0; k < 4; ++k) {
+            sum += kBernsteinSegments[k][i];
+            EXPECT_NEAR(whole[i][k], kBernsteinSegments[k][i], 1e-15);
+        }
+        EXPECT_NEAR(sum, 1.0, 1e-15);
     }
 }
 

@@ -1,4 +1,4 @@
-// Direct manipulation: drags met exactly, by the smallest displacement of the lattice.
+// Direct manipulation: a drag is met exactly, by the smallest displacement of the lattice.
 #include "ffd/drag_solver.h"
 
 #include <gtest/gtest.h>
@@ -8,14 +8,14 @@
 #include <cstring>
 #include <numeric>
 
-#include "ffd/basis.h"
+#include "ffd/cubic_basis.h"
 #include "ffd/lattice_field.h"
 #include "unit/ffd_random.h"
 
 namespace pectin {
 namespace {
 
-// A drag of 1 to 4 points that holds up to 6 others.
+// A random drag of 1 to 4 handles with up to 6 pins.
 struct Case {
     Lattice lattice;
     std::vector<Vec3> moves, pins, d;
@@ -48,7 +48,7 @@ double norm(std::span<const Vec3> vectors) {
     return std::sqrt(squared);
 }
 
-// Basis values of all control points at x: a row of the constraint matrix.
+// The basis values of all control points at x, which are a row of the constraint matrix.
 std::vector<double> row_at(const Lattice& lattice, const Vec3& x) {
     std::vector<double> row;
     const Vec3 u = lattice.parameter(x);
@@ -82,13 +82,13 @@ TEST(Drag, StaysWithinItsReachAndLipschitzBounds) {
             const Vec3 y = x + 0.01 * drag.lattice.smallest_cell_extent() * random.vectors(1)[0];
             const auto at = [&](const Vec3& p) { return displaced(p, drag.weights(p), drag.d); };
             const double longer = glm::distance(at(x), at(y)) / glm::distance(x, y);
-            // What rounding of w to float adds is no stretch.
+            // The second term allows for the rounding of w to float.
             ASSERT_LE(longer, stretch + 1e-6 * (1.0 + reach) / glm::distance(x, y));
             ASSERT_LE(glm::distance(at(x), x), reach * (1.0 + 1e-6));
             tightest = std::max(tightest, longer / stretch);
         }
     }
-    EXPECT_GT(tightest, 0.3);  // a bound that is never near anything is of no use
+    EXPECT_GT(tightest, 0.3) << "the bound is never nearly reached";
 }
 
 TEST(Drag, TakesEveryPointExactlyWhereItIsDragged) {
@@ -141,7 +141,7 @@ double dot(std::span<const double> a, std::span<const double> b) {
     return std::inner_product(a.begin(), a.end(), b.begin(), 0.0);
 }
 
-// An orthogonal basis of the rows of the constraints, by Gram–Schmidt done twice for accuracy.
+// An orthogonal basis of the rows of the constraints, by Gram–Schmidt applied twice for accuracy.
 std::vector<std::vector<double>> orthogonal_rows(const Lattice& lattice,
                                                  const std::vector<Vec3>& points) {
     std::vector<std::vector<double>> rows;
@@ -158,7 +158,7 @@ std::vector<std::vector<double>> orthogonal_rows(const Lattice& lattice,
     return rows;
 }
 
-// The part of `controls` that the rows do not see.
+// The component of `controls` that is orthogonal to all rows.
 std::vector<Vec3> null_part(std::vector<Vec3> controls,
                             const std::vector<std::vector<double>>& rows) {
     for (const std::vector<double>& row : rows) {
@@ -170,8 +170,8 @@ std::vector<Vec3> null_part(std::vector<Vec3> controls,
     return controls;
 }
 
-// Any other solution differs by something every constraint maps to zero. The smallest has no such
-// part itself: it lies in the space of the rows.
+// Any two solutions differ by a vector that every constraint maps to zero. The smallest solution
+// has no such component, so it lies in the space of the rows.
 TEST(Drag, MovesTheLatticeAsLittleAsTheDragsAllow) {
     LatticeRandom random{14};
     SCOPED_TRACE("seed 14");
@@ -234,7 +234,7 @@ TEST(DragField, GradientMatchesCentralDifferencesWithUnequalCells) {
     SCOPED_TRACE("seed 17");
     const Lattice lattice{.origin = {1, 2, 3}, .cell = {0.5, 1.0, 4.0}, .deformable = {3, 4, 5}};
     const DragSolver solver = solver_of(lattice, {{1.6, 3.3, 9.0}, {2.0, 5.1, 16.0}}, {{1, 2, 3}});
-    // Through the control points, in double: weights themselves are rounded to float.
+    // The difference uses the control points in double, since weights are rounded to float.
     for (std::size_t m = 0; m < 2; ++m) {
         std::vector<Vec3> d(2, Vec3{0.0});
         d[m] = {1, 0, 0};
@@ -256,7 +256,7 @@ TEST(DragField, GradientMatchesCentralDifferencesWithUnequalCells) {
     }
 }
 
-TEST(DragField, IsTheSameInABatchToTheBit) {
+TEST(DragField, GivesTheSameBitsInABatch) {
     LatticeRandom random{18};
     SCOPED_TRACE("seed 18");
     for (int trial = 0; trial < 50; ++trial) {
@@ -276,7 +276,7 @@ TEST(DragField, IsTheSameInABatchToTheBit) {
     }
 }
 
-TEST(DragField, SumsMoreMovesThanOneBatch) {
+TEST(DragField, SumsMoreWeightsThanOneBatch) {
     LatticeRandom random{19};
     SCOPED_TRACE("seed 19");
     const Lattice lattice{.cell = {1, 2, 3}, .deformable = {9, 9, 9}};
@@ -316,8 +316,8 @@ TEST(FrameKernel, DeterminantMatchesTheJacobian) {
     }
 }
 
-// The normal of the deformed surface is the cross product of its deformed tangents, here those of
-// a tiny triangle carried through the displaced lattice itself.
+// The normal of a deformed surface is the cross product of its deformed tangents. Here these are
+// the sides of a tiny triangle that the displaced lattice deforms.
 TEST(FrameKernel, NormalsFollowATinyDeformedTriangle) {
     LatticeRandom random{21};
     SCOPED_TRACE("seed 21");

@@ -1,7 +1,7 @@
-// The proof that a step of several handles folds nothing, box by box: what it allows is compared
-// with the gradient itself, sampled densely. Any slack in the bound lets a box go too far.
-// Source: Gain & Dodgson, Preventing Self-Intersection under Free-Form Deformation, IEEE TVCG 7(4),
-// 2001.
+// The limits of the injectivity proof for each box, compared with the gradient sampled densely. An
+// error in the bound would allow some box too much.
+// Source: J. Gain, N. Dodgson. Preventing Self-Intersection under Free-Form Deformation. IEEE
+// Transactions on Visualization and Computer Graphics 7(4), 2001.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -34,7 +34,7 @@ double least_eigenvalue(const std::vector<LatticeField>& sum, const Vec3& x) {
     return mean + 2.0 * radius * std::cos(angle + 2.0 * std::numbers::pi / 3.0);
 }
 
-// The least over a grid of points of the box that has its corners, too.
+// The least value over a grid of points of the box that includes its corners.
 double least_sampled(const std::vector<LatticeField>& sum, const Box& box, int per_side) {
     double least = 0.0;
     for (int i = 0; i <= per_side; ++i) {
@@ -52,7 +52,7 @@ std::vector<LatticeField> random_sum(LatticeRandom& random, int fields) {
     std::vector<LatticeField> sum;
     for (int f = 0; f < fields; ++f) {
         Lattice lattice = random.lattice(Vec3{0.0}, 2, 3);
-        if (f > 0) {  // as the image of the first, with knots of its own
+        if (f > 0) {  // like a mirror image of the first one, with other knots
             lattice = sum.front().lattice();
             lattice.origin.x += 0.3 * lattice.cell.x;
         }
@@ -70,10 +70,10 @@ TEST(SymmetricPartBound, AllowsNoBoxMoreThanItsSampledGradientDoes) {
     double worst = 0.0;
     for (int trial = 0; trial < 12; ++trial) {
         const std::vector<LatticeField> sum = random_sum(random, trial % 3 == 2 ? 2 : 1);
-        constexpr double kFar = 1e6;  // so that every box that has a limit shows it
+        constexpr double kFar = 1e6;  // far beyond the limit of any box that has one
         for (const auto& [box, limit] : injective_limits_of_boxes(sum, kFar)) {
             const double steepest = -least_sampled(sum, box, 6);
-            if (!(steepest > 1e-3)) continue;  // hardly anything turns inwards here
+            if (!(steepest > 1e-3)) continue;  // the limit is too large to compare
             ++boxes;
             // 1 + limit · (least eigenvalue) ≥ kLeastStretch at every point of the box.
             const double used = limit * steepest / (1.0 - kLeastStretch);
@@ -82,7 +82,7 @@ TEST(SymmetricPartBound, AllowsNoBoxMoreThanItsSampledGradientDoes) {
             ASSERT_LE(used, 1.0 + 1e-6) << "trial " << trial;
         }
     }
-    // Where the least value is at a corner of the box the bound is exact, and slack would show.
+    // The bound is exact if the least value is at a corner of the box, so an error would show.
     EXPECT_GT(boxes, 1000u);
     EXPECT_GT(tight, boxes / 10);
     EXPECT_GT(worst, 1.0 - 1e-6);
@@ -99,7 +99,7 @@ TEST(SymmetricPartBound, OverAllBoxesEqualsThatOfTheWhole) {
         for (const auto& [box, limit] : injective_limits_of_boxes(sum, 100.0)) {
             least = std::min(least, limit);
         }
-        // A box that allows enough as a whole is not divided, so the whole may allow a little less.
+        // A box that allows enough is not divided, so the whole limit may be a little lower.
         EXPECT_LE(injective_limit(sum, 100.0), least * (1.0 + 1e-9));
         EXPECT_GE(injective_limit(sum, 100.0), least * 0.9);
     }

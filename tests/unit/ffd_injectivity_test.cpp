@@ -1,4 +1,4 @@
-// Proofs that space does not fold: sound everywhere, near the true limit, and composed into drags.
+// The proof that space does not fold, and the fold-free drags that are composed of proven steps.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -7,8 +7,9 @@
 #include <limits>
 #include <numbers>
 
+#include "ffd/drag_plan.h"
 #include "ffd/drag_solver.h"
-#include "ffd/injective_steps.h"
+#include "ffd/fold_guard.h"
 #include "ffd/injectivity.h"
 #include "support/random_mesh.h"
 #include "unit/ffd_random.h"
@@ -40,7 +41,7 @@ DragStep brush_step(const Vec3& by, int span = 3) {
     return std::get<DragSolver>(DragSolver::create(lattice, handles, {})).step(motions);
 }
 
-// The displacement at which a brush truly folds, from the gradient of w on a dense grid.
+// The displacement at which a brush begins to fold, from the gradient of w on a dense grid.
 double true_limit(const Vec3& direction, int span) {
     const DragStep step = brush_step(direction, span);
     double least = 0.0;
@@ -55,18 +56,18 @@ double true_limit(const Vec3& direction, int span) {
     return -1.0 / least;
 }
 
-TEST(InjectiveLimit, ReachesOverNineTenthsOfABrushsTrueLimitAndNeverBeyond) {
+TEST(InjectiveLimit, IsBetweenNineTenthsAndAllOfTheTrueLimitOfABrush) {
     for (const Vec3& direction : {Vec3{0, 0, 1}, glm::normalize(Vec3{1, 1, 0}),
                                   glm::normalize(Vec3{-1, 1, 1}), glm::normalize(Vec3{3, 1, -2})}) {
         const double limit = true_limit(direction, 3);
         const double proven = 10.0 * injective_limit(brush_step(10.0 * direction).lattice_fields());
-        // What is kept to spare counts as reached.
+        // The margin kLeastStretch counts as reached.
         EXPECT_GT(proven / (1.0 - kLeastStretch), 0.9 * limit);
         EXPECT_LT(proven / (1.0 - kLeastStretch), limit * 1.001);
     }
 }
 
-TEST(InjectiveLimit, KeepsItsStretchAtEveryPointForRandomLatticesAndConstraints) {
+TEST(InjectiveLimit, KeepsTheLeastStretchAtEveryPointForRandomLatticesAndConstraints) {
     LatticeRandom random(71);
     for (int round = 0; round < test::case_count(60); ++round) {
         const Lattice lattice = random.lattice(Vec3{0.0}, 1, 5);
@@ -92,7 +93,7 @@ TEST(InjectiveLimit, KeepsItsStretchAtEveryPointForRandomLatticesAndConstraints)
     }
 }
 
-TEST(InjectiveLimit, IsHowFarTheSameDragMayGo) {
+TEST(InjectiveLimit, ScalesInverselyWithTheDrag) {
     const Vec3 by{0.0, 0.3, 2.0};
     const double t = injective_limit(brush_step(by).lattice_fields());
     ASSERT_LT(t, 1.0);
@@ -100,7 +101,7 @@ TEST(InjectiveLimit, IsHowFarTheSameDragMayGo) {
     EXPECT_EQ(injective_limit(brush_step(0.999 * t * by).lattice_fields()), 1.0);
 }
 
-// Where numbers end, products of them prove nothing.
+// Products that overflow prove nothing.
 TEST(InjectiveLimit, IsZeroForValuesThatAreNotFinite) {
     const DragStep step = brush_step({0.0, 0.0, 1.0});
     const std::vector<LatticeField> fields = step.lattice_fields();
@@ -138,7 +139,8 @@ TEST(GradientBounds, BoundTheGradientEverywhere) {
     EXPECT_GT(largest, 0.9 * bound);
 }
 
-// A hand's way: the guard agrees with the proof at every place, also where it spares it.
+// Follows a path like that of a hand. The guard agrees with the proof in every frame, also where it
+// needs no new proof.
 TEST(FoldGuard, AllowsExactlyWhatTheProofAllows) {
     test::Random random(77);
     for (int round = 0; round < test::case_count(20); ++round) {
@@ -149,8 +151,7 @@ TEST(FoldGuard, AllowsExactlyWhatTheProofAllows) {
         std::vector<HandleMotion> motions(1);
         for (int frame = 0; frame < 40; ++frame) {
             motions[0].displacement += 0.05 * random.direction() + Vec3{0.0, 0.02, 0.0};
-            motions[0].jacobian =
-                Rotation{.axis = {1, 2, 3}, .degrees = 0.5 * round * frame}.jacobian();
+            motions[0].jacobian = jacobian(Move{.twist = Twist{{1, 2, 3}, 0.5 * round * frame}});
             const DragStep step = solver.step(motions);
             EXPECT_EQ(guard.limit(step), injective_limit(step.lattice_fields()))
                 << "seed 77, round " << round << ", frame " << frame;
@@ -181,7 +182,7 @@ DragPlan brush_plan(const Vec3& from, const Vec3& to, double radius = kRadius) {
 }
 
 Vec3 warped(const Warp& warp, Vec3 x) {
-    for (const Warp::Step& step : warp.steps) {
+    for (const Deformation& step : warp.steps) {
         const DragStep& drag = std::get<DragStep>(step);
         std::vector<DragWeight> weights(drag.displacements.size());
         drag.weights(x, weights);
@@ -192,7 +193,7 @@ Vec3 warped(const Warp& warp, Vec3 x) {
 
 double least_determinant(const Warp& warp, int samples, test::Random& random) {
     double least = 1.0;
-    for (const Warp::Step& step : warp.steps) {
+    for (const Deformation& step : warp.steps) {
         const auto fields = std::get<DragStep>(step).lattice_fields();
         for (const Box& zone : zones_of(step)) {
             for (int i = 0; i < samples; ++i) {
@@ -220,7 +221,7 @@ TEST(FoldFreeDrag, FoldsNoSampleOfSpaceInAnyStepAndHitsItsTarget) {
     }
 }
 
-TEST(FoldFreeDrag, IsThePlainDragWhileThatIsProven) {
+TEST(FoldFreeDrag, IsThePlainDragIfThatIsProven) {
     const Vec3 to{0.0, 0.0, 1.35};
     DragPlan plan = brush_plan({0, 0, 1}, to);
     const PlannedDrag free = planned(plan);
@@ -247,8 +248,7 @@ TEST(FoldFreeDrag, HoldsItsPinsInEveryStep) {
 TEST(FoldFreeDrag, IsOneToOne) {
     test::Random random(75);
     const PlannedDrag drag = planned(brush_plan({0, 0, 1}, {0.7, 0.2, -1.2}));
-    // Two points never swap sides along any line: the displacement difference stays monotone enough
-    // that no two samples coincide.
+    // The images of near points never coincide.
     for (int i = 0; i < 20000; ++i) {
         const Vec3 x{random.uniform(-1, 1), random.uniform(-1, 1), random.uniform(-0.5, 2)};
         const Vec3 e = 1e-3 * random.direction();
@@ -281,11 +281,11 @@ TEST(FoldFreeDrag, RefusesTargetsThatNoOneToOneDeformationReaches) {
     plan.fold_free = true;
     plan.moves[0].to = {0.5, 0.5, 1.2};
     EXPECT_EQ(refusal(plan), "");
-    // Of several targets the one that is out of reach is named.
+    // The refusal names the target that is out of reach.
     DragPlan second = brush_plan({0, 0, 0}, {0, 0, 0});
     second.moves.push_back({{0.4, 0, 0}, {0.4, 0, 3.0}});
     EXPECT_NE(refusal(second).find("(0.4, 0, 3)"), std::string::npos) << refusal(second);
-    // Where a step in between is refused, the drag it belongs to is told.
+    // The refusal of a step in between names the target of the drag.
     DragPlan left_behind = brush_plan({0, 0, 0}, {0, 0, 3});
     left_behind.moves.push_back({{0.4, 0, 0}, {0.4, 0, 0}});
     EXPECT_NE(refusal(left_behind).find("on the way to (0, 0, 3)"), std::string::npos)
@@ -295,7 +295,7 @@ TEST(FoldFreeDrag, RefusesTargetsThatNoOneToOneDeformationReaches) {
     EXPECT_NE(refusal(into_pin), "");
 }
 
-TEST(FoldFreeDrag, TellsOfTooManyWaypoints) {
+TEST(FoldFreeDrag, RefusesTooManyWaypoints) {
     DragPlan plan = brush_plan({0, 0, 0}, {0, 0, 0.1});
     for (std::size_t i = 0; i < kMaxSteps; ++i)
         plan.via.push_back({0, 0.001 * double(i % 2 + 1), 0});
@@ -309,15 +309,15 @@ TEST(FoldFreeDrag, TellsOfTooManyWaypoints) {
 
 // --- Twist and scale
 
-TEST(Rotation, HasFractionsWhoseJacobiansMultiplyToTheWhole) {
-    const Rotation rotation{.axis = {1, 2, 3}, .degrees = 200.0, .scale = 1.7};
-    const Mat3 third = rotation.jacobian(1.0 / 3.0), whole = rotation.jacobian();
+TEST(Move, HasFractionsWhoseJacobiansMultiplyToTheWhole) {
+    const Move move{.twist = Twist{{1, 2, 3}, 200.0}, .scale = 1.7};
+    const Mat3 third = jacobian(move, 1.0 / 3.0), whole = jacobian(move);
     const Mat3 product = third * third * third;
     for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(product[c] - whole[c]), 1e-12);
     EXPECT_NEAR(glm::determinant(whole), 1.7 * 1.7 * 1.7, 1e-12);
     EXPECT_LT(glm::length(whole * Vec3(1, 2, 3) - 1.7 * Vec3(1, 2, 3)), 1e-12);
-    // By the right hand about +z.
-    const Mat3 quarter = Rotation{.axis = {0, 0, 5}, .degrees = 90.0}.jacobian();
+    // By the right-hand rule about +z.
+    const Mat3 quarter = jacobian(Move{.twist = Twist{{0, 0, 5}, 90.0}});
     EXPECT_LT(glm::length(quarter * Vec3(1, 0, 0) - Vec3(0, 1, 0)), 1e-15);
 }
 
@@ -327,20 +327,20 @@ TEST(TwistedDrag, HasThePrescribedFrameAtThePoint) {
         const Vec3 from = 2.0 * random.direction();
         DragPlan plan = brush_plan(from, from + random.uniform(0.0, 2.0) * random.direction());
         plan.fold_free = round % 2 == 0;
-        plan.moves[0].rotation = {random.direction(), random.uniform(-170.0, 170.0),
-                                  random.scale(0.4, 2.5)};
+        plan.moves[0].twist = {random.direction(), random.uniform(-170.0, 170.0)};
+        plan.moves[0].scale = random.scale(0.4, 2.5);
         const Warp warp = planned(plan).warp;
         Mat3 frame{1.0};
         Vec3 x = from;
-        for (const Warp::Step& step : warp.steps) {
+        for (const Deformation& step : warp.steps) {
             const auto& drag = std::get<DragStep>(step);
             frame = jacobian_at(drag.lattice_fields(), x) * frame;
             x += drag.lattice_fields().front().displacement(x);
         }
-        const Mat3 wanted = plan.moves[0].rotation.jacobian();
+        const Mat3 wanted = jacobian(plan.moves[0]);
         for (int c = 0; c < 3; ++c) EXPECT_LT(glm::length(frame[c] - wanted[c]), 1e-6);
         EXPECT_LT(glm::distance(x, plan.moves[0].to), 1e-6);
-        // By finite differences of what a vertex does, which are in floats.
+        // Finite differences of the images of points, which use float weights.
         for (int c = 0; c < 3; ++c) {
             Vec3 e{0.0};
             e[c] = 1e-3;
@@ -352,10 +352,10 @@ TEST(TwistedDrag, HasThePrescribedFrameAtThePoint) {
     }
 }
 
-// The turn of the space at the point, summed up over the steps.
+// The rotation of space at the point, summed over the steps.
 double degrees_about_z(const Warp& warp, Vec3 x) {
     double sum = 0.0;
-    for (const Warp::Step& step : warp.steps) {
+    for (const Deformation& step : warp.steps) {
         const auto fields = std::get<DragStep>(step).lattice_fields();
         const Vec3 image = jacobian_at(fields, x)[0];
         sum += std::atan2(image.y, image.x) * 180.0 / std::numbers::pi;
@@ -368,11 +368,11 @@ TEST(TwistedDrag, WithoutFoldsMakesTheFullRotation) {
     test::Random random(79);
     for (const double degrees : {30.0, 179.0, 300.0, 360.0, -340.0, 725.0}) {
         DragPlan plan = brush_plan({0, 0, 0}, {0.1, 0, 0});
-        plan.moves[0].rotation = {.axis = {0, 0, 1}, .degrees = degrees};
+        plan.moves[0].twist = {{0, 0, 1}, degrees};
         const Warp warp = planned(plan).warp;
         EXPECT_NEAR(degrees_about_z(warp, {0, 0, 0}), degrees, 1e-6);
         EXPECT_GT(least_determinant(warp, 1000, random), 0.0);
-        // A single step only knows where the turn ends.
+        // A single step determines only the orientation at its end.
         plan.fold_free = false;
         const double rest = std::remainder(degrees, 360.0);
         EXPECT_NEAR(degrees_about_z(planned(plan).warp, {0, 0, 0}), rest, 1e-6);
@@ -383,15 +383,17 @@ TEST(TwistedDrag, AcceptsAnAxisOfAnyLengthAndRefusesExtremeRotations) {
     DragPlan plan = brush_plan({0, 0, 0}, {0, 0, 0.1});
     plan.fold_free = false;
     for (const double length : {1e-300, 1.0, 1e300}) {
-        plan.moves[0].rotation = {.axis = {0, 0, length}, .degrees = 40.0};
+        plan.moves[0].twist = {{0, 0, length}, 40.0};
         EXPECT_NEAR(degrees_about_z(planned(plan).warp, {0, 0, 0}), 40.0, 1e-6);
     }
+    plan.moves[0].twist.reset();
     for (const double scale : {0.0, -1.0, 1e-4, 1001.0, 1e300}) {
-        plan.moves[0].rotation = {.scale = scale};
+        plan.moves[0].scale = scale;
         EXPECT_NE(refusal(plan).find("scale from 0.001 to 1000"), std::string::npos) << scale;
     }
+    plan.moves[0].scale = 1.0;
     for (const double degrees : {3601.0, -1e300}) {
-        plan.moves[0].rotation = {.degrees = degrees};
+        plan.moves[0].twist = {{0, 0, 1}, degrees};
         EXPECT_NE(refusal(plan).find("3600 degrees"), std::string::npos) << degrees;
     }
 }
@@ -399,10 +401,10 @@ TEST(TwistedDrag, AcceptsAnAxisOfAnyLengthAndRefusesExtremeRotations) {
 TEST(TwistedDrag, IsRefusedWhereTheLatticeCannotRotate) {
     DragPlan plan = brush_plan({0, 0, 0}, {0, 0, 0});
     plan.lattice = brush_lattice({0, 0, 0}, 1.0, 1);
-    plan.moves[0].rotation.degrees = 10.0;
+    plan.moves[0].twist = {{0, 0, 1}, 10.0};
     EXPECT_NE(refusal(plan).find("larger span"), std::string::npos) << refusal(plan);
     plan = brush_plan({0, 0, 0}, {0, 0, 0});
-    plan.moves[0].rotation = {.axis = {0, 0, 0}, .degrees = 10.0};
+    plan.moves[0].twist = {{0, 0, 0}, 10.0};
     EXPECT_NE(refusal(plan).find("axis"), std::string::npos);
 }
 

@@ -1,4 +1,4 @@
-// The 4 x 4 x 4 sum at many points: what it gives, and that nothing else decides it.
+// The 4 x 4 x 4 sum at many points: its values, and that they depend on nothing but the point.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -33,7 +33,7 @@ Result result_at(const LatticeEvaluator& evaluator, std::span<const Vec3> points
     return result;
 }
 
-// A lattice far from the origin or near it, flat or large, and points in and about its zone.
+// A random lattice, near the origin or far from it, and points in and around its zone.
 struct Scene {
     explicit Scene(LatticeRandom& random)
         : lattice(
@@ -55,7 +55,7 @@ struct Scene {
     std::vector<Vec3f> normals;
 };
 
-TEST(LatticeEvaluator, AgreesWithThePlainSumToRounding) {
+TEST(LatticeEvaluator, AgreesWithLatticeFieldUpToRounding) {
     const unsigned seed = 7200;
     SCOPED_TRACE("seed " + std::to_string(seed));
     LatticeRandom random(seed);
@@ -64,7 +64,7 @@ TEST(LatticeEvaluator, AgreesWithThePlainSumToRounding) {
         const Lattice& lattice = scene.lattice;
         const LatticeEvaluator evaluator(scene.field);
         const Result result = result_at(evaluator, scene.points, scene.normals);
-        // A rounding of a coordinate is this part of a cell.
+        // The rounding error of a coordinate, in cells.
         const double farthest = glm::length(lattice.origin) + lattice.influenced_zone().diagonal();
         const double rounding = std::numeric_limits<double>::epsilon() *
                                 (1.0 + farthest / lattice.smallest_cell_extent());
@@ -74,7 +74,7 @@ TEST(LatticeEvaluator, AgreesWithThePlainSumToRounding) {
             ASSERT_LT(glm::distance(result.displaced[p], exact), 20.0 * rounding);
             const Mat3 jacobian = scene.field.jacobian(x);
             const double image = glm::length(cofactor_times(jacobian, Vec3{scene.normals[p]}));
-            // Sums of products of derivatives as large as 1/cell.
+            // Allows for sums of products of derivatives as large as 1/cell.
             const double largest = 1.0 + 3.0 / lattice.smallest_cell_extent();
             if (image < 1e-3 * largest * largest) continue;
             ASSERT_LT(glm::distance(result.to_normals[p], covariant(jacobian, scene.normals[p])),
@@ -130,7 +130,7 @@ TEST(LatticeEvaluator, TransformsNormalsPerpendicularToTheDisplacedTangents) {
     const unsigned seed = 7500;
     SCOPED_TRACE("seed " + std::to_string(seed));
     LatticeRandom random(seed);
-    constexpr double kStep = 1e-5;  // of a cell
+    constexpr double kStep = 1e-5;  // in cells
     int compared = 0;
     for (int i = 0; i < 400; ++i) {
         const Lattice lattice = random.lattice(Vec3{0.0}, 1, 5);
@@ -177,7 +177,7 @@ TEST(LatticeEvaluator, KeepsTheBorderAndTheOutsideBitForBit) {
     }
 }
 
-TEST(LatticeEvaluator, TakesOverNewDisplacements) {
+TEST(LatticeEvaluator, UsesNewDisplacementsAfterAnUpdate) {
     LatticeRandom random(7700);
     const Scene scene(random);
     const LatticeField other(scene.lattice, random.vectors(scene.lattice.control_count()));
@@ -189,7 +189,7 @@ TEST(LatticeEvaluator, TakesOverNewDisplacements) {
               result_at(LatticeEvaluator(scene.field), scene.points, scene.normals).displaced);
 }
 
-// cof(J)·n vanishes where a flat lattice is squeezed to a point; n stays where nothing bends.
+// cof(J)·n is zero where a flat lattice is squeezed to a point. n is kept where nothing bends.
 TEST(LatticeEvaluator, GivesZeroForNormalsWithoutAnImageAndKeepsThoseAtZeroGradient) {
     const Lattice lattice{.origin = Vec3{0.0}, .cell = Vec3{1.0}, .deformable = IVec3{8}};
     std::vector<Vec3> squeezed(lattice.control_count()), shifted(lattice.control_count());

@@ -1,11 +1,11 @@
-// Lattices, and the plain evaluation of a displaced one.
+// Lattices, and the direct evaluation of a displaced lattice.
 #include "ffd/lattice.h"
 
 #include <gtest/gtest.h>
 
 #include <limits>
 
-#include "ffd/basis.h"
+#include "ffd/cubic_basis.h"
 #include "ffd/lattice_field.h"
 #include "unit/ffd_random.h"
 
@@ -135,7 +135,7 @@ TEST(FitLattice, IsValidUpToTheMostPointsPerAxisAndNoFurther) {
     EXPECT_FALSE(lattice.is_valid()) << "no control point is left between the margins";
 }
 
-TEST(LatticeField, IsExactlyStillOnTheBorderOfItsZoneAndOutside) {
+TEST(LatticeField, IsExactlyZeroOnTheBorderOfItsZoneAndOutside) {
     LatticeRandom random{4};
     SCOPED_TRACE("seed 4");
     for (int trial = 0; trial < 200; ++trial) {
@@ -146,15 +146,15 @@ TEST(LatticeField, IsExactlyStillOnTheBorderOfItsZoneAndOutside) {
     }
 }
 
-TEST(LatticeField, MovesEverythingAlikeWhereAllControlPointsMoveAlike) {
+TEST(LatticeField, TranslatesSpaceIfAllControlPointsMoveAlike) {
     const Lattice lattice{.cell = {1, 2, 3}, .deformable = {5, 5, 5}};
     const LatticeField field{lattice, std::vector<Vec3>(125, Vec3{1, -2, 3})};
     EXPECT_LT(glm::length(field.displacement({2.2, 3.4, 7.3}) - Vec3(1, -2, 3)), 1e-14);
     EXPECT_GT(field.displacement({-1.999, 0, 0}).x, 0.0);
 }
 
-// Along lines through every kind of cell border, that of the influenced zone included: one-sided
-// first and second differences from both sides agree up to the jump of the third derivative.
+// On lines through every kind of cell border, including that of the influenced zone, the one-sided
+// first and second differences on both sides agree up to the jump of the third derivative.
 TEST(LatticeField, HasTwoContinuousDerivativesAcrossEveryCellBorder) {
     LatticeRandom random{5};
     SCOPED_TRACE("seed 5");
@@ -214,7 +214,7 @@ TEST(Covariant, FollowsTheNormalOfADeformedTangentPlane) {
     }
 }
 
-TEST(Covariant, KeepsNormalsToTheBitUnderTheIdentityAndZeroAsZero) {
+TEST(Covariant, KeepsNormalsBitForBitUnderTheIdentityAndZeroAsZero) {
     const Vec3f n{0.1f, -0.7f, -0.0f};
     EXPECT_EQ(covariant(Mat3{1.0}, n), n);
     EXPECT_EQ(covariant(Mat3{2.0}, Vec3f{0.0f}), Vec3f(0.0f));

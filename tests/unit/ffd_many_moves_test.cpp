@@ -1,5 +1,5 @@
-// Drags of many moves: moves and pins that repeat others cost nothing, and many different ones move
-// the object by their displaced lattice.
+// Drags of many handles: handles and pins that repeat others share their weights, and a drag of
+// many different handles becomes its displaced lattice.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -8,8 +8,8 @@
 #include <variant>
 #include <vector>
 
+#include "ffd/drag_plan.h"
 #include "ffd/drag_solver.h"
-#include "ffd/injective_steps.h"
 #include "session/session.h"
 #include "unit/ffd_random.h"
 
@@ -25,7 +25,7 @@ DragSolver solver_of(std::span<const Handle> handles, std::span<const Vec3> pins
     return std::get<DragSolver>(std::move(solved));
 }
 
-TEST(RepeatedMoves, AreOneMoveOfTheField) {
+TEST(RepeatedHandles, ShareTheirWeights) {
     const Handle handle{{0.1, 0.2, 0.3}, true}, other{{-0.5, 0.2, 0.3}};
     const std::vector<Vec3> pins(5000, Vec3{0.4, -0.4, 0.0});
     for (const auto& plane : {std::optional<MirrorPlane>{}, std::optional(MirrorPlane{0, 0.0})}) {
@@ -39,13 +39,13 @@ TEST(RepeatedMoves, AreOneMoveOfTheField) {
             motions.push_back(motions[static_cast<std::size_t>(i % 2)]);
         }
         const DragSolver many = solver_of(handles, pins, plane);
-        EXPECT_EQ(many.field().move_count(), once.field().move_count());
+        EXPECT_EQ(many.field().weight_count(), once.field().weight_count());
         EXPECT_FALSE(many.check(motions));
         EXPECT_EQ(many.field_displacements(motions), expected);
     }
 }
 
-TEST(RepeatedMoves, MustAgreeAndArePinnedTogether) {
+TEST(RepeatedHandles, MustAgreeAndArePinnedTogether) {
     const std::vector<Handle> handles(3, Handle{{0.1, 0.2, 0.3}});
     std::vector<HandleMotion> motions(3, HandleMotion{{0.1, 0, 0}});
     EXPECT_FALSE(solver_of(handles, {}).check(motions));
@@ -57,7 +57,7 @@ TEST(RepeatedMoves, MustAgreeAndArePinnedTogether) {
     EXPECT_NE(refusal->what.find("is pinned"), std::string::npos);
 }
 
-TEST(RepeatedMoves, MustTurnAlikeAlsoWhereTheFirstDoesNotTurn) {
+TEST(RepeatedHandles, MustPrescribeTheSameJacobianAlsoIfTheFirstPrescribesNone) {
     const Vec3 point{0.1, 0.2, 0.3};
     const DragSolver solver =
         solver_of(std::array{Handle{point}, Handle{point, true}, Handle{point, true}}, {});
@@ -68,8 +68,8 @@ TEST(RepeatedMoves, MustTurnAlikeAlsoWhereTheFirstDoesNotTurn) {
     EXPECT_TRUE(solver.check(motions));
 }
 
-TEST(DependentMoves, NameAPointThatIsGivenTwiceOnce) {
-    // One control point cannot be moved and sheared at will.
+TEST(DependentHandles, AreNamedOnceInTheRefusalIfTheyAreOnePoint) {
+    // One control point cannot meet a displacement and a Jacobian.
     const Lattice small{.origin = Vec3{0.0}, .cell = Vec3{1.0}, .deformable = {1, 1, 1}};
     const auto solved =
         DragSolver::create(small, std::array{Handle{{0.5, 0.5, 0.5}, true}}, {}, std::nullopt);
@@ -89,7 +89,7 @@ std::vector<Vec3> grid_of_points(int per_axis) {
     return points;
 }
 
-TEST(ManyMoves, BecomeTheirDisplacedLatticeWhichMovesSpaceAlike) {
+TEST(ManyHandles, BecomeTheirDisplacedLatticeWhichMovesSpaceAlike) {
     constexpr unsigned kSeed = 81;
     SCOPED_TRACE("seed " + std::to_string(kSeed));
     LatticeRandom random{kSeed};
@@ -99,27 +99,27 @@ TEST(ManyMoves, BecomeTheirDisplacedLatticeWhichMovesSpaceAlike) {
         handles.push_back({point});
         motions.push_back({random.vector(-0.05, 0.05)});
     }
-    // A cage about the plane has itself as image.
+    // A cage that is symmetric about the plane is its own mirror image.
     for (const auto& plane : {std::optional<MirrorPlane>{}, std::optional(MirrorPlane{0, 0.0})}) {
         const std::size_t count = plane ? 2 : 64;
         const auto few = std::span(handles).first(count);
         const DragSolver solver = solver_of(few, {}, plane);
         const DragStep step = solver.step(std::span(motions).first(count));
-        const Warp::Step same = compact(step);
+        const Deformation same = compact(step);
         EXPECT_EQ(std::holds_alternative<LatticeField>(same), !plane) << "few moves stay a drag";
         for (int i = 0; i < 200; ++i) {
             const Vec3 x = random.point_in(kLattice, 0.0);
             std::vector<DragWeight> weights(step.displacements.size());
             step.weights(x, weights);
             Vec3 sum{0.0};
-            for (const LatticeField& field : lattice_fields(same)) sum += field.displacement(x);
+            for (const LatticeField& field : merged_lattices(same)) sum += field.displacement(x);
             EXPECT_LT(glm::distance(x + sum, displaced(x, weights, step.displacements)), 1e-6);
         }
     }
 }
 
-// Also frame by frame, without folds, and undone.
-TEST(ManyMoves, ReachTheirTargetsHoweverTheyAreDragged) {
+// The drag also runs frame by frame and without folds, and is undone.
+TEST(ManyHandles, ReachTheirTargetsHoweverTheyAreDragged) {
     for (const bool fold_free : {false, true}) {
         Session session;
         ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::cube, 3}));

@@ -1,4 +1,4 @@
-// Random lattices and points for the tests of ffd; the same for the same seed.
+// Random lattices and points for the tests of ffd, reproducible by their seed.
 #pragma once
 
 #include <random>
@@ -28,19 +28,20 @@ class LatticeRandom {
         return std::uniform_int_distribution<int>{least, most}(generator_);
     }
 
-    // With unequal cells and `least` to `most` control points per axis.
+    // A lattice with unequal cells and `least` to `most` control points per axis.
     Lattice lattice(const Vec3& about, int least, int most) {
         const Vec3 origin = about + vector(-5.0, 5.0);
         const Vec3 cell = vector(0.2, 3.0);
         const int l = count(least, most), m = count(least, most);
         return {.origin = origin, .cell = cell, .deformable = {l, m, count(least, most)}};
     }
-    // At least `margin` cells inside the influenced zone; a negative margin reaches outside.
+    // A point at least `margin` cells inside the influenced zone, or with a negative margin up to
+    // that far outside.
     Vec3 point_in(const Lattice& lattice, double margin) {
         const Vec3 reach = Vec3{lattice.deformable} + 3.0 - 2.0 * margin;
         return lattice.origin + (margin - 2.0 + vector(0.0, 1.0) * reach) * lattice.cell;
     }
-    // On the border of the influenced zone, or beyond it by up to `beyond`.
+    // A point on the border of the influenced zone, or up to `beyond` outside.
     Vec3 point_outside(const Lattice& lattice, double beyond) {
         const Box zone = lattice.influenced_zone();
         Vec3 x = point_in(lattice, 0.0);
@@ -49,7 +50,7 @@ class LatticeRandom {
         x[axis] = count(0, 1) == 0 ? zone.min[axis] - by : zone.max[axis] + by;
         return x;
     }
-    // Adds points at least a cell from each other and from the zone's border.
+    // Adds points that are at least a cell away from each other and from the border of the zone.
     void add_points(const Lattice& lattice, int more, std::vector<Vec3>& points) {
         const std::size_t wanted = points.size() + static_cast<std::size_t>(more);
         while (points.size() < wanted) {

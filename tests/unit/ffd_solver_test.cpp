@@ -1,4 +1,4 @@
-// What the solver of drags accepts, merges and refuses.
+// Which drags the solver accepts, merges and refuses.
 #include <gtest/gtest.h>
 
 #include <array>
@@ -24,16 +24,16 @@ DragSolver solver_of(const Lattice& lattice, const std::vector<Vec3>& moves,
     return std::get<DragSolver>(DragSolver::create(lattice, moves, pins));
 }
 
-TEST(DragSolver, RefusesADragOfNothing) {
+TEST(DragSolver, RefusesADragWithoutHandles) {
     EXPECT_NE(refusal(kCube, {}, {{1, 1, 1}}).find("at least one point"), std::string::npos);
 }
 
-TEST(DragSolver, RefusesALatticeWithoutSpace) {
+TEST(DragSolver, RefusesALatticeWithoutExtent) {
     EXPECT_NE(refusal({.cell = {1, 0, 1}}, {{0, 0, 0}}).find("greater than 0"), std::string::npos);
     EXPECT_NE(refusal({.deformable = {0, 1, 1}}, {{0, 0, 0}}).find("1 to 256"), std::string::npos);
 }
 
-TEST(DragSolver, RefusesAMoveOutsideTheZoneOrOnItsBorderAndNamesBoth) {
+TEST(DragSolver, RefusesAHandleOutsideTheZoneOrOnItsBorderAndNamesBoth) {
     for (const Vec3& point : {Vec3{-2, 1, 1}, Vec3{1, 5, 1}, Vec3{1, 1, 7.25}}) {
         const std::string what = refusal(kCube, {{1, 1, 1}, point});
         EXPECT_NE(what.find("influenced zone (-2, -2, -2) to (5, 5, 5)"), std::string::npos);
@@ -42,16 +42,16 @@ TEST(DragSolver, RefusesAMoveOutsideTheZoneOrOnItsBorderAndNamesBoth) {
     EXPECT_FALSE(refusal(kCube, {Vec3{std::nan(""), 0, 0}}).empty());
 }
 
-TEST(DragSolver, RefusesAMoveTooCloseToTheBorder) {
+TEST(DragSolver, RefusesAHandleTooCloseToTheBorder) {
     EXPECT_NE(refusal(kCube, {{1, 1, -1.9}}).find("too close to the border"), std::string::npos);
     EXPECT_NE(refusal(kCube, {Vec3{-2.0 + 1e-9}}).find("too close"), std::string::npos);
     EXPECT_EQ(refusal(kCube, {{1, 1, -1.5}}), "");
-    // A lattice whose border is the origin: the nearest number inside it has no basis value left.
+    // The border of this lattice is the origin, where the basis of the nearest double underflows.
     const Lattice touching{.origin = {2, 2, 2}, .cell = {1, 1, 1}, .deformable = {2, 2, 2}};
     EXPECT_NE(refusal(touching, {{2, 2, 1e-300}}).find("too close"), std::string::npos);
 }
 
-TEST(DragSolver, NeverThrowsControlPointsFartherThanItsLimit) {
+TEST(DragSolver, NeverDisplacesControlPointsFartherThanItsLimit) {
     for (double inside = 0.01; inside < 1.0; inside += 0.01) {
         const Vec3 point{-2.0 + inside, 1.3, 1.4};
         const auto solver = DragSolver::create(kCube, {&point, 1}, {});
@@ -70,8 +70,8 @@ TEST(DragSolver, RefusesPointsTooCloseToTellApartAndNamesThem) {
     EXPECT_NE(refusal(kCube, {{1, 1, 1}}, {{1, 2, 3}, {1, 2, 3.000001}}), "");
 }
 
-// Along an axis with a single control point everything moves in fixed proportion.
-TEST(DragSolver, RefusesDistantPointsThatTheLatticeTiesTogether) {
+// On an axis with a single control point all points move in fixed proportions.
+TEST(DragSolver, RefusesDistantPointsThatTheLatticeCannotMoveIndependently) {
     const Lattice slab{.deformable = {1, 4, 4}};
     const std::string what = refusal(slab, {{-0.5, 1, 1}}, {{0.5, 1, 1}, {0, 2, 2}});
     EXPECT_NE(what.find("cannot tell the moves and pins at (-0.5, 1, 1) and (0.5, 1, 1)"),
@@ -79,7 +79,7 @@ TEST(DragSolver, RefusesDistantPointsThatTheLatticeTiesTogether) {
         << what;
 }
 
-TEST(DragSolver, MeetsItsDragAtTheClosestPointsItAccepts) {
+TEST(DragSolver, MeetsTheDragOfTheClosestPointsThatItAccepts) {
     const Vec3 move{1, 1, 1};
     int accepted = 0;
     for (double distance = 1e-6; distance < 0.1; distance *= 1.1) {
@@ -134,13 +134,13 @@ TEST(DragSolver, CountsPinsAtOnePointOnce) {
     EXPECT_EQ(twice.control_displacements(d), once.control_displacements(d));
 }
 
-TEST(DragSolver, CountsMovesOfOnePointOnceIfTheyAgree) {
+TEST(DragSolver, CountsHandlesAtOnePointOnceIfTheyAgree) {
     const std::vector<Vec3> moves{{1, 1, 1}, {1, 1, 1}, {3, 2, 1}};
     const DragSolver solver = solver_of(kCube, moves);
     const Vec3 d{0.1, 0.2, 0.3};
     const std::vector<Vec3> drags{d, d, {1, 0, 0}};
     EXPECT_EQ(solver.check(drags), std::nullopt);
-    ASSERT_EQ(solver.field().move_count(), 2u);
+    ASSERT_EQ(solver.field().weight_count(), 2u);
     const std::array<HandleMotion, 3> motions{HandleMotion{d}, HandleMotion{d},
                                               HandleMotion{drags[2]}};
     const std::vector<Vec3> asked = solver.field_displacements(motions);

@@ -1,4 +1,4 @@
-// The streaming passes give what the plain functions give.
+// The streaming passes give the same results as the functions for one element.
 #include <gtest/gtest.h>
 
 #include <cstring>
@@ -34,7 +34,8 @@ struct Elements {
     std::vector<DragWeight> weights;
 };
 
-// None folds or is nearly flattened by any d of up to 5 along each axis: vectors can do them all.
+// None of these is folded or nearly flattened by a d of up to 5 on each axis, so the vector code
+// handles all of them.
 Elements gentle(std::size_t count, Numbers& numbers) {
     Elements all(count);
     for (std::size_t i = 0; i < count; ++i) {
@@ -46,7 +47,7 @@ Elements gentle(std::size_t count, Numbers& numbers) {
     return all;
 }
 
-// With some that only the plain functions can do: no normal, a fold, and 1 + ∇w·d = 0 = d·n.
+// Some of these only the scalar code can handle: a zero normal, a fold, and 1 + ∇w·d = 0 = d·n.
 Elements wild(std::size_t count, const Vec3& d, Numbers& numbers) {
     Elements all = gentle(count, numbers);
     for (std::size_t i = 0; i < count; ++i) {
@@ -76,8 +77,8 @@ void expect_plain_results(const Elements& all, const Vec3& d) {
     }
 }
 
-// Of every length up to some vectors' worth, so that what a loop does at its end is seen, too.
-TEST(DragStream, IsDisplacedAndCovariantNormalToTheBit) {
+// Arrays of every length up to several vectors, so that the ends of loops are tested, too.
+TEST(DragStream, EqualsDisplacedAndCovariantNormalBitForBit) {
     const unsigned seed = 7100;
     SCOPED_TRACE("seed " + std::to_string(seed));
     Numbers numbers(seed);
@@ -98,7 +99,7 @@ TEST(DragStream, ReportsThatAllPointsMoveWhereNoneIsNearRounding) {
             std::vector<DragWeight> weights(count, DragWeight{.w = 0.5f});
             for (Vec3& x : rest) x = 1e6 * numbers.vector();
             EXPECT_TRUE(displace(rest, weights, Vec3{0, -1e-3, 0}, to, vectors));
-            // Any one that stays is noticed, whichever of them it is.
+            // A single point that does not move is noticed, whichever it is.
             for (std::size_t still = 0; still < count; ++still) {
                 weights[still].w = still % 2 == 0 ? 0.0f : 1e-9f;
                 rest[still].x = 1e6;

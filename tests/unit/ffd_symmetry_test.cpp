@@ -1,10 +1,10 @@
-// Drags that are met on both sides of a plane, and on it.
+// Drags that are met on both sides of a plane and on the plane.
 #include <gtest/gtest.h>
 
 #include <array>
 #include <cmath>
 
-#include "ffd/injective_steps.h"
+#include "ffd/drag_plan.h"
 #include "support/random_mesh.h"
 
 namespace pectin {
@@ -35,7 +35,7 @@ DragPlan plan(const Vec3& from, const Vec3& to, bool fold_free, double radius = 
 }
 
 Vec3 warped(const Warp& warp, Vec3 x) {
-    for (const Warp::Step& step : warp.steps) {
+    for (const Deformation& step : warp.steps) {
         const DragStep& drag = std::get<DragStep>(step);
         std::vector<DragWeight> weights(drag.displacements.size());
         drag.weights(x, weights);
@@ -55,14 +55,17 @@ TEST(SymmetricDrag, BringsBothPointsToTheirTargetsAtAnyDistanceFromThePlane) {
     }
 }
 
-TEST(SymmetricDrag, MovesImagesToImagesAndThePlaneWithinItselfToTheBit) {
+TEST(SymmetricDrag, MovesImagesToImagesAndThePlaneWithinItselfBitForBit) {
     test::Random random(81);
     for (int round = 0; round < test::case_count(40); ++round) {
         const double side = random.chance(0.5) ? -1.0 : 1.0;
         const Vec3 from{side * random.uniform(0.02, 2.0), random.uniform(-1, 1), 0.0};
         DragPlan drag = plan(from, from + Vec3{side * 0.3, 0.4, 0.6}, round % 2 == 0);
         drag.pins = {from + Vec3{0.0, 0.5, 0.2}};
-        if (round % 3 == 0) drag.moves[0].rotation = {{1, 2, 0.5}, 20.0, 1.2};
+        if (round % 3 == 0) {
+            drag.moves[0].twist = {{1, 2, 0.5}, 20.0};
+            drag.moves[0].scale = 1.2;
+        }
         const Warp warp = planned(drag).warp;
         for (int i = 0; i < 200; ++i) {
             const Vec3 x = from + random.uniform(0.0, 1.5) * random.direction();
@@ -79,8 +82,10 @@ TEST(SymmetricDrag, IsTheSameFromEitherSide) {
     const Vec3 from{0.4, 0.1, 0.0}, to{0.7, 0.9, 0.3};
     DragPlan right = plan(from, to, true);
     DragPlan left = plan(kPlane.image(from), kPlane.image(to), true);
-    right.moves[0].rotation = {{1, 1, 0}, 25.0, 0.9};
-    left.moves[0].rotation = {kPlane.image_of_vector({-1, -1, 0}), 25.0, 0.9};
+    right.moves[0].twist = {{1, 1, 0}, 25.0};
+    right.moves[0].scale = 0.9;
+    left.moves[0].twist = {kPlane.image_of_vector({-1, -1, 0}), 25.0};
+    left.moves[0].scale = 0.9;
     const Warp a = planned(right).warp, b = planned(left).warp;
     test::Random random(82);
     for (int i = 0; i < 500; ++i) {
@@ -123,7 +128,7 @@ TEST(SymmetricDrag, NeverFoldsWhereItsTwoBrushesMeet) {
         const Vec3 from{random.uniform(0.05, 1.2), 0, 0};
         const Vec3 to{random.uniform(0.05, 2.0), random.uniform(-1, 1), random.uniform(-1, 1)};
         const Warp warp = planned(plan(from, to, true)).warp;
-        for (const Warp::Step& step : warp.steps) {
+        for (const Deformation& step : warp.steps) {
             const auto fields = std::get<DragStep>(step).lattice_fields();
             for (int i = 0; i < 500; ++i) {
                 const Vec3 x{random.uniform(-2, 2), random.uniform(-1.5, 1.5),
@@ -136,7 +141,7 @@ TEST(SymmetricDrag, NeverFoldsWhereItsTwoBrushesMeet) {
     }
 }
 
-// On the plane it would meet its image: no one to one deformation goes there.
+// A point on the plane meets its image, so no one-to-one deformation takes a point there.
 TEST(SymmetricDrag, WithoutFoldingIsRefusedOnThePlaneBeforeAnyStep) {
     EXPECT_NE(refusal(plan({0.5, 0, 0}, {0, 0.3, 0}, true)).find("(0, 0.3, 0) is on the symmetry"),
               std::string::npos);
@@ -151,9 +156,10 @@ TEST(SymmetricDrag, RefusesToLeaveItsSideAndSaysHowFarItMayGo) {
     EXPECT_NE(refusal(plan({1e-5, 0, 0}, {0.2, 0.3, 0}, false)).find("tear"), std::string::npos);
     EXPECT_EQ(refusal(plan({1e-5, 0, 0}, {1e-5, 0.3, 0}, false)), "");
     DragPlan twist = plan({0, 0, 0}, {0, 0, 0}, false);
-    twist.moves[0].rotation = {{0, 1, 0}, 20.0, 1.0};
+    twist.moves[0].twist = {{0, 1, 0}, 20.0};
     EXPECT_NE(refusal(twist).find("only be twisted about its normal, x"), std::string::npos);
-    twist.moves[0].rotation = {{1, 0, 0}, 20.0, 1.3};
+    twist.moves[0].twist = {{1, 0, 0}, 20.0};
+    twist.moves[0].scale = 1.3;
     EXPECT_EQ(refusal(twist), "");
 }
 

@@ -1,4 +1,4 @@
-// The widths of vector that loops can be tried with.
+// The instruction sets with which loops can be tested.
 #pragma once
 
 #include <vector>
@@ -7,7 +7,7 @@
 
 namespace pectin {
 
-// All that this machine has.
+// All instruction sets that this machine has.
 inline std::vector<Vectors> all_vectors() {
     std::vector<Vectors> all;
     for (const Vectors vectors : {Vectors::plain, Vectors::avx2, Vectors::avx512}) {

@@ -1,4 +1,4 @@
-// The orientation of three points, held to integer arithmetic.
+// The orientation of three points, compared with integer arithmetic.
 #include "geometry/orientation.h"
 
 #include <gtest/gtest.h>
@@ -12,12 +12,12 @@ namespace {
 
 int sign(std::int64_t n) { return (n > 0) - (n < 0); }
 
-TEST(Orientation, IsThatOfIntegerArithmeticWherePointsAreNearlyOnALine) {
+TEST(Orientation, EqualsIntegerArithmeticForNearlyCollinearPoints) {
     test::Random random(11);
     int on_line = 0;
     for (int i = 0; i < 200'000; ++i) {
-        // Three points along a direction, each off it by at most one step of the grid; products
-        // stay below 2^62.
+        // Three points in a direction, each off the line by at most one step of the grid. The
+        // products are below 2^62.
         const int most = 1 << 14;
         const std::int64_t u = random.integer(-most, most), v = random.integer(-most, most);
         std::int64_t x[3], y[3];
@@ -36,8 +36,9 @@ TEST(Orientation, IsThatOfIntegerArithmeticWherePointsAreNearlyOnALine) {
     EXPECT_GT(on_line, 100);
 }
 
-TEST(Orientation, TellsNeighbouringDoublesApart) {
-    // Half a unit in the last place above or below the diagonal: plain arithmetic says 0 for most.
+TEST(Orientation, DistinguishesNeighbouringDoubles) {
+    // The points are half a unit in the last place above or below the diagonal, where
+    // floating-point arithmetic mostly gives 0.
     const Vec2 a{12.0, 12.0}, b{24.0, 24.0};
     for (int i = -8; i <= 8; ++i) {
         for (int j = -8; j <= 8; ++j) {

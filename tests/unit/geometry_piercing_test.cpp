@@ -1,4 +1,4 @@
-// Segments against triangles: known places, and random ones against what sampling finds.
+// Segments and triangles: known cases, and random ones compared with sampling.
 #include "geometry/piercing.h"
 
 #include <gtest/gtest.h>

@@ -1,4 +1,4 @@
-// Splits and unsplits of an active set that may go at the same time.
+// Splits and unsplits of an active set that may run concurrently.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -22,14 +22,14 @@ using test::Random;
 using test::random_edge;
 using test::random_zone;
 
-// Whether none of these has been taken; then they are.
+// Marks the corners as taken and returns true if none of them was taken.
 bool takes_corners(std::initializer_list<VertexId> corners, std::set<VertexId>& taken) {
     if (std::ranges::any_of(corners, [&](VertexId v) { return taken.contains(v); })) return false;
     taken.insert(corners);
     return true;
 }
 
-// Smooth active edges that no two faces with a corner in common are at.
+// Smooth active edges whose stencils share no vertex.
 std::vector<EdgeId> independent_edges(const ActiveSet& active, Random& random) {
     const TriMesh& mesh = active.mesh();
     std::set<VertexId> taken;
@@ -47,7 +47,7 @@ std::vector<EdgeId> independent_edges(const ActiveSet& active, Random& random) {
     return concurrent;
 }
 
-// The same of vertices that may go.
+// Removable vertices whose stencils share no vertex but the midpoint's own.
 std::vector<VertexId> independent_vertices(const ActiveSet& active) {
     std::set<VertexId> taken;
     std::vector<VertexId> concurrent;
@@ -62,7 +62,7 @@ std::vector<VertexId> independent_vertices(const ActiveSet& active) {
     return concurrent;
 }
 
-// In two parts, the second first.
+// Logs the unsplits in two groups, the second group first.
 void log_in_parts(ActiveSet& active, std::span<const ActiveSet::Unsplit> done) {
     active.reserve_unsplits(done.size());
     const auto first = done.first(done.size() / 3), second = done.subspan(done.size() / 3);
@@ -72,8 +72,8 @@ void log_in_parts(ActiveSet& active, std::span<const ActiveSet::Unsplit> done) {
     active.log_unsplits(first, first_at);
 }
 
-// What has no corner in common may go in any order, and so at the same time: all comes out as one
-// after another, in new slots and in those that were free, in the mesh and in what is logged.
+// Edits whose stencils share no vertex may be made in any order, and hence concurrently. Mesh,
+// entries and log must equal those of serial edits, in new slots as well as in reused ones.
 TEST(ActiveSet, ConcurrentEditsMatchSerialOnesInAnyOrder) {
     std::size_t splits = 0, unsplits = 0;
     const int cases = test::case_count(200);

@@ -1,4 +1,4 @@
-// Active sets and the changes they leave: what is rolled back, undone and redone is the same byte.
+// Active sets and the changes that they return. Roll back, undo and redo restore every byte.
 #include "mesh/active_set.h"
 
 #include <gtest/gtest.h>
@@ -54,7 +54,7 @@ TEST(ActiveSet, RollsBackUndoesAndRedoesAnyEditsToTheByte) {
     }
 }
 
-TEST(ActiveSet, KnowsSmoothEdgesAndTheLongestRestLength) {
+TEST(ActiveSet, MarksSmoothEdgesAndBoundsRestLengths) {
     for (unsigned seed = 4700; seed < 4760; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
@@ -70,7 +70,7 @@ TEST(ActiveSet, KnowsSmoothEdgesAndTheLongestRestLength) {
         }
         for (EdgeId e : active.edges()) {
             if (!mesh.is_live(e)) continue;
-            // Rounded to float.
+            // Rest lengths are rounded to float.
             EXPECT_LE(active.rest_length(e), (1.0 + 1e-6) * active.longest_rest_length());
             std::set<std::pair<WedgeId, WedgeId>> sides;
             mesh.for_each_side(e, [&](HalfEdgeId h) {
@@ -82,7 +82,7 @@ TEST(ActiveSet, KnowsSmoothEdgesAndTheLongestRestLength) {
     }
 }
 
-TEST(ActiveSet, AfterAGestureEqualsANewOne) {
+TEST(ActiveSet, AfterAGestureEqualsANewActiveSet) {
     const int cases = test::case_count(150);
     for (int i = 0; i < cases; ++i) {
         const auto seed = 900 + static_cast<std::uint64_t>(i);
@@ -114,7 +114,7 @@ TEST(ActiveSet, AfterAGestureEqualsANewOne) {
     }
 }
 
-TEST(ActiveSet, AfterRollBackEqualsItsBeginning) {
+TEST(ActiveSet, AfterRollBackEqualsItsStateAfterBegin) {
     for (std::uint64_t seed = 1200; seed < 1260; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
@@ -143,7 +143,7 @@ TEST(ActiveSet, ListsVerticesStrictlyInsideTheZoneFirstThenOtherCorners) {
         Random random(seed);
         TriMesh mesh = test::random_mesh(random).mesh;
         Box zone = random_zone(mesh, random);
-        // Now and then a vertex lies on the border itself.
+        // Sometimes a vertex lies exactly on the zone's border.
         if (random.chance(0.5)) {
             zone.max = mesh.position(VertexId{0});
             zone.min = glm::min(zone.min, zone.max - 0.1);
@@ -234,7 +234,7 @@ TEST(ActiveSet, UsesTheFaceNormalForInsertedRestNormalsWhereEndNormalsCancel) {
     const Split s = split.split(e);
     ActiveSet active(mesh);
     begin(active, {.min = Vec3{-5.0}, .max = Vec3{5.0}});
-    mesh.set_position(VertexId{3}, {9, 9, 9});  // rest counts, not this
+    mesh.set_position(VertexId{3}, {9, 9, 9});  // not the rest position
     const Split inserted = active.split(e);
     EXPECT_EQ(active.rest_normal(inserted.left.m), split.normal(s.left.m));
     EXPECT_EQ(active.rest_normal(inserted.right->m), split.normal(s.right->m));
@@ -292,13 +292,13 @@ TEST(ActiveSet, ReusesTheEntriesOfRemovedVertices) {
     active.finish();
 }
 
-// A seam ends in wedges that only the far side of the zone's border sees.
+// A UV seam at the zone's border has wedges that only inactive faces use.
 TEST(ActiveSet, RestoresWedgesOnTheSideWithoutActiveFaces) {
     TriMesh mesh = test::mesh_of(
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\nvt 5 5\nvt 6 5\nvt 6 7\n"
         "f 1/1 2/2 3/3\nf 3/4 2/5 4/6\n");
     const Split s = mesh.split(edge_between(mesh, 1, 2));
-    mesh.set_normal(s.right->m, {0, 1, 0});  // something no split would make
+    mesh.set_normal(s.right->m, {0, 1, 0});  // a normal that no split would compute
     mesh.set_normal(s.left.m, {1, 0, 0});
     const TriMesh before = mesh;
     std::vector<FaceId> left;
@@ -338,7 +338,7 @@ TEST(MeshChange, IsEmptyOnlyWhereNothingChangedAtAll) {
     EXPECT_FALSE(change_by([&] { mesh.set_position(VertexId{3}, {1, 1, 1}); }).is_empty());
     EXPECT_FALSE(change_by([&] { mesh.set_deformed(VertexId{4}, true); }).is_empty());
     EXPECT_FALSE(change_by([&] { active.split(EdgeId{5}); }).is_empty());
-    // A pinned vertex may turn where it stands.
+    // The normal of a pinned vertex may change while its position does not.
     const TriMesh before = mesh;
     const MeshChange changed = change_by([&] { mesh.set_normal(WedgeId{5}, {0, 0, 1}); });
     EXPECT_FALSE(changed.is_empty());

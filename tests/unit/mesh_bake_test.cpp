@@ -1,4 +1,4 @@
-// A refined mesh made the base mesh.
+// Baking makes a refined mesh the base mesh.
 #include <gtest/gtest.h>
 
 #include "io/obj_reader.h"
@@ -22,7 +22,7 @@ void split_at_random(TriMesh& mesh, int splits, Random& random) {
         mesh.split(
             edges[static_cast<std::size_t>(random.integer(0, static_cast<int>(edges.size()) - 1))]);
     }
-    // Holes among the slots.
+    // Unsplits leave free slots.
     for (std::uint32_t v = mesh.base_vertex_count(); v < mesh.vertex_slots(); ++v) {
         const auto star = mesh.removable(VertexId{v});
         if (star && random.chance(0.3)) mesh.unsplit(*star);
@@ -54,7 +54,7 @@ TEST(Bake, SavesToTheSameBytes) {
 TEST(Bake, MakesEverythingBaseWithoutHoles) {
     for_each_refined_mesh(700, [](const TriMesh& mesh) {
         const TriMesh baked = mesh.baked().mesh;
-        // Vertices on unshared seams become as many as a save has.
+        // A vertex on an unshared seam becomes as many vertices as a save writes.
         const std::size_t vertices = mesh.vertex_count() + UnsharedVertices(mesh).added().size();
         EXPECT_EQ(baked.base_vertex_count(), vertices);
         EXPECT_EQ(baked.vertex_slots(), vertices);

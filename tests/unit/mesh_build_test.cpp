@@ -1,4 +1,4 @@
-// From polygons of any kind to manifold triangles, wedges and normals.
+// build_mesh makes manifold triangles, wedges and normals from polygons of any kind.
 #include "mesh/build_mesh.h"
 
 #include <gtest/gtest.h>
@@ -52,7 +52,7 @@ std::size_t boundary_edges(const TriMesh& mesh) {
 
 Vec3 face_normal(const TriMesh& mesh, FaceId f) { return glm::normalize(mesh.area_normal(f)); }
 
-// All counts, so that a report of what is not there fails, too.
+// Compares all counts, so that a count that should be 0 is tested, too.
 std::string text_of(const BuildReport& r) {
     std::string text;
     const auto add = [&text](const char* what, std::uint32_t count) {
@@ -80,14 +80,14 @@ void expect_report(const BuildReport& report, const BuildReport& expected) {
     EXPECT_EQ(text_of(report), text_of(expected));
 }
 
-// How many edges lie along e, e among them.
+// The number of siblings of e, including e.
 int siblings_of(const TriMesh& mesh, EdgeId e) {
     int count = 1;
     for (EdgeId s = mesh.sibling(e); s != e; s = mesh.sibling(s)) ++count;
     return count;
 }
 
-// --- Every mesh the program meets
+// --- All shapes and the real models
 
 TEST(BuildMesh, MakesValidMeshesOfAllShapes) {
     for (ShapeKind kind : {ShapeKind::sphere, ShapeKind::cube, ShapeKind::plane, ShapeKind::torus,
@@ -133,7 +133,7 @@ TEST(BuildMesh, MakesAnEmptyMeshOfNothing) {
 
 // --- Corner normals
 
-TEST(BuildMesh, GivesACubeANormalASideAtEveryVertexWhileItsEdgesAreCreases) {
+TEST(BuildMesh, GivesCornersOfACubeTheNormalOfTheirSide) {
     for (const double angle : {45.0, 89.9}) {
         const TriMesh cube = mesh_of(kCube, angle);
         for (std::uint32_t v = 0; v < 8; ++v) EXPECT_EQ(wedges_at(cube, v), 3u);
@@ -151,14 +151,14 @@ TEST(BuildMesh, SmoothsACubeIfTheCreaseAngleAllowsIt) {
     for (std::uint32_t v = 0; v < 8; ++v) EXPECT_EQ(wedges_at(cube, v), 1u);
     for (FaceId f : live_faces(cube)) {
         const HalfEdgeId h = TriMesh::half_edge(f, 0);
-        // Each side counts 90 degrees at each corner, however it is triangulated.
+        // Each side contributes 90 degrees at each corner, however it is triangulated.
         const Vec3 outwards = glm::normalize(cube.position(cube.origin(h)) - 0.5);
         EXPECT_NEAR(glm::distance(Vec3{cube.normal(cube.wedge(h))}, outwards), 0.0, 1e-6);
     }
 }
 
 TEST(BuildMesh, WeighsFacesByCornerAngle) {
-    // Around vertex 1, a quarter of the plane in one triangle and another, upright, in two.
+    // At vertex 1 there are two right angles: one triangle, and an upright quad of two triangles.
     const TriMesh mesh = mesh_of(
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0.7 0.7\nv 0 0 1\nf 1 2 3\nf 1 3 4\nf 1 4 5\n", 95.0);
     const WedgeId w = mesh.wedge(TriMesh::half_edge(FaceId{0}, 0));
@@ -173,9 +173,9 @@ TEST(BuildMesh, FollowsSmoothingGroupsWhereThereAreAny) {
     EXPECT_EQ(wedges_at(mesh_of(fold + "s 1\nf 1 2 3\ns off\nf 3 2 4\n", 180.0), 1), 2u);
     EXPECT_EQ(wedges_at(mesh_of(fold + "f 1 2 3\nf 3 2 4\n", 180.0), 1), 1u);
     EXPECT_EQ(wedges_at(mesh_of(fold + "f 1 2 3\nf 3 2 4\n", 10.0), 1), 2u);
-    // Smoothing off is no group of its own.
+    // Faces with smoothing off do not form a group.
     EXPECT_EQ(wedges_at(mesh_of(kSquare + "v 2 2 0\ns off\nf 1 2 3\nf 3 2 4\ns 1\nf 4 2 5\n"), 2),
-              1u);  // flat: the same normal, so one wedge all the same
+              1u);  // flat: the normals are equal, so there is one wedge
     EXPECT_EQ(wedges_at(mesh_of(fold + "v 9 9 9\ns off\nf 1 2 3\nf 3 2 4\ns 1\nf 4 2 5\n"), 2), 2u);
 }
 
@@ -192,7 +192,7 @@ TEST(BuildMesh, LeavesNormalsUndefinedAtFacesWithoutArea) {
     EXPECT_EQ(line.face_count(), 1u);
     EXPECT_EQ(line.normal(line.wedge(TriMesh::half_edge(FaceId{0}, 0))), Vec3f(0.0f));
     EXPECT_EQ(line.validate(), kValid);
-    // Beside a face that has one, they take that.
+    // Next to a face with a normal they take that normal.
     const TriMesh beside = mesh_of("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 1 -1 0\nf 1 2 3\nf 2 1 4\n");
     EXPECT_EQ(beside.normal(beside.wedge(TriMesh::half_edge(FaceId{0}, 0))), Vec3f(0, 0, 1));
 }
@@ -234,7 +234,7 @@ TEST(BuildMesh, TellsNegativeZeroFromZeroSoThatASaveGivesBothBack) {
     EXPECT_EQ(wedges_at(mesh, 2), 2u);
 }
 
-// --- What is no manifold
+// --- Non-manifold input
 
 TEST(BuildMesh, CutsAnEdgeOfThreeFacesIntoBoundaries) {
     const BuiltMesh book =
@@ -311,7 +311,7 @@ TEST(BuildMesh, DropsRepeatedCornersOfAPolygonAndKeepsTheRest) {
     EXPECT_NEAR(test::area(built.mesh), 1.0, 1e-15);
     expect_report(built.report,
                   {.triangulated_polygons = 1, .repeated_corners = 1, .boundary_edges = 4});
-    // A quad with two equal neighbours is a triangle, and not one that had to be cut.
+    // A quad that repeats a vertex is a triangle, which does not count as triangulated.
     expect_report(build(kSquare + "f 1 1 2 4\n").report,
                   {.repeated_corners = 1, .boundary_edges = 3, .isolated_vertices = 1});
 }
@@ -322,7 +322,7 @@ TEST(BuildMesh, CountsFacesWhoseCornersLieOnALine) {
     expect_report(built.report, {.zero_area_faces = 1, .boundary_edges = 4});
 }
 
-TEST(BuildMesh, SeesTwoClosedSheetsThatMeetInAVertex) {
+TEST(BuildMesh, CountsAVertexWhereTwoClosedSheetsMeet) {
     const std::string tetrahedron = "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n";
     const BuiltMesh built =
         build("v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nv 0 1 3\nv 1 0 3\nv 0 0 3\n" + tetrahedron +
@@ -332,14 +332,14 @@ TEST(BuildMesh, SeesTwoClosedSheetsThatMeetInAVertex) {
 }
 
 TEST(BuildMesh, PutsNoCreaseAlongTheDiagonalOfAPolygon) {
-    // A quad bent by a right angle along its diagonal, without smoothing.
+    // A quad that is bent by a right angle along its diagonal, with smoothing off.
     const TriMesh mesh = mesh_of("v 0 0 0\nv 1 0 0\nv 1 1 1\nv 0 1 0\ns off\nf 1 2 3 4\n", 5.0);
     EXPECT_EQ(mesh.face_count(), 2u);
     for (std::uint32_t v = 0; v < 4; ++v) EXPECT_EQ(wedges_at(mesh, v), 1u);
 }
 
 TEST(BuildMesh, FindsTheWedgesOfAVertexWithManyFaces) {
-    // A fan of 5,000 faces about one vertex, each with a normal of its own but for every tenth.
+    // A fan of 5,000 faces around one vertex. All have different normals, except every tenth.
     std::string obj = "v 0 0 0\n";
     constexpr int kFaces = 5000;
     const auto number = [](int i) { return std::to_string(i); };
@@ -408,9 +408,9 @@ TEST(BuildMesh, PreservesEveryValueOfEveryCorner) {
     }
 }
 
-// --- What validate() says of attributes that are none
+// --- validate() reports invalid attributes
 
-TEST(Validate, NamesPositionsNormalsAndTextureCoordinatesThatAreNoNumbers) {
+TEST(Validate, ReportsPositionsNormalsAndTextureCoordinatesThatAreNotFinite) {
     const double nan = std::numeric_limits<double>::quiet_NaN();
     const auto said = [](TriMesh mesh, auto spoil) {
         EXPECT_EQ(mesh.validate(), kValid);
@@ -441,7 +441,7 @@ TEST(Validate, NamesPositionsNormalsAndTextureCoordinatesThatAreNoNumbers) {
     EXPECT_EQ(build_mesh(set).mesh.validate().front(), "8: texture coordinate infinite at wedge 0");
 }
 
-TEST(Validate, NamesFreeSlotsThatWereWrittenTo) {
+TEST(Validate, ReportsFreeSlotsThatWereWrittenTo) {
     TriMesh mesh = mesh_of(kSquare + "f 1 2 3\nf 3 2 4\n");
     const Split s = mesh.split(EdgeId{0});
     mesh.unsplit(*mesh.removable(s.m));

@@ -1,4 +1,4 @@
-// What hangs together inside a zone, and the face nearest to a point.
+// The connected part of a surface inside a zone, and the face nearest to a point.
 #include "mesh/connected_part.h"
 
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ std::vector<FaceId> part_from(const TriMesh& mesh, std::uint32_t seed, const Box
     return connected_part(mesh, faces, seeds, std::vector{zone});
 }
 
-// Two triangles that meet in vertex 2 at the origin.
+// Two triangles that share only vertex 2, at the origin.
 const std::string kBowTie = "v -1 -1 0\nv -1 1 0\nv 0 0 0\nv 1 1 0\nv 1 -1 0\nf 1 3 2\nf 3 5 4\n";
 
 TEST(ConnectedPart, ReachesAcrossAVertexInTheZoneThatTwoSheetsShare) {
@@ -26,7 +26,7 @@ TEST(ConnectedPart, ReachesAcrossAVertexInTheZoneThatTwoSheetsShare) {
     EXPECT_EQ(part_from(mesh, 0, {Vec3{-2}, Vec3{2}}).size(), 2u);
 }
 
-// The vertex they share lies outside, and both reach in with a corner of their own.
+// The shared vertex is outside the zone; each triangle has another corner inside.
 TEST(ConnectedPart, DoesNotReachAcrossAVertexOutsideTheZone) {
     const TriMesh mesh = test::mesh_of(
         "v 0 0 0\nv 2 0 0\nv 2 0.1 0\nv 2 1 0\nv 2 1.1 0\n"
@@ -36,7 +36,7 @@ TEST(ConnectedPart, DoesNotReachAcrossAVertexOutsideTheZone) {
     EXPECT_EQ(part_from(mesh, 1, zone), std::vector{FaceId{1}});
 }
 
-// All corners are outside; the edge between them runs through the zone.
+// All corners are outside; the common edge passes through the zone.
 TEST(ConnectedPart, ReachesAcrossAnEdgeThatOnlyPassesThroughTheZone) {
     const TriMesh mesh = test::mesh_of("v -5 0 0\nv 5 0 0\nv 0 5 0\nv 0 -5 0\nf 1 2 3\nf 2 1 4\n");
     const Box zone{Vec3{-0.5}, Vec3{0.5}};

@@ -1,4 +1,4 @@
-// Which face a ray meets first: the tree against a scan.
+// The first face that a ray meets: the tree gives the same result as a scan.
 #include <gtest/gtest.h>
 
 #include "mesh/build_mesh.h"
@@ -48,7 +48,7 @@ TEST(FaceTreePick, MatchesBruteForce) {
     }
 }
 
-// Rays through the vertices of a closed sphere from inside: no crack lets one through.
+// Rays from inside a closed sphere through its vertices never pass between faces.
 TEST(FaceTreePick, HitsAClosedMeshWithEveryRay) {
     test::Random random(1);
     const auto mesh = build_mesh(make_shape(ShapeKind::sphere, 3)).mesh;

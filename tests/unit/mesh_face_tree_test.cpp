@@ -1,4 +1,4 @@
-// The tree of boxes against a look at every face, whatever the mesh goes through.
+// The face tree gives the same results as brute force after all kinds of edits.
 #include "mesh/face_tree.h"
 
 #include <gtest/gtest.h>
@@ -94,11 +94,11 @@ MeshChange random_gesture(TriMesh& mesh, const FaceTree& tree, Random& random) {
     const double diagonal = mesh.bounding_box().diagonal();
     ActiveSet active(mesh);
     const double theta = random.scale(3.0, 60.0);
-    Gesture gesture(active, tree.faces_meeting(zone, mesh), warp,
-                    AdaptLimits{.theta_max = theta,
-                                .theta_min = 0.7 * theta,
-                                .l_max = warp.smallest_cell_extent(),
-                                .floor = 0.02 * diagonal});
+    Gesture gesture(
+        active, tree.faces_meeting(zone, mesh), warp,
+        AdaptLimits{.curvature = NormalDivergence({.theta_max = theta, .theta_min = 0.7 * theta}),
+                    .l_max = warp.smallest_feature_extent(),
+                    .floor = 0.02 * diagonal});
     return gesture.commit(std::get<DragStep>(warp.steps.back()).displacements);
 }
 
@@ -174,7 +174,7 @@ TEST(FaceTree, FindsNothingInAMeshWithoutFaces) {
     EXPECT_TRUE(tree.faces_meeting({.min = Vec3{-1.0}, .max = Vec3{1.0}}, mesh).empty());
 }
 
-TEST(FaceTree, FindsManyFacesInOnePlace) {
+TEST(FaceTree, FindsManyCoincidentFaces) {
     IndexedFaceSet set;  // more coincident triangles than any leaf holds
     set.parts.emplace_back();
     for (std::uint32_t i = 0; i < 100; ++i) {

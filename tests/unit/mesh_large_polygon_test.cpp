@@ -1,5 +1,5 @@
-// Polygons of many corners and awkward shapes: their triangles cover them exactly, or the result
-// says that they do not.
+// Polygons with many corners and difficult shapes: their triangles cover them exactly, or the
+// result reports that they do not.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -48,7 +48,7 @@ void expect_covered(const Ring& ring) {
     EXPECT_NEAR(area_of(ring, triangles), area_of(ring), 1e-11 * area_of(ring));
 }
 
-// A band between two arms of a spiral.
+// The band between two arms of a spiral.
 Ring spiral(int corners, double angle_step, double growth, double width) {
     Ring ring;
     const auto add = [&](int i, double offset) {
@@ -60,7 +60,7 @@ Ring spiral(int corners, double angle_step, double growth, double width) {
     return ring;
 }
 
-// Thin teeth along a line, turned about the origin.
+// A comb with thin teeth, rotated around the origin.
 Ring comb(int teeth, double angle) {
     Ring ring;
     const auto add = [&](double x, double y) {
@@ -105,8 +105,8 @@ TEST(LargePolygon, CombsSpiralsAndStarsAreCoveredExactly) {
 }
 
 TEST(LargePolygon, BridgesToHolesAreCoveredExactly) {
-    // A plate with many square holes in a row, each joined to the one before by a bridge that the
-    // outline runs along twice.
+    // A plate with a row of square holes. Each is connected to the previous one by a bridge, which
+    // the outline follows twice.
     Ring ring{{0, 0, 0}, {100, 0, 0}, {100, 1, 0}, {0, 1, 0}, {0, 0.5, 0}};
     Ring back;
     for (int i = 0; i < 90; ++i) {
@@ -207,7 +207,7 @@ TEST(LargePolygon, OutlinesThatTouchThemselvesAnywhereAreCoveredExactly) {
 }
 
 TEST(LargePolygon, CornersOnGridsWithManyOnOneLineAreCoveredExactly) {
-    // The outline of random columns of unit squares: most corners are straight or right angles.
+    // The outline of random columns of unit squares. Most angles are straight or right.
     Random random(4);
     for (int i = 0; i < 300; ++i) {
         Ring ring;
@@ -259,7 +259,7 @@ TEST(LargePolygon, TrianglesAreMirroredAndDoNotDependOnTheFirstCorner) {
     }
 }
 
-TEST(LargePolygon, WithoutAnInsideIsSaidToBe) {
+TEST(LargePolygon, WithoutAnInteriorIsReported) {
     Triangles triangles;
     Ring star;
     for (int i = 0; i < 7; ++i) {
@@ -273,7 +273,7 @@ TEST(LargePolygon, WithoutAnInsideIsSaidToBe) {
     EXPECT_FALSE(triangulate(eight, triangles));
     EXPECT_FALSE(triangulate(tangle, triangles));
     EXPECT_EQ(triangles.size(), eight.size() - 2 + tangle.size() - 2);
-    // The star winds three times about its middle: covered as often, or reported.
+    // The star winds around its centre three times. It is covered three times, or reported.
     Triangles of_star;
     if (triangulate(star, of_star)) {
         EXPECT_NEAR(area_of(star, of_star), area_of(star), 1e-12);
@@ -283,7 +283,7 @@ TEST(LargePolygon, WithoutAnInsideIsSaidToBe) {
     EXPECT_TRUE(triangulate(line, of_star)) << "it has no area to cover";
 }
 
-TEST(LargePolygon, ThatCrossesItselfIsReportedAndOthersAreNot) {
+TEST(LargePolygon, IsReportedOnlyIfItIntersectsItself) {
     const std::string corners =
         "v 0 0 0\nv 2 2 0\nv 3 1 0\nv 2 0 0\nv 0 2 0\nv -1 1 0\nv 0 0 5\nv 2 0 5\nv 0 2 5\n";
     const auto report_of = [&](const std::string& faces) {

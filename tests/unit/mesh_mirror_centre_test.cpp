@@ -1,4 +1,4 @@
-// The centre about which ties are decided: that of the object's mirror planes.
+// The centre relative to which ties are decided lies on the object's mirror planes.
 #include "mesh/mirror_centre.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ TEST(MirrorCentre, IsTheOriginForAnObjectThatIsMirroredThere) {
     test::Random random(5);
     std::vector<Vec3> points = mirrored_points(random, 0, 0.0);
     EXPECT_EQ(mirror_centre(points).x, 0.0);
-    points.push_back({7.0, 3.0, 0.0});  // a sword in one hand moves the middle of the box
+    points.push_back({7.0, 3.0, 0.0});  // an asymmetric part moves the middle of the box
     EXPECT_EQ(mirror_centre(points).x, 0.0);
 }
 

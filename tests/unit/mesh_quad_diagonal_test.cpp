@@ -1,4 +1,4 @@
-// Diagonals of quads: by their geometry alone, and mirrored where the quad is.
+// The diagonal of a quad depends on its geometry only, and is mirrored if the quad is.
 #include "mesh/quad_diagonal.h"
 
 #include <gtest/gtest.h>
@@ -23,7 +23,7 @@ std::pair<Vec3, Vec3> diagonal_of(const Quad& q, const Vec3& centre = Vec3{0.0})
     return {q[from], q[from + 2]};
 }
 
-// Through `triangulate`, as the program does.
+// Calls triangulate(), as the program does.
 std::pair<Vec3, Vec3> inner_edge_of(const Quad& q) {
     std::vector<std::array<std::uint32_t, 3>> triangles;
     triangulate(q, triangles);
@@ -98,7 +98,8 @@ TEST(QuadDiagonal, IsMirroredWhereTheQuadIs) {
             const auto [lowest, highest] = std::minmax_element(
                 q.begin(), q.end(),
                 [&](const Vec3& x, const Vec3& y) { return x[axis] < y[axis]; });
-            if ((*lowest)[axis] < 0.0 && (*highest)[axis] > 0.0) continue;  // it may be its own
+            if ((*lowest)[axis] < 0.0 && (*highest)[axis] > 0.0)
+                continue;  // it may be its own mirror image
             const auto by = static_cast<std::size_t>(random.integer(0, 3));
             ASSERT_TRUE(same_ends(inner_edge_of(rotated(image, by, random.chance(0.5))),
                                   {mirrored(from, axis, Vec3{0.0}), mirrored(to, axis, Vec3{0.0})}))
@@ -137,7 +138,7 @@ TEST(QuadDiagonal, IsTheShorterOneUnlessItLeavesASliver) {
 }
 
 TEST(QuadDiagonal, HasTheLargerSmallestAngleWhereBothAreEquallyLong) {
-    // Diagonals of length 5 that cross at different shares of their lengths.
+    // Diagonals of length 5 that intersect at different fractions of their lengths.
     const Quad q{Vec3{-2.5, 0, 0}, Vec3{-1, -1, 0}, Vec3{2.5, 0, 0}, Vec3{2, 3, 0}};
     ASSERT_NEAR(glm::distance(q[1], q[3]), 5.0, 1e-15);
     const auto smallest_angle = [&](std::size_t from) {
@@ -155,7 +156,7 @@ TEST(QuadDiagonal, HasTheLargerSmallestAngleWhereBothAreEquallyLong) {
     EXPECT_TRUE(same_ends(diagonal_of(q), {q[better], q[better + 2]}));
 }
 
-TEST(QuadDiagonal, SaysWhereNoDiagonalCoversTheQuad) {
+TEST(QuadDiagonal, IsReportedIfNeitherCoversTheQuad) {
     const Quad square{Vec3{0, 0, 0}, Vec3{1, 0, 0}, Vec3{1, 1, 0}, Vec3{0, 1, 0}};
     EXPECT_TRUE(choose_diagonal(square, Vec3{0.0}).covers);
     const Quad even_tie{square[0], square[2], square[1], square[3]};

@@ -1,4 +1,4 @@
-// Seams whose faces meet without sharing vertices: joined in the mesh, apart again in a save.
+// Seams whose faces meet without sharing vertices are joined in the mesh and separated in a save.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ using test::Random;
 
 const std::vector<std::string> kValid;
 
-// Two sheets that meet along x = 0, each with vertices of its own there.
+// Two sheets that meet along x = 0, each with its own vertices there.
 const std::string kHinge =
     "v -2 -1 0\nv 0 -1 0\nv 0 1 0\nv -2 1 0\nv 0 -1 0\nv 1 -1 -1\nv 1 1 -1\nv 0 1 0\n"
     "f 1 2 3 4\nf 5 6 7 8\n";
@@ -58,7 +58,7 @@ TEST(UnsharedSeam, IsSavedWithItsOwnVerticesOnEachSide) {
     mesh.set_position(s.m, {0.25, 0, 0.5});
     mesh.set_position(VertexId{1}, {0, -1, 0.75});
     const IndexedFaceSet saved = parse_obj(format_obj(mesh), "saved.obj");
-    // Eight of the input, and two on each side.
+    // Eight vertices of the input, and two new ones on each side.
     EXPECT_EQ(saved.positions.size(), 12u);
     EXPECT_EQ(vertices_in_use(saved), 12u);
     EXPECT_EQ(saved.positions[1], (Vec3{0, -1, 0.75}));
@@ -121,7 +121,7 @@ TEST(UnsharedSeam, SmoothsNormalsAcrossUpToTheCreaseAngle) {
 }
 
 TEST(UnsharedSeam, OfThreeSheetsOrOfSheetsThatFaceOppositeWaysIsSplitAtOneVertex) {
-    // Three pages whose spines coincide, and two that face opposite ways.
+    // Three sheets that coincide along one edge, and two sheets that face opposite ways.
     const std::string spine = "v 0 0 0\nv 0 1 0\n";
     const std::string book =
         spine + "v 1 0 0\n" + spine + "v 0 0 1\n" + spine + "v -1 0 0\nf 1 2 3\nf 4 5 6\nf 7 8 9\n";
@@ -143,8 +143,8 @@ TEST(UnsharedSeam, OfThreeSheetsOrOfSheetsThatFaceOppositeWaysIsSplitAtOneVertex
         EXPECT_EQ(test::open_sides(saved), test::open_edges(built.mesh));
         const auto star = built.mesh.removable(s.m);
         ASSERT_TRUE(star.has_value());
+        const TriMesh::RollbackScope scope(built.mesh, before.slot_counts());
         built.mesh.unsplit(*star);
-        built.mesh.shrink(before.slot_counts());
         EXPECT_TRUE(built.mesh == before);
     }
 }
@@ -176,8 +176,8 @@ TEST(UnsharedSeam, JoinsABoundaryToAnInnerEdge) {
     EXPECT_EQ(format_obj(build_mesh(saved).mesh), text);
     const auto star = built.mesh.removable(s.m);
     ASSERT_TRUE(star.has_value());
+    const TriMesh::RollbackScope scope(built.mesh, before.slot_counts());
     built.mesh.unsplit(*star);
-    built.mesh.truncate(before.slot_counts());
     EXPECT_TRUE(built.mesh == before);
 }
 
@@ -228,7 +228,7 @@ void add_walls(IndexedFaceSet& set, Random& random, int count) {
 }
 
 TEST(UnsharedSeam, SheetsThatShareVerticesOnOneSideStillDoInASave) {
-    // Three pages about one spine of shared vertices and a fourth with its own.
+    // Three sheets that share the vertices of one edge, and a fourth with its own vertices there.
     TriMesh mesh = build(
                        "v 0 0 0\nv 0 1 0\nv 1 0 0\nv 0 0 1\nv -1 0 0\nv 0 0 0\nv 0 1 0\nv 0 0 -1\n"
                        "f 1 2 3\nf 1 2 4\nf 1 2 5\nf 6 7 8\n")
@@ -242,7 +242,7 @@ TEST(UnsharedSeam, SheetsThatShareVerticesOnOneSideStillDoInASave) {
 }
 
 TEST(UnsharedSeam, NeverMakesAFaceLoseAnEdge) {
-    // A triangle with two corners at one position beside another that has its edges.
+    // A triangle with two corners at one position, next to another with the same edges.
     const BuiltMesh built = build(
         "v 0 0 0\nv 1 0 0\nv 1 0 0\nv 0 0 0\nv 1 0 0\nv 0 1 0\n"
         "f 1 2 3\nf 4 5 6\n");
@@ -251,7 +251,7 @@ TEST(UnsharedSeam, NeverMakesAFaceLoseAnEdge) {
 }
 
 TEST(UnsharedSeam, IsJoinedBesideAFacetWithoutArea) {
-    // As exported for tools that cut parts: facets with two corners at one position between others.
+    // Facets with two corners at one position between others, as some exporters write them.
     Random random(25);
     IndexedFaceSet set = make_shape(ShapeKind::sphere, 1);
     test::unshare_vertices(set, random);
@@ -271,7 +271,7 @@ TEST(UnsharedSeam, IsJoinedBesideAFacetWithoutArea) {
     EXPECT_EQ(test::open_edges(built.mesh), 6u) << "those of the two facets";
 }
 
-TEST(UnsharedSeam, IsNoneWhereOnlyPointsCoincide) {
+TEST(UnsharedSeam, DoesNotJoinPointsAlone) {
     const BuiltMesh built = build(
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 0\nv -1 0 0\nv 0 -1 0\n"
         "f 1 2 3\nf 4 5 6\n");
@@ -279,8 +279,8 @@ TEST(UnsharedSeam, IsNoneWhereOnlyPointsCoincide) {
     EXPECT_TRUE(built.mesh.input_form().seams.is_empty());
 }
 
-TEST(UnsharedSeam, CountsRunsThatHangTogether) {
-    // Two hinges beside each other.
+TEST(UnsharedSeam, CountsConnectedRuns) {
+    // Two separate seams.
     std::string text = kHinge;
     for (const char* v :
          {"-2 5 0", "0 5 0", "0 7 0", "-2 7 0", "0 5 0", "1 5 -1", "1 7 -1", "0 7 0"}) {
@@ -291,7 +291,7 @@ TEST(UnsharedSeam, CountsRunsThatHangTogether) {
     EXPECT_EQ(built.report.seam_edges, 2u);
 }
 
-// Each polygon in one colour of its own.
+// Gives each polygon its own colour.
 void add_colors_by_polygon(IndexedFaceSet& set, Random& random) {
     set.colors.assign(set.positions.size(), Vec3f{0.0f});
     for (std::size_t p = 0; p < set.polygon_count(); ++p) {
@@ -308,7 +308,7 @@ TEST(UnsharedSeam, KeepsTheColoursOfEachSide) {
         IndexedFaceSet set = make_shape(ShapeKind::cube, 2);
         test::unshare_vertices(set, random);
         add_colors_by_polygon(set, random);
-        set.parts.clear();  // a part for each polygon tells its pieces apart in the save
+        set.parts.clear();  // one part per polygon identifies its pieces in the save
         for (std::uint32_t p = 0; p < set.polygon_count(); ++p) {
             set.parts.push_back({.object = "", .group = "g" + std::to_string(p), .material = ""});
             set.polygon_part[p] = p;

@@ -23,7 +23,7 @@ const Vec3& position(const IndexedFaceSet& shape, std::uint32_t corner) {
     return shape.positions[shape.corners[corner].position];
 }
 
-// Calls visit(corner, next corner round its polygon).
+// Calls visit(corner, next corner of the same polygon).
 template <typename Visit>
 void for_each_side(const IndexedFaceSet& shape, Visit visit) {
     for (std::size_t p = 0; p < shape.polygon_count(); ++p) {
@@ -70,7 +70,8 @@ Vec3 area_normal(const IndexedFaceSet& shape, std::size_t polygon) {
     return sum;
 }
 
-// By the divergence theorem: a sum of signed tetrahedra, positive where faces point outwards.
+// The volume by the divergence theorem: the sum of signed tetrahedra, positive if faces point
+// outwards.
 double signed_volume(const IndexedFaceSet& shape) {
     double sum = 0.0;
     for (std::size_t p = 0; p < shape.polygon_count(); ++p) {
@@ -119,7 +120,7 @@ TEST(Shapes, EncloseVolumesThatConvergeFromBelowToTheSolids) {
         const double fine = solid.exact - signed_volume(make_shape(solid.kind, solid.fine));
         EXPECT_GT(fine, 0.0);
         EXPECT_LT(fine, 0.02 * solid.exact);
-        EXPECT_NEAR(coarse / fine, 4.0, 0.2);  // second order
+        EXPECT_NEAR(coarse / fine, 4.0, 0.2);  // the error is of second order
     }
 }
 
@@ -171,7 +172,7 @@ TEST(Shapes, HaveUnitNormalsOnTheOutsideOfTheirFaces) {
 }
 
 TEST(Shapes, KeepHardEdgesByNormalsOfTheirOwn) {
-    // The face's plane is the normal's: flat sides, flat caps.
+    // Flat sides and caps have the normal of their faces.
     for (ShapeKind kind : {ShapeKind::cube, ShapeKind::plane, ShapeKind::cylinder}) {
         const IndexedFaceSet shape = make_shape(kind, 3);
         for (std::size_t p = 0; p < shape.polygon_count(); ++p) {
@@ -227,7 +228,7 @@ TEST(Sphere, HasNormalsThatAreItsPositions) {
     }
 }
 
-TEST(Plane, LaysItsTextureOutAsSeenFromAbove) {
+TEST(Plane, HasItsTextureUprightAsSeenFromAbove) {
     const IndexedFaceSet plane = make_shape(ShapeKind::plane, 3);
     for (const auto& corner : plane.corners) {
         const Vec3& p = plane.positions[corner.position];

@@ -9,8 +9,8 @@
 namespace pectin {
 namespace {
 
-// Around the number from which on it counts digits, and of one, two and three digits; some ids
-// more than once.
+// Sizes around the threshold of the radix sort, and ids of one, two and three digits with
+// duplicates.
 TEST(SortIds, MatchesAComparisonSort) {
     constexpr unsigned kSeed = 7;
     std::mt19937 engine(kSeed);

@@ -1,4 +1,4 @@
-// Split and unsplit, edge by edge, on meshes small enough to know by heart.
+// Split and unsplit of every edge of small literal meshes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -30,20 +30,20 @@ struct Literal {
 
 void operator<<(std::ostream& out, const Literal& literal) { out << literal.name; }
 
-// Each is the smallest that has what its comment says.
-constexpr Literal kSingleTriangle{"single triangle",  // nothing but boundary
+// Each is the smallest mesh with the property that its comment names.
+constexpr Literal kSingleTriangle{"single triangle",  // all edges are boundaries
                                   "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"};
-constexpr Literal kTwoTriangles{"two triangles",  // one inner edge, its ends on the boundary
+constexpr Literal kTwoTriangles{"two triangles",  // one inner edge, with both ends on the boundary
                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.1\nf 1 2 3\nf 3 2 4\n"};
-constexpr Literal kTetrahedron{"tetrahedron",  // closed, every pair of vertices an edge
+constexpr Literal kTetrahedron{"tetrahedron",  // closed, with an edge between any two vertices
                                "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\n"
                                "f 1 3 2\nf 1 2 4\nf 2 3 4\nf 3 1 4\n"};
 constexpr Literal kPillow{"pillow",  // two faces back to back: a and d are one vertex
                           "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 3 2 1\n"};
-constexpr Literal kCube{"cube",  // every edge between sides a crease, diagonals smooth
+constexpr Literal kCube{"cube",  // edges between sides are creases, diagonals are smooth
                         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
                         "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 4 1 5 8\n"};
-constexpr Literal kSeam{"seam",  // smooth, but textured from two charts
+constexpr Literal kSeam{"seam",  // smooth, with a UV seam between two charts
                         "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\n"
                         "vt 0 0\nvt 1 0\nvt 0 1\nvt 5 5\nvt 6 5\nvt 6 7\n"
                         "f 1/1 2/2 3/3\nf 3/4 2/5 4/6\n"};
@@ -55,15 +55,15 @@ constexpr Literal kOtherHalfCrease{"other half-crease",  // at vertex 2 only
                                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0.5\n"
                                    "vn 0 0 1\nvn 1 0 0\n"
                                    "f 1//1 2//1 3//1\nf 3//1 2//2 4//1\n"};
-constexpr Literal kBowTie{"bow-tie",  // two sheets meet in one vertex
+constexpr Literal kBowTie{"bow-tie",  // two sheets that share one vertex
                           "v 0 0 0\nv 1 0 0\nv 1 1 0\nv -1 0 0\nv -1 -1 0\nf 1 2 3\nf 1 4 5\n"};
-constexpr Literal kBook{"book",  // three faces at one edge, cut into boundaries
+constexpr Literal kBook{"book",  // three faces at one edge, which is cut
                         "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\n"
                         "f 1 2 3\nf 1 2 4\nf 1 2 5\n"};
-constexpr Literal kTurnedPage{"turned page",  // the same with one of the three the other way round
+constexpr Literal kTurnedPage{"turned page",  // the same with one face reversed
                               "v 0 0 0\nv 0 0 1\nv 1 0 0\nv 0 1 0\nv -1 0 0\n"
                               "f 1 2 3\nf 2 1 4\nf 1 2 5\n"};
-constexpr Literal kTwice{"twice",  // one face upon another: all its edges are cut
+constexpr Literal kTwice{"twice",  // two faces on the same vertices: all edges are cut
                          "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 2 3\n"};
 constexpr Literal kHalfTextured{"half textured",  // one face has no texture coordinates
                                 "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 0 1\n"
@@ -71,7 +71,7 @@ constexpr Literal kHalfTextured{"half textured",  // one face has no texture coo
 
 using Corners = std::array<std::uint32_t, 3>;
 
-// Rotated so that the smallest comes first: a face, whatever corner its slot begins with.
+// Rotates a face so that its smallest vertex comes first; its slot may begin with any corner.
 Corners canonical(VertexId a, VertexId b, VertexId c) {
     Corners corners{index(a), index(b), index(c)};
     std::rotate(corners.begin(), std::min_element(corners.begin(), corners.end()), corners.end());
@@ -112,11 +112,13 @@ TEST_P(SplitOf, EveryEdgeIsUndoneToTheByte) {
     for_each_split([](const TriMesh& whole, TriMesh& split_mesh, const Split& s, EdgeId e) {
         EXPECT_EQ(split_mesh.validate(), kValid);
         EXPECT_FALSE(split_mesh == whole);
+        TriMesh rolled_back = split_mesh;
         undo_split(split_mesh, s.m, e);
         EXPECT_EQ(split_mesh.validate(), kValid);
         EXPECT_TRUE(test::has_the_faces_of(split_mesh, whole));
-        split_mesh.shrink(whole.slot_counts());
-        EXPECT_TRUE(split_mesh == whole);
+        const TriMesh::RollbackScope scope(rolled_back, whole.slot_counts());
+        undo_split(rolled_back, s.m, e);
+        EXPECT_TRUE(rolled_back == whole);
     });
 }
 
@@ -127,10 +129,10 @@ TEST_P(SplitOf, EveryTwoEdgesAreUndoneToTheByte) {
             TriMesh twice = once;
             const Split t = twice.split(second);
             EXPECT_EQ(twice.validate(), kValid);
+            const TriMesh::RollbackScope scope(twice, whole.slot_counts());
             undo_split(twice, t.m, once.representative(second));
             EXPECT_EQ(twice.validate(), kValid);
             undo_split(twice, s.m, e);
-            twice.shrink(whole.slot_counts());
             EXPECT_TRUE(twice == whole);
         }
     });
@@ -162,7 +164,7 @@ TEST_P(SplitOf, AnEdgeKeepsPartsAndCornersOfTheFacesItSplits) {
             EXPECT_EQ(split_mesh.base_face(s.face4),
                       whole.base_face(TriMesh::face(whole.twin(bc))));
         }
-        // Every old wedge is seen by the pieces of the base faces that saw it before.
+        // Every old wedge is used by pieces of the same base faces as before.
         std::map<std::uint32_t, std::set<std::uint32_t>> before, after;
         const auto collect = [](const TriMesh& mesh, auto& wedges) {
             for (FaceId f : live_faces(mesh)) {
@@ -202,7 +204,7 @@ TEST_P(SplitOf, AnEdgeSetsLevelsOneAboveThoseAround) {
     });
 }
 
-TEST_P(SplitOf, AnEdgeNamesTheHalfEdgesThatUnsplitStartsFrom) {
+TEST_P(SplitOf, AnEdgeSetsTheHalfEdgesThatUnsplitStartsFrom) {
     for_each_split([](const TriMesh& whole, const TriMesh& split_mesh, const Split& s, EdgeId e) {
         const auto star = split_mesh.removable(s.m);
         ASSERT_TRUE(star.has_value());
@@ -217,7 +219,7 @@ TEST_P(SplitOf, AnEdgeNamesTheHalfEdgesThatUnsplitStartsFrom) {
     });
 }
 
-TEST_P(SplitOf, AnEdgeMakesOneWedgeWhereTheSidesAgreeAndTwoWhereNot) {
+TEST_P(SplitOf, AnEdgeMakesOneWedgeIfItIsSmoothAndOtherwiseOnePerSide) {
     for_each_split([](const TriMesh& whole, const TriMesh& split_mesh, const Split& s, EdgeId e) {
         const HalfEdgeId bc = whole.half_edge(e), cb = whole.twin(bc);
         const bool smooth = !exists(cb) || (whole.wedge(bc) == whole.wedge(TriMesh::next(cb)) &&
@@ -250,7 +252,7 @@ TEST_P(SplitOf, AnEdgeSplitsItsSiblingsAtTheSameVertexAndNowhereElse) {
         for (EdgeId second : live_edges(once)) {
             TriMesh twice = once;
             const Split t = twice.split(second);
-            // As many edges lie along each half as lay along the whole, between the same ends.
+            // Each half has as many siblings as the edge had, between the same ends.
             std::size_t sides = 0;
             once.for_each_side(second, [&](HalfEdgeId) { ++sides; });
             std::multiset<VertexId> far_ends;
@@ -328,12 +330,12 @@ TEST(Split, ReusesFreedIdsSoThatTheSameEditsGiveTheSameBytes) {
     const auto made = split_some(mesh);
     const TriMesh once = mesh;
     for (std::size_t i = made.size(); i-- > 0;) undo_split(mesh, made[i].first, made[i].second);
-    EXPECT_EQ(mesh.slot_counts(), once.slot_counts());  // freed, not cut off
+    EXPECT_EQ(mesh.slot_counts(), once.slot_counts());  // slots were freed, not removed
     EXPECT_EQ(split_some(mesh), made);
     EXPECT_TRUE(mesh == once);
 }
 
-// Whether one of the corners of the edge's faces, beyond it or at its ends, has no level above it.
+// Whether a corner of the faces at the edge has the highest level.
 bool is_full_around(const TriMesh& mesh, EdgeId e) {
     for (HalfEdgeId h : {mesh.half_edge(e), mesh.twin(mesh.half_edge(e))}) {
         if (!exists(h)) continue;
@@ -371,13 +373,13 @@ TEST(Unsplit, IsRefusedForBaseVerticesAndStarsThatWereSplitFurther) {
     for (EdgeId e : live_edges(mesh)) {
         TriMesh further = mesh;
         const Split t = further.split(e);
-        // Every face touches m here, so any split gives it a neighbour of a higher level.
+        // All faces touch m, so any split gives it a neighbour of a higher level.
         EXPECT_FALSE(further.removable(s.m).has_value()) << index(e);
         EXPECT_TRUE(further.removable(t.m).has_value()) << index(e);
     }
 }
 
-TEST(Unsplit, KeepsAttributesOfWhatStays) {
+TEST(Unsplit, KeepsTheAttributesOfRemainingElements) {
     TriMesh mesh = mesh_of(kHalfCrease.obj);
     const Split s = mesh.split(edge_between(mesh, 1, 2));
     mesh.set_position(VertexId{1}, {7, 8, 9});
@@ -407,7 +409,8 @@ TEST(MidpointNormal, TakesTheFaceNormalWhereTheEndsOpposeEachOther) {
     EXPECT_EQ(midpoint_normal(up, down, {0, 0, 0}), Vec3f(0.0f));
     EXPECT_EQ(midpoint_normal({}, {}, {0, 3, 0}), Vec3f(0, 1, 0));
     EXPECT_EQ(midpoint_normal({}, up, {0, 3, 0}), up);
-    // Ends that turn by `angle` have a sum of 2 cos(angle / 2): shorter than 0.1 beyond 174.27.
+    // Normals at `angle` to each other have a sum of length 2 cos(angle / 2), which is less than
+    // 0.1 beyond 174.27 degrees.
     const auto rotated = [](double degrees) {
         const double a = degrees * 3.14159265358979 / 180.0;
         return Vec3f{Vec3{std::sin(a), 0.0, std::cos(a)}};
@@ -418,7 +421,7 @@ TEST(MidpointNormal, TakesTheFaceNormalWhereTheEndsOpposeEachOther) {
 }
 
 TEST(Split, AddsTheFaceNormalOfItsOwnSideWhereEndNormalsCancel) {
-    // Opposed normals along the edge 2-3; the faces look along +z and along +x + z.
+    // Opposed normals at the ends of edge 2-3. The faces' normals are along +z and along +x + z.
     TriMesh mesh = mesh_of(
         "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 2 0.5 -1\nvn 0 1 0\nvn 0 -1 0\nvt 0 0\nvt 1 1\n"
         "f 1/1/1 2/1/1 3/1/2\nf 3/2/2 2/2/1 4/2/1\n");

@@ -20,7 +20,7 @@ TEST(RayTriangle, FindsThePointAndItsBarycentricCoordinates) {
     EXPECT_NEAR(hit->u + hit->v + hit->w, 1.0, 1e-15);
 }
 
-TEST(RayTriangle, TellsTheFrontFromTheBack) {
+TEST(RayTriangle, DistinguishesTheFrontFromTheBack) {
     for (const Vec3& from : {Vec3(0.5, 0.5, 3), Vec3(-2, 0.4, 1), Vec3(0.3, -3, 0.5)}) {
         const Ray ahead{from, Vec3(0.5, 0.5, 0) - from};
         const Vec3 below{from.x, from.y, -from.z};
@@ -32,7 +32,7 @@ TEST(RayTriangle, TellsTheFrontFromTheBack) {
     }
 }
 
-TEST(RayTriangle, IsNotMetBehindTheOriginBesideItOrEdgeOn) {
+TEST(RayTriangle, IsNotHitBehindTheOriginBesideItOrEdgeOn) {
     EXPECT_FALSE(intersect(Ray{.origin = Vec3(0.5, 0.5, -1)}, kA, kB, kC));
     EXPECT_FALSE(intersect(Ray{.origin = Vec3(1.5, 1.5, 1)}, kA, kB, kC));
     EXPECT_FALSE(intersect(Ray{Vec3(-1, 0.5, 0), Vec3(1, 0, 0)}, kA, kB, kC));
@@ -47,7 +47,7 @@ TEST(RayTriangle, AgreesWithThePointItWasAimedAt) {
         const Vec3 a = vector(), b = vector(), c = vector(), origin = 3.0 * vector();
         const Vec3 aim = (a + b + c) / 3.0;
         const auto hit = intersect(Ray{origin, aim - origin}, a, b, c);
-        if (!hit) continue;  // edge-on, by rounding
+        if (!hit) continue;  // edge-on, because of rounding
         EXPECT_NEAR(hit->t, 1.0, 1e-6);
         const double facing = glm::dot(glm::cross(b - a, c - a), origin - aim);
         if (std::abs(facing) > 1e-9) {
@@ -56,7 +56,7 @@ TEST(RayTriangle, AgreesWithThePointItWasAimedAt) {
     }
 }
 
-// A fan about a point: rays through its spokes and its middle must not slip between the triangles.
+// Rays through the edges and the centre of a fan must not pass between its triangles.
 TEST(RayTriangle, HitsSharedEdgesAndVerticesWithEveryRay) {
     std::mt19937 bits(6);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
@@ -98,7 +98,7 @@ TEST(RayBox, IsMissedBesideItAndBehindTheOrigin) {
     EXPECT_FALSE(intersect(Ray{Vec3(0), Vec3(1, 0, 0)}, Box{}));
 }
 
-TEST(RayBox, NeverHidesATriangleThatIsMet) {
+TEST(RayBox, IsHitByEveryRayThatHitsATriangleInIt) {
     std::mt19937 bits(7);
     std::uniform_real_distribution<double> unit(-1.0, 1.0);
     const auto vector = [&] { return Vec3{unit(bits), unit(bits), unit(bits)}; };
@@ -108,7 +108,7 @@ TEST(RayBox, NeverHidesATriangleThatIsMet) {
         c.z = b.z;
         Box box;
         for (const Vec3& p : {a, b, c}) box.include(p);
-        // Through an edge that lies in the box's face, or through a corner.
+        // The ray passes through an edge in a face of the box, or through a corner.
         const Ray ray{origin, (i % 2 == 0 ? 0.5 * (b + c) : a) - origin};
         const auto hit = intersect(ray, a, b, c);
         if (!hit) continue;

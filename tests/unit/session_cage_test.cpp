@@ -1,6 +1,7 @@
-// Cages fitted to the object: an affine map of all control points is that map of the object.
-// Source: linear precision of uniform B-splines; Bartels, Beatty & Barsky, An Introduction to
-// Splines for Use in Computer Graphics and Geometric Modeling, 1987.
+// Cages fitted to the object: an affine map of all control points maps the object by that map.
+// Source: linear precision of uniform B-splines; R. H. Bartels, J. C. Beatty, B. A. Barsky. An
+// Introduction to Splines for Use in Computer Graphics and Geometric Modeling. Morgan Kaufmann
+// 1987.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -45,7 +46,7 @@ LatticeField moved_by(const Lattice& lattice, const Affine& map) {
     return {lattice, std::move(displacements)};
 }
 
-// Of numbers of the size of the lattice and of what the map makes of them.
+// The rounding error of numbers as large as the lattice and its image.
 double rounding(const Lattice& lattice) {
     const Box zone = lattice.influenced_zone();
     return 1e-14 * (20.0 + glm::length(zone.min) + glm::length(zone.max)) * 4.0;
@@ -97,7 +98,7 @@ std::vector<Vec3> positions(const TriMesh& mesh) {
     return all;
 }
 
-// All control points, by the indices of scripts, moved by the map.
+// The command that moves all control points by the map.
 Control all_moved(const Lattice& cage, const Affine& map) {
     Control control;
     for (int k = cage.first_index().z; k <= cage.last_index().z; ++k) {
@@ -146,7 +147,7 @@ TEST(FittedCage, MovesEveryShapeByTheAffineMapOfItsControlPoints) {
     }
 }
 
-// The image of a control point beyond the box is the one beyond it on the other side.
+// The mirror image of a control point beyond the box is the one beyond the box on the other side.
 TEST(FittedCage, MovesBothSidesAlikeWithSymmetry) {
     Session session;
     expect_done(session, Shape{Shape::Kind::sphere, 3});
@@ -155,7 +156,7 @@ TEST(FittedCage, MovesBothSidesAlikeWithSymmetry) {
     expect_done(session, command::Symmetry{.plane = command::Symmetry::Plane::x});
     expect_done(session, Cage{Cage::Fit{{3, 1, 4}}});
     const Lattice cage = *session.lattice_settings().cage;
-    // Wider by half, sheared within the plane.
+    // The map widens the object by half and shears it within the plane.
     Affine map{.linear = {1.5, 0, 0, 0, 1, 0.25, 0, 0.5, 1}, .by = {0, 1, 2}};
     Control half = all_moved(cage, map);
     std::erase_if(half.points, [](const Control::Point& point) { return point.index.x > 1; });
@@ -184,7 +185,7 @@ TEST(FittedCage, NumbersTheLayersBeyondTheBoxFromMinusOne) {
     }
 }
 
-// A lattice that is given by its origin and cells can have such layers, too.
+// A cage that is given by its origin and cells can have layers beyond the box, too.
 TEST(Cage, WithMarginsIsTheFittedOneOfTheSameBox) {
     Session session;
     expect_done(session, Shape{Shape::Kind::cube, 2});

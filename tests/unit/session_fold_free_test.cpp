@@ -1,4 +1,4 @@
-// Fold-free drags of a whole object: where they end, what they refine, how they are recorded.
+// Fold-free drags of an object: their targets, refinement and recorded commands.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -90,8 +90,9 @@ TEST(FoldFreeSession, LeavesNoSelfIntersections) {
     }
 }
 
-// The cap of a cylinder, a fan of large flat triangles, pulled sideways and home again. It ends
-// nearly flat: only where it is refined by what happens in between does it follow.
+// The cap of a cylinder, a fan of large flat triangles, is pulled sideways and back. It is nearly
+// flat at the end, so it follows the deformation only if it is refined because of the steps in
+// between.
 TEST(FoldFreeSession, DoesNotIntersectTrianglesThatWereLongBetweenItsSteps) {
     for (const double radius : {0.65, 0.8}) {
         Session session;
@@ -111,7 +112,7 @@ TEST(FoldFreeSession, DoesNotIntersectTrianglesThatWereLongBetweenItsSteps) {
     }
 }
 
-// Out and home again by another way: nothing is long at the end, all was in between.
+// Out and back by another way: edges are long between the steps, and short at the end.
 TEST(FoldFreeSession, RefinesWhatIsLongBetweenItsSteps) {
     Session session = sphere(2, 0.6);
     expect_done(session, Adapt{.theta_max = Setting::off(), .flatness = Setting::off()});
@@ -127,7 +128,7 @@ TEST(FoldFreeSession, RefinesWhatIsLongBetweenItsSteps) {
     EXPECT_EQ(test::crossings(session.mesh()), 0u);
 }
 
-// Drags as a hand's are: out, round and elsewhere, where sheets come to lie close to each other.
+// Drags like those of a hand, which bring sheets of the surface close to each other.
 Drag wandering_drag(test::Random& random, int waypoints, bool goes_home) {
     Drag drag = fold_free(kFront);
     for (int i = 0; i < waypoints; ++i) {
@@ -139,14 +140,14 @@ Drag wandering_drag(test::Random& random, int waypoints, bool goes_home) {
     return drag;
 }
 
-// Refined by angle and length alone most of them end with triangles that cut.
+// With refinement by angle and length alone most of these drags end with self-intersections.
 TEST(FoldFreeSession, LeavesNoSelfIntersectionsAfterAWanderingDrag) {
     const std::uint64_t count = static_cast<std::uint64_t>(test::case_count(4));
     for (const int waypoints : {0, 1, 2}) {
         for (std::uint64_t seed = 1; seed <= count; ++seed) {
             test::Random random(seed);
             Session session = sphere(2 + static_cast<int>(seed % 3), 0.4 + 0.1 * double(seed % 4));
-            // Finer than the finest that sheets here are pressed to.
+            // Less than the distance between any two sheets here.
             expect_done(session, Adapt{.floor = Setting::of(1e-6)});
             expect_done(session, wandering_drag(random, std::max(1, waypoints), waypoints == 0));
             const Statistics statistics = session.statistics();
@@ -154,7 +155,7 @@ TEST(FoldFreeSession, LeavesNoSelfIntersectionsAfterAWanderingDrag) {
             EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
             EXPECT_EQ(statistics.needing_refinement, 0u) << waypoints << ", seed " << seed;
             EXPECT_FALSE(statistics.floor_hit);
-            // And so it stays.
+            // A readapt changes nothing.
             expect_done(session, command::Readapt{});
             EXPECT_EQ(session.statistics().last.splits, 0u) << waypoints << ", seed " << seed;
             EXPECT_EQ(test::crossings(session.mesh()), 0u) << waypoints << ", seed " << seed;
@@ -170,7 +171,7 @@ TEST(FoldFreeSession, ReportsSelfIntersectionsThatTheFloorLeaves) {
     EXPECT_GT(test::crossings(session.mesh()), 0u);
     EXPECT_NE(session.remark().find("lower the floor"), std::string::npos) << session.remark();
     EXPECT_TRUE(session.statistics().floor_hit);
-    // So it does at the budget, and where nothing is kept for its place.
+    // They are also reported at the budget, and without a flatness limit.
     expect_done(session, Undo{});
     expect_done(session, Adapt{.floor = Setting::automatic(), .budget = 1300});
     expect_done(session, wandering_drag(random, 2, false));
@@ -191,7 +192,8 @@ TEST(FoldFreeSession, RecordsWaypointsSoThatAScriptGivesTheSameBytes) {
                 expect_done(*session, command::Cage{command::Cage::Fit{{4, 4, 4}}});
             }
         }
-        for (Session* session : {&hand, &script}) {  // the bytes matter here, not the refinement
+        for (Session* session :
+             {&hand, &script}) {  // the test is about bytes, not about refinement
             expect_done(*session, Adapt{.floor = Setting::of(0.01)});
         }
         const TriMesh before = hand.mesh();
@@ -199,7 +201,7 @@ TEST(FoldFreeSession, RecordsWaypointsSoThatAScriptGivesTheSameBytes) {
         ASSERT_FALSE(hand.begin_drag(
             std::vector{kFront}, round % 2 == 0 ? std::vector<Vec3>{} : pins, {.fold_free = true}));
         Vec3 at = kFront;
-        // A cage ends, and against its border everything is pressed flat.
+        // Near the border of a cage everything is pressed flat, so the path is shorter.
         const double speed = is_cage ? 0.1 : 1.0;
         const Vec3 velocity = 0.06 * speed * random.direction();
         for (int frame = 0; frame < 25; ++frame) {
@@ -208,7 +210,7 @@ TEST(FoldFreeSession, RecordsWaypointsSoThatAScriptGivesTheSameBytes) {
             hand.drag_to(std::vector{at});
             EXPECT_EQ(hand.mesh().validate(), std::vector<std::string>{});
             if (frame == 20) {
-                const DragTarget rotated{at, Drag::Twist{{0, 0, 1}, 15.0}, 1.1};
+                const Move rotated{kFront, at, Twist{{0, 0, 1}, 15.0}, 1.1};
                 hand.drag_to(std::span(&rotated, 1));
             }
         }
@@ -228,7 +230,7 @@ TEST(FoldFreeSession, RecordsWaypointsSoThatAScriptGivesTheSameBytes) {
     }
 }
 
-TEST(FoldFreeSession, GivesEverythingBackWhereALongDragIsCancelled) {
+TEST(FoldFreeSession, RestoresEverythingWhenALongDragIsCancelled) {
     Session session = sphere(3, 0.4);
     const TriMesh before = session.mesh();
     ASSERT_FALSE(session.begin_drag(std::vector{kFront}, {}, {.fold_free = true}));
@@ -241,8 +243,8 @@ TEST(FoldFreeSession, GivesEverythingBackWhereALongDragIsCancelled) {
     expect_done(session, fold_free({0, 0, 1.3}));
 }
 
-// Along the border of a cage every step shears what is there already.
-TEST(FoldFreeSession, RefusesTheBorderOfACageBeforeRefinementHasNoEnd) {
+// Along the border of a cage every step shears the surface again.
+TEST(FoldFreeSession, RefusesTheBorderOfACageBeforeRefinementBecomesEndless) {
     for (std::uint64_t seed = 1; seed <= 4; ++seed) {
         test::Random random(seed);
         Session session = sphere(3, 0.4);
@@ -259,7 +261,7 @@ TEST(FoldFreeSession, RefusesTheBorderOfACageBeforeRefinementHasNoEnd) {
                 refused = *refusal;
             }
         }
-        if (seed != 2) {  // which stays away from it
+        if (seed != 2) {  // whose path stays away from the border
             EXPECT_NE(refused.find("100 times"), std::string::npos) << "seed " << seed;
         }
         session.end_drag();
@@ -268,7 +270,7 @@ TEST(FoldFreeSession, RefusesTheBorderOfACageBeforeRefinementHasNoEnd) {
     }
 }
 
-TEST(FoldFreeSession, KeepsTheFrameWhereTheNextIsRefused) {
+TEST(FoldFreeSession, KeepsTheFrameIfTheNextIsRefused) {
     Session session = sphere(3, 0.4);
     expect_done(session, command::Cage{command::Cage::Fit{{4, 4, 4}}});
     ASSERT_FALSE(session.begin_drag(std::vector{kFront}, {}, {.fold_free = true}));

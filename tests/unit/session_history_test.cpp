@@ -1,4 +1,4 @@
-// The memory that undo takes: counted whole, shown, and kept within the history command's limit.
+// The memory of the history: how it is counted and reported, and how the limit is kept.
 #include "session/history.h"
 
 #include <gtest/gtest.h>
@@ -42,7 +42,7 @@ constexpr double kInfinity = std::numeric_limits<double>::infinity();
 constexpr double kNotANumber = std::numeric_limits<double>::quiet_NaN();
 const std::vector<Vec3> kTips{{0, 1, 0}, {1, 0, 0}, {0, 0, 1}, {0, -1, 0}};
 
-// A sphere with a drag at each of four tips, and the mesh before and after each.
+// A sphere with a drag at each of four tips, and the meshes before and after each drag.
 struct FourDrags {
     FourDrags() {
         expect_done(session, Shape{Shape::Kind::sphere, 3});
@@ -53,7 +53,7 @@ struct FourDrags {
             bytes.push_back(session.history().memory_bytes());
         }
     }
-    // A limit that the last so many steps just keep.
+    // A limit that exactly the last `steps` steps fit into.
     command::History history_limit_for(std::size_t steps) const {
         const std::size_t gone = steps < 4 ? bytes[3 - steps] : 0;
         return megabytes(1e-6 * static_cast<double>(bytes[3] - gone) + 1e-9);
@@ -104,7 +104,7 @@ TEST(HistoryLimit, IsASettingThatTakesNoStepAndKeepsRedo) {
     expect_done(drags.session, drags.history_limit_for(3));
     EXPECT_EQ(drags.session.history().undo_count(), 1u);
     EXPECT_EQ(drags.session.history().redo_count(), 2u);
-    expect_done(drags.session, command::History{});  // leaves it as it is
+    expect_done(drags.session, command::History{});  // changes nothing
     EXPECT_TRUE(drags.session.history().limit());
     expect_done(drags.session, command::History{Setting::off()});
     EXPECT_FALSE(drags.session.history().limit());
@@ -124,7 +124,7 @@ TEST(HistoryLimit, KeepsEveryStepThatCanBeRedone) {
     EXPECT_TRUE(drags.session.mesh() == drags.after[2]);
     expect_done(drags.session, Redo{.count = 2});
     EXPECT_TRUE(drags.session.mesh() == drags.after[4]);
-    // The limit now applies to the steps that were redone; the newest one stays.
+    // The limit now applies to the steps that were redone. The newest one is kept.
     EXPECT_EQ(drags.session.history().undo_count(), 1u);
     EXPECT_EQ(drags.session.history().lost_undo_count(), 3u);
     expect_done(drags.session, Undo{});
@@ -165,7 +165,7 @@ TEST(HistoryLimit, StaysWithANewObjectWhoseHistoryIsWhole) {
     EXPECT_FALSE(contains(refusal_of(drags.session, Undo{}), "dropped"));
 }
 
-// The mesh then is as a step left it that is there no more.
+// The mesh is then the result of a step that was dropped.
 TEST(HistoryLimit, RemembersWhereTheLastDroppedStepHadStoppedShort) {
     Session session;
     expect_done(session, Shape{Shape::Kind::sphere, 3});
@@ -186,7 +186,7 @@ TEST(HistoryLimit, RemembersWhereTheLastDroppedStepHadStoppedShort) {
     EXPECT_FALSE(session.statistics().budget_hit) << "other settings forget it for good";
 }
 
-TEST(HistoryLimit, RefusesWhatIsNoAmountOfMemory) {
+TEST(HistoryLimit, RefusesInvalidAmountsOfMemory) {
     FourDrags drags;
     for (const Setting& wrong : {Setting::of(0.0), Setting::of(-1.0), Setting::of(kInfinity),
                                  Setting::of(kNotANumber), Setting::automatic()}) {
@@ -195,7 +195,7 @@ TEST(HistoryLimit, RefusesWhatIsNoAmountOfMemory) {
     }
     EXPECT_EQ(drags.session.history().limit(), History::kDefaultLimit);
     EXPECT_EQ(drags.session.history().undo_count(), 4u);
-    // More than can be counted is no limit.
+    // A limit beyond the range of integers means no limit.
     expect_done(drags.session, megabytes(1e300));
     EXPECT_FALSE(drags.session.history().limit());
 }
@@ -238,7 +238,7 @@ TEST(HistoryMemory, IsTheSumOfItsStepsWhateverHappensToThem) {
         history.add(std::move(step));
         EXPECT_EQ(history.memory_bytes(), expected);
     }
-    // As the meshes of a bake change places, which need not be of one size.
+    // This includes the exchanged meshes of a bake, which may differ in size.
     history.undo(1, [](History::Step& step) { step.change.faces.resize(5000); });
     expected += sizeof(FaceId) * (5000 - 30);
     EXPECT_EQ(history.memory_bytes(), expected);
@@ -256,7 +256,7 @@ TEST(HistoryMemory, IsTheSumOfItsStepsWhateverHappensToThem) {
     EXPECT_EQ(history.memory_bytes(), step_of(100).memory_bytes() + step_of(7).memory_bytes());
 }
 
-// The meshes that a bake exchanges need not be of one size, so undoing one may take more memory.
+// The meshes that a bake exchanges may differ in size, so undoing a bake may take more memory.
 TEST(HistoryMemory, MayExceedTheLimitWhileEverythingIsUndone) {
     History history;
     history.set_limit(3 * step_of(1000).memory_bytes());
@@ -274,7 +274,7 @@ TEST(HistoryMemory, MayExceedTheLimitWhileEverythingIsUndone) {
     EXPECT_EQ(history.step_number(), 4u);
 }
 
-TEST(HistoryMemory, IsAmongTheFiguresOfStats) {
+TEST(HistoryMemory, IsPartOfTheStatistics) {
     FourDrags drags;
     expect_done(drags.session, Undo{});
     const Statistics statistics = drags.session.statistics();

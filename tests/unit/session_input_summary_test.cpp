@@ -1,4 +1,4 @@
-// What was found in the input, as a sentence and as counts.
+// The findings in the input, as a sentence and as counts.
 #include "session/input_summary.h"
 
 #include <gtest/gtest.h>
@@ -13,9 +13,9 @@
 namespace pectin {
 namespace {
 
-TEST(InputSummary, IsEmptyWhereAllIsAsItShouldBe) {
+TEST(InputSummary, IsEmptyWithoutFindings) {
     EXPECT_EQ(input_summary("a.obj", {}), "");
-    // Quads and open borders are no news.
+    // Quads and open borders are not reported.
     EXPECT_EQ(input_summary("a.obj", {.triangulated_polygons = 7, .boundary_edges = 4}), "");
 }
 
@@ -27,7 +27,7 @@ TEST(InputSummary, IsOneSentenceThatBeginsWithTheFilesName) {
         "kept; 1 isolated vertex");
 }
 
-TEST(InputSummary, SaysFirstWhatWasDroppedAndWhereItStands) {
+TEST(InputSummary, BeginsWithWhatWasDroppedAndItsLine) {
     ReadReport read;
     read.missing_uvs.add(7, 3);
     read.undefined_colors.add(2);
@@ -47,7 +47,7 @@ TEST(InputSummary, ShowsControlCharactersOfTheFilesNameEscaped) {
               "\\x1B[2J\\x0A.obj: 1 isolated vertex");
 }
 
-TEST(InputSummary, TellsOfSeamsAndCrossingPolygonsInTheSingularAndThePlural) {
+TEST(InputSummary, ReportsSeamsAndCrossingPolygonsInSingularAndPlural) {
     EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 1, .seams = 1, .seam_edges = 4}),
               "a.obj: 1 polygon could not be triangulated exactly: it crosses itself or is far "
               "from flat; "

@@ -1,4 +1,4 @@
-// Models from and to files without a session.
+// Loading and saving models without a session.
 #include "session/model_file.h"
 
 #include <gtest/gtest.h>
@@ -68,7 +68,7 @@ void expect_rise_to_one(const std::vector<double>& fractions) {
     }
 }
 
-// Runs the work until it has come to `fraction`, where it is stopped. Whether it ended with that.
+// Runs the work and stops it at `fraction`. Returns whether it ended with that.
 template <typename Work>
 bool is_stopped_at(double fraction, Work work) {
     std::stop_source stop;
@@ -117,7 +117,7 @@ TEST_F(ModelFile, ProgressRisesToOne) {
     EXPECT_EQ(read("b.obj"), read("sphere.obj"));
 }
 
-TEST_F(ModelFile, LoadingEndsWhereverItIsStopped) {
+TEST_F(ModelFile, LoadingCanBeStoppedAnywhere) {
     const std::string file = sphere();
     for (double fraction : {0.0, 0.15, 0.3, 0.7}) {
         EXPECT_TRUE(is_stopped_at(fraction, [&](const Progress& p) { load_model({file}, p); }))
@@ -138,7 +138,7 @@ TEST_F(ModelFile, SavingThatIsStoppedLeavesTheFileAsItWasAndNoOther) {
     }
 }
 
-TEST_F(ModelFile, WhatIsNoModelIsAnErrorThatNamesIt) {
+TEST_F(ModelFile, LoadingAFileThatIsNoModelIsAnErrorThatNamesIt) {
     write("flat.obj", "v 0 0 0\nv 1 0 0\nf 1 2 1\n");
     try {
         load_model({path("flat.obj")});
@@ -164,7 +164,7 @@ TEST_F(ModelFile, SavedElsewhereHasItsMaterialFilesThere) {
     EXPECT_EQ(read("b/t.png"), kPicture + "pixels");
     EXPECT_EQ(session.remark(), "model.obj: material files copied: m.mtl, t.png");
     EXPECT_FALSE(session.has_failed_partly());
-    // From then on they are there as well, and the likelier for being saved later.
+    // From now on they are there as well, and the folder of the later save comes first.
     write("b/m.mtl", "map_Kd t.png\nmap_Ks u.png\n");
     fs::remove(path("b/t.png"));
     write("b/u.png", kPicture + "more");
@@ -174,12 +174,12 @@ TEST_F(ModelFile, SavedElsewhereHasItsMaterialFilesThere) {
     EXPECT_EQ(read("c/u.png"), kPicture + "more");
     EXPECT_EQ(session.remark(), "model.obj: material files copied: m.mtl, t.png, u.png")
         << "what one folder lacks and another has is not missing";
-    // Those of another object are not.
+    // The files of another object are not copied.
     ASSERT_FALSE(session.execute(command::Shape{}));
     EXPECT_TRUE(session.material_folders().empty());
 }
 
-TEST_F(ModelFile, SavedElsewhereSaysOfEachMaterialFileWhatBecameOfIt) {
+TEST_F(ModelFile, SavedElsewhereReportsOnEachMaterialFile) {
     for (const char* folder : {"a", "b", "a/.ssh"}) fs::create_directory(path(folder));
     write("a/model.obj",
           "mtllib m.mtl .ssh/k.mtl\nmtllib ../up.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
@@ -198,7 +198,7 @@ TEST_F(ModelFile, SavedElsewhereSaysOfEachMaterialFileWhatBecameOfIt) {
     EXPECT_FALSE(session.has_failed_partly()) << "nothing that should be copied was not";
 }
 
-TEST_F(ModelFile, IsSavedAlsoWhereItsMaterialFilesCannotBe) {
+TEST_F(ModelFile, IsSavedAlsoIfItsMaterialFilesCannotBe) {
     for (const char* folder : {"a", "b"}) fs::create_directory(path(folder));
     write("a/model.obj", "mtllib m/m.mtl other.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
     fs::create_directory(path("a/m"));

@@ -1,4 +1,4 @@
-// What the readapt command refines by length: everything where the user gave the length.
+// Where the readapt command refines by length. A length that the user sets applies everywhere.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -1,5 +1,5 @@
-// Sheets whose vertices coincide along a seam without being shared: drags move, refine and connect
-// them as one, and a save keeps them apart.
+// Sheets whose vertices coincide along a seam but are not shared. Drags move and refine them
+// together, and a save writes them unshared.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -40,7 +40,7 @@ IndexedFaceSet saved(const Session& session) {
     return parse_obj(format_obj(session.mesh()), "saved.obj");
 }
 
-// Distinct vertices on x = 0 that a polygon on this side of it uses.
+// The distinct vertices on x = 0 that polygons on this side use.
 std::vector<std::uint32_t> seam_vertices(const IndexedFaceSet& set, bool left) {
     std::vector<std::uint32_t> vertices;
     for (std::size_t p = 0; p < set.polygon_count(); ++p) {
@@ -141,7 +141,7 @@ TEST(SessionSeams, LineElementsOnThemAreDeformed) {
     EXPECT_GT(set.positions[4].z, 0.05);
 }
 
-TEST(SessionSeams, AFacetedSphereRefinesAsTheSharedOneDoes) {
+TEST(SessionSeams, AFacetedSphereRefinesLikeASmoothOne) {
     test::Random random(31);
     IndexedFaceSet sphere = make_shape(ShapeKind::sphere, 3);
     const std::string shared = format_obj(build_mesh(sphere).mesh);

@@ -1,4 +1,4 @@
-// Meshes of quads that are mirrored stay so under symmetric drags, whatever corner a face begins
+// Symmetric meshes of quads stay symmetric under symmetric drags, whatever corner a face begins
 // with.
 #include <gtest/gtest.h>
 
@@ -67,7 +67,7 @@ TEST(SymmetricQuads, TheTorusTheCylinderAndTheGridsStaySymmetricInEachAxis) {
             const auto faces = session.mesh().face_count();
             expect_done(session, command::Symmetry{.plane = planes[axis]});
             expect_done(session, command::Brush{.radius = 0.5});
-            // By angles alone: the border of the zone cuts through the cube's faces.
+            // Refined by angles alone, since the border of the zone crosses the faces of the cube.
             expect_done(session,
                         command::Adapt{.theta_max = Setting::of(12.0), .l_max = Setting::off()});
             expect_done(session, Drag{.moves = {{c.from, c.to}}});
@@ -78,8 +78,8 @@ TEST(SymmetricQuads, TheTorusTheCylinderAndTheGridsStaySymmetricInEachAxis) {
     }
 }
 
-// A grid of quads over x >= 0 with random heights, and its image; faces of the image begin with any
-// corner. Every coordinate is exact, or rounded as files round it.
+// A grid of quads over x >= 0 with random heights, and its mirror image, whose faces begin with any
+// corner. The coordinates are exact, or rounded as in a file.
 std::string mirrored_grid(test::Random& random) {
     const int columns = random.integer(2, 5), rows = random.integer(2, 6);
     const bool is_regular = random.chance(0.3), mirrors_order = random.chance(0.5);

@@ -88,8 +88,8 @@ TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverFortyDrags) {
     }
 }
 
-// By angle, so that what needs refinement does not depend on the zone; so much at a time that it
-// goes in lanes.
+// Refined by angle, so that refinement does not depend on the zone. So many edges are split at once
+// that they are divided into partitions.
 TEST(SymmetricSession, KeepsALargeMeshSymmetricWhereThousandsAreSplit) {
     Session session = session_with(Shape::Kind::sphere, 5, 1.6);
     expect_done(session, Adapt{.theta_max = Setting::of(1.5)});
@@ -191,7 +191,7 @@ TEST(ConnectedDrag, DoesNotMoveADisconnectedSheetWithinTheRadius) {
         EXPECT_TRUE(session.mesh() == before);
         expect_done(session, Redo{});
         EXPECT_TRUE(session.mesh() == after);
-        // Without it the lower sheet follows.
+        // Without `connected` the lower sheet moves, too.
         expect_done(session, Undo{});
         expect_done(session, Drag{.moves = drag.moves});
         double highest = 0.0;
@@ -241,9 +241,9 @@ TEST(TwistedSession, RotatesAndScalesTheSurfaceAtThePoint) {
     }
 }
 
-// --- What is shown of a drag
+// --- Lattices for display
 
-// The lattices that the window draws are those that move the object: turned, and on both sides.
+// The lattices that the window draws are those that move the object, on both sides.
 TEST(ActiveLattices, MoveTheSurfaceAsTheFrameDid) {
     for (const double x : {0.0, 0.1, 0.9}) {
         Session session = session_with(Shape::Kind::sphere, 4, 0.6);
@@ -254,8 +254,8 @@ TEST(ActiveLattices, MoveTheSurfaceAsTheFrameDid) {
         const Vec3 from{x, 0, std::sqrt(1.0 - x * x)};
         ASSERT_FALSE(session.begin_drag(std::array{from}, std::array{Vec3{0.3, 0.3, 0.9}}));
         const Vec3 axis = x == 0.0 ? Vec3{1, 0, 0} : Vec3{1, 2, 3};
-        const DragTarget target{from + Vec3{0, 0.1, 0.2}, Drag::Twist{axis, 40.0}, 1.2};
-        ASSERT_FALSE(session.drag_to(std::array{target}));
+        const Move move{from, from + Vec3{0, 0.1, 0.2}, Twist{axis, 40.0}, 1.2};
+        ASSERT_FALSE(session.drag_to(std::array{move}));
         const std::vector<LatticeField> fields = session.active_lattices();
         EXPECT_EQ(fields.size(), x == 0.1 ? 2u : 1u) << x;
         const std::vector<Vec3> after = positions(session.mesh());
@@ -287,7 +287,7 @@ TEST(ActiveLattices, OfAControlPointDragAreTheCage) {
 
 const Cage kCage{Cage::Grid{.origin = Vec3{-1.0}, .cell = Vec3{1.0}, .deformable = {3, 3, 3}}};
 
-TEST(ControlPoints, DeformByTheGeneralFieldAndComeBackToTheByte) {
+TEST(ControlPoints, DeformByTheLatticeFieldAndAreUndoneByteForByte) {
     Session session = session_with(Shape::Kind::sphere, 3, 0.5);
     expect_done(session, Adapt{.enabled = false});
     expect_done(session, kCage);
@@ -329,7 +329,7 @@ TEST(ControlPoints, RefineAdaptivelyAndEndFramesWithTheBytesOfTheCommand) {
     EXPECT_EQ(hand.statistics().last.steps, 1u);
     expect_done(script, std::get<Command>(parse_command(format_command(*control))));
     EXPECT_TRUE(hand.mesh() == script.mesh());
-    // The cage may be fitted anew and used again, the surface being what it is now.
+    // The cage can be fitted again to the deformed surface.
     expect_done(hand, Cage{Cage::Fit{{4, 2, 3}}});
     expect_done(hand, Control{{{{3, 1, 2}, {3, 2, 1}}}});
     expect_done(hand, Undo{2});
@@ -337,7 +337,7 @@ TEST(ControlPoints, RefineAdaptivelyAndEndFramesWithTheBytesOfTheCommand) {
     hand.cancel_drag();
 }
 
-TEST(ControlPoints, CountFoldsAndDoNothingWhereTheyStay) {
+TEST(ControlPoints, CountFoldsAndDoNothingIfTheyDoNotMove) {
     Session session = session_with(Shape::Kind::sphere, 3, 0.5);
     expect_done(session, kCage);
     expect_done(session, Control{{{{1, 1, 1}, {0, 0, 0}}}});
@@ -346,7 +346,7 @@ TEST(ControlPoints, CountFoldsAndDoNothingWhereTheyStay) {
     EXPECT_GT(session.statistics().folded_vertices, 0u);
 }
 
-TEST(ControlPoints, AreSymmetricWhereTheCageIs) {
+TEST(ControlPoints, AreSymmetricIfTheCageIs) {
     Session session = session_with(Shape::Kind::sphere, 3, 0.5);
     expect_done(session, kCage);
     expect_done(session, command::Symmetry{.plane = Plane::x});
@@ -361,7 +361,7 @@ TEST(ControlPoints, AreSymmetricWhereTheCageIs) {
     EXPECT_TRUE(contains(refusal_of(session, Control{{{{1, 1, 1}, {1, 1, 2}}}}), "mirror image"));
 }
 
-TEST(ControlPoints, ThatAreNotThereAreRefused) {
+TEST(ControlPoints, ThatDoNotExistAreRefused) {
     Session session = session_with(Shape::Kind::sphere, 2, 0.5);
     EXPECT_TRUE(contains(refusal_of(session, Control{{{{0, 0, 0}, {0, 0, 0}}}}), "cage command"));
     expect_done(session, kCage);
@@ -371,6 +371,25 @@ TEST(ControlPoints, ThatAreNotThereAreRefused) {
         refusal_of(session, Control{{{{0, 0, 0}, {0, 0, 0}}, {{0, 0, 0}, {1, 0, 0}}}}), "once"));
     EXPECT_FALSE(refusal_of(session, Control{}).empty());
     EXPECT_FALSE(refusal_of(session, Control{{{{0, 0, 0}, {1e30, 0, 0}}}}).empty());
+}
+
+// Mirror images of lattices at such a plane are beyond what numbers hold.
+TEST(SymmetricSession, RefusesToDragWithAPlaneAMillionTimesTheSizeOfTheObjectAway) {
+    for (const double at : {1e9, -1e9, 1e300}) {
+        SCOPED_TRACE(at);
+        Session session;
+        ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::sphere, 1}));
+        const TriMesh before = session.mesh();
+        ASSERT_FALSE(session.execute(
+            command::Symmetry{.plane = command::Symmetry::Plane::y, .through = Vec3{at}}));
+        for (const bool fold_free : {false, true}) {
+            const auto refusal = session.execute(
+                command::Drag{.moves = {{Vec3{0, 0, 1}, Vec3{0, 0, 1.5}}}, .fold_free = fold_free});
+            ASSERT_TRUE(refusal.has_value());
+            EXPECT_NE(refusal->find("the symmetry plane"), std::string::npos) << *refusal;
+            EXPECT_TRUE(session.mesh() == before);
+        }
+    }
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// A session as its users see it: steps, settings, refusals and figures.
+// The interface of a session: steps, settings, refusals and statistics.
 #include "session/session.h"
 
 #include <gtest/gtest.h>
@@ -29,7 +29,7 @@ void expect_done(Session& session, const Command& command) {
     EXPECT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
 }
 
-// The refusal, having changed nothing.
+// Expects that the command is refused and changes nothing, and returns the refusal.
 std::string refusal_of(Session& session, const Command& command) {
     const TriMesh before = session.mesh();
     const auto refusal = session.execute(command);
@@ -98,7 +98,7 @@ TEST(Session, RefusesToUndoOrRedoMoreThanThereIs) {
     expect_done(session, Redo{});
 }
 
-TEST(Session, DropsRedoByANewStepButNotBySettingsFiguresAndFiles) {
+TEST(Session, DropsRedoByANewStepButNotBySettingsStatisticsAndFiles) {
     Session session = sphere();
     expect_done(session, drag(kTop, {0, 0.1, 0}));
     const TriMesh dragged = session.mesh();
@@ -113,8 +113,8 @@ TEST(Session, DropsRedoByANewStepButNotBySettingsFiguresAndFiles) {
     std::filesystem::remove_all(folder);
     EXPECT_GT(session.statistics().faces, 0u);
     EXPECT_FALSE(refusal_of(session, drag({9, 9, 9}, {0, 0.1, 0})).empty());
-    expect_done(session, drag(kTop, Vec3{0.0}));  // no step either
-    // The stored result, though the settings would now make another.
+    expect_done(session, drag(kTop, Vec3{0.0}));  // adds no step
+    // Redo restores the stored result, although the present settings would give another one.
     expect_done(session, Redo{});
     EXPECT_TRUE(session.mesh() == dragged);
     expect_done(session, Undo{});
@@ -180,7 +180,7 @@ TEST(Session, GivesTheSameBytesForTheSameCommands) {
     EXPECT_EQ(format_obj(once.mesh()), format_obj(again.mesh()));
 }
 
-TEST(Session, MayMoveWhileItHoldsAnObject) {
+TEST(Session, CanBeMovedWithAnObject) {
     Session session = sphere();
     expect_done(session, drag(kTop, {0, 0.1, 0}));
     Session other = std::move(session);
@@ -192,14 +192,14 @@ TEST(Session, MayMoveWhileItHoldsAnObject) {
 
 // --- Refusals
 
-TEST(Session, RefusesWhatNeedsAnObjectWithoutOne) {
+TEST(Session, RefusesCommandsThatNeedAnObjectWithoutOne) {
     Session session;
     EXPECT_TRUE(contains(refusal_of(session, drag(kTop, {0, 1, 0})), "no object"));
     EXPECT_TRUE(contains(refusal_of(session, Readapt{}), "no object"));
     EXPECT_TRUE(contains(refusal_of(session, Cage{Cage::Fit{{2, 2, 2}}}), "no object"));
     EXPECT_TRUE(contains(refusal_of(session, command::Save{"/nowhere/a.obj"}), "no object"));
     EXPECT_TRUE(contains(refusal_of(session, command::Stats{"/nowhere/a.json"}), "no object"));
-    expect_done(session, Cage{Cage::Grid{Vec3{0.0}, Vec3{1.0}, {2, 2, 2}}});  // needs none
+    expect_done(session, Cage{Cage::Grid{Vec3{0.0}, Vec3{1.0}, {2, 2, 2}}});  // needs no object
 }
 
 TEST(Session, RefusesADragWithoutMoves) {
@@ -208,7 +208,7 @@ TEST(Session, RefusesADragWithoutMoves) {
     EXPECT_TRUE(contains(refusal_of(session, Drag{.pins = {kTop}}), "at least one"));
 }
 
-TEST(Session, RefusesDragsBeyondReason) {
+TEST(Session, RefusesExtremelyLongDrags) {
     Session session = sphere();
     EXPECT_TRUE(contains(refusal_of(session, drag(kTop, {0, 1e8, 0})), "million times"));
     EXPECT_TRUE(contains(refusal_of(session, drag(kTop, {0, 1e308, 0})), "million times"));
@@ -245,7 +245,7 @@ TEST(Session, RefusesThetaMinThatIsNotBelowThetaMaxAlsoAcrossCommands) {
     EXPECT_FALSE(
         refusal_of(session, Adapt{.theta_max = Setting::of(10.0), .theta_min = Setting::of(10.0)})
             .empty());
-    // With theta_max off, there is nothing to be below.
+    // With theta_max off there is no upper bound.
     expect_done(session, Adapt{.theta_max = Setting::off(), .theta_min = Setting::of(40.0)});
 }
 
@@ -283,11 +283,11 @@ TEST(Session, RefusesBrushesWithoutUsableSize) {
         EXPECT_TRUE(contains(refusal_of(session, Brush{.span = span}), "span"));
     }
     EXPECT_FALSE(refusal_of(session, Brush{.radius = 0.5, .span = 0}).empty());
-    expect_done(session, drag(kTop, {0, 0.1, 0}));  // by the brush as it was
+    expect_done(session, drag(kTop, {0, 0.1, 0}));  // with the unchanged brush
     EXPECT_NEAR(session.lattice_in_use()->influenced_zone().max.x, 0.25 * std::sqrt(12.0), 1e-12);
 }
 
-TEST(Session, AsksForABrushWhereTheObjectHasNoSize) {
+TEST(Session, AsksForABrushIfTheObjectHasNoSize) {
     const auto path = std::filesystem::path(testing::TempDir()) / "pectin point.obj";
     std::ofstream(path) << "v 1 2 3\nv 1 2 3\nv 1 2 3\nf 1 2 3\n";
     Session session;
@@ -302,7 +302,7 @@ TEST(Session, AsksForABrushWhereTheObjectHasNoSize) {
     expect_done(session, Cage{Cage::Fit{{2, 2, 2}}});
 }
 
-TEST(Session, KeepsTheObjectWhereAFileCannotBeOpened) {
+TEST(Session, KeepsTheObjectIfAFileCannotBeOpened) {
     Session session = sphere();
     expect_done(session, drag(kTop, {0, 0.1, 0}));
     const TriMesh before = session.mesh();
@@ -314,7 +314,7 @@ TEST(Session, KeepsTheObjectWhereAFileCannotBeOpened) {
 
 // --- Lattices
 
-TEST(Session, FitsACageAboutTheObjectAndGoesBackToTheBrush) {
+TEST(Session, FitsACageAroundTheObjectAndReturnsToTheBrush) {
     Session session = sphere();
     expect_done(session, Cage{Cage::Fit{{3, 5, 2}}});
     expect_done(session, drag(kTop, {0, 0.1, 0}));
@@ -322,7 +322,7 @@ TEST(Session, FitsACageAboutTheObjectAndGoesBackToTheBrush) {
     EXPECT_EQ(cage.counts(), IVec3(3, 5, 2));
     EXPECT_NEAR(glm::distance(cage.rest({1, 1, 1}), Vec3{-1.0}), 0.0, 1e-15);
     EXPECT_NEAR(glm::distance(cage.rest({3, 5, 2}), Vec3{1.0}), 0.0, 1e-15);
-    // It stays where it was set, whatever becomes of the object.
+    // The cage stays where it is when the object changes.
     expect_done(session, drag({1, 0, 0}, {0.1, 0, 0}));
     EXPECT_EQ(*session.lattice_in_use(), cage);
     expect_done(session, Brush{.radius = 0.5});
@@ -357,7 +357,7 @@ TEST(Session, BringsDraggedPointsToTheirTargetsAndHoldsPins) {
     EXPECT_LT(glm::distance(mesh.position(x), Vec3(1, 0, 0)), 1e-6);
 }
 
-// With such a lattice a twist gave positions that are no numbers.
+// With such a lattice a twist once gave positions that were not finite.
 TEST(Session, RefusesALatticeAMillionTimesTheSizeOfTheObject) {
     const Drag twist{
         .moves = {{.from = kTop, .to = kTop, .twist = Drag::Twist{{0.0, 0.0, 1.0}, 20.0}}}};
@@ -397,7 +397,7 @@ TEST(Session, EndsADragOfFramesWithTheBytesOfOneCommand) {
     EXPECT_TRUE(hand.mesh() == sphere().mesh());
 }
 
-TEST(Session, GivesEverythingBackWhereADragIsCancelledOrComesHome) {
+TEST(Session, RestoresEverythingIfADragIsCancelledOrReturns) {
     Session session = sphere();
     expect_done(session, drag({1, 0, 0}, {0.3, 0, 0}));
     const TriMesh before = session.mesh();
@@ -420,7 +420,7 @@ TEST(Session, GivesEverythingBackWhereADragIsCancelledOrComesHome) {
     EXPECT_FALSE(refusal_of(session, Undo{}).empty());
 }
 
-// --- Figures
+// --- Statistics
 
 double smallest_angle_deg(const TriMesh& mesh) {
     double smallest = 180.0;
@@ -479,7 +479,7 @@ void expect_figures_of_the_mesh(const Session& session) {
     EXPECT_GT(s.memory_bytes, 100 * s.vertices);
 }
 
-TEST(Session, ReportsFiguresThatAScanOfTheMeshGives) {
+TEST(Session, ReportsStatisticsThatAScanOfTheMeshGives) {
     for (const Shape::Kind kind : {Shape::Kind::sphere, Shape::Kind::cube, Shape::Kind::cylinder}) {
         Session session;
         expect_done(session, shape(kind, 3));
@@ -551,7 +551,7 @@ TEST(Session, BakesAsAStepThatUndoAndRedoExchange) {
     EXPECT_EQ(format_obj(baked), format_obj(refined));
     EXPECT_EQ(session.statistics().needing_refinement, 0u);
     EXPECT_TRUE(session.take_dirty().everything);
-    // Nothing is left to thin, and sculpting goes on from here.
+    // Nothing can be decimated now, and sculpting continues from here.
     expect_done(session, Adapt{.theta_max = Setting::off(), .l_max = Setting::off()});
     expect_done(session, Readapt{});
     EXPECT_TRUE(session.mesh() == baked);
@@ -565,7 +565,7 @@ TEST(Session, BakesAsAStepThatUndoAndRedoExchange) {
     EXPECT_TRUE(session.mesh() == dragged);
 }
 
-TEST(Session, TakesNoStepForABakeOfWhatIsBase) {
+TEST(Session, TakesNoStepForABakeOfABaseMesh) {
     Session session = sphere();
     expect_done(session, command::Bake{});
     EXPECT_EQ(session.undo_count(), 0u);
@@ -606,7 +606,7 @@ TEST(Session, CountsAngleOf180DegreesOrMoreAsOff) {
     }
 }
 
-TEST(Session, SaysThatTheBudgetWasHitAndHoldsBackWhatItCouldNotSplit) {
+TEST(Session, ReportsThatTheBudgetWasHitAndWhatItHeldBack) {
     Session session = sphere();
     const std::uint32_t faces = session.mesh().face_count();
     expect_done(session, Adapt{.theta_max = Setting::of(1.0), .budget = faces + 100});
@@ -617,7 +617,7 @@ TEST(Session, SaysThatTheBudgetWasHitAndHoldsBackWhatItCouldNotSplit) {
     EXPECT_GT(s.held_back, 0u);
     EXPECT_LE(s.faces, faces + 100u);
     EXPECT_GE(s.faces, faces + 99u);
-    // Until the settings or a drag change, refinement stays off.
+    // Refinement stays off until the next drag or change of settings.
     expect_done(session, Readapt{});
     EXPECT_EQ(session.statistics().last.splits, 0u);
     EXPECT_TRUE(session.statistics().budget_hit);
@@ -656,7 +656,7 @@ TEST(Session, ForgetsABudgetHitForGoodOnceTheSettingsChange) {
     EXPECT_GT(session.statistics().last.splits, 0u);
 }
 
-TEST(Session, SaysThatTheFloorWasHitAndHoldsBackWhatIsTooShort) {
+TEST(Session, ReportsThatTheFloorWasHitAndWhatItHeldBack) {
     Session session = sphere();
     expect_done(session, Adapt{.theta_max = Setting::of(2.0), .floor = Setting::of(0.05)});
     expect_done(session, drag(kTop, {0, 0.4, 0}));

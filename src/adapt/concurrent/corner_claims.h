@@ -1,4 +1,4 @@
-// Which of several lanes of edits may touch a vertex of an active set.
+// Which partition of concurrent edits may change the surroundings of a vertex.
 #pragma once
 
 #include <algorithm>
@@ -13,14 +13,21 @@
 
 namespace pectin {
 
-// A split or unsplit changes its faces and what names them: all of that has its four corners in
-// common with it. So lanes that have no corner in common may edit the mesh at the same time.
+//          a
+//         /|\        A split of bc, or the unsplit of m, changes these faces and what refers to
+//         them.
+//        / | \       All of that has one of the corners a, b, c and d. So partitions whose edits
+//        have
+//       b--m--c      no corner in common may edit the mesh at the same time. Corners are claimed
+//        \ | /       before the edits.
+//         \|/
+//          d
 class CornerClaims {
   public:
     using PartitionIndex = std::uint8_t;
     using Corners = std::array<std::uint32_t, 4>;  // vertex entries of an active set
 
-    // None if one of them has no entry.
+    // The entries of four corners; none if one of them is not in the active set.
     static std::optional<Corners> corners(const ActiveSet& active,
                                           const std::array<VertexId, 4>& vertices) {
         Corners found{};
@@ -32,12 +39,15 @@ class CornerClaims {
         return found;
     }
 
-    // For so many entries, none of which is anybody's then. O(entries).
+    // Prepares for this many entries; nobody owns any of them. Cost: O(entries).
     void begin(std::size_t entries) { owners_.assign(entries, kUnowned); }
     std::size_t entries() const { return owners_.size(); }
 
-    // --- Several threads may do the same of these at a time. O(1). Either claim, then
-    // are_owned_by: the lowest lane that has claimed a corner has it, whichever thread came first.
+    // --- In each of two protocols, several threads may make the same call at the same time.
+    // Cost: O(1).
+
+    // First protocol: all claim(), then all ask are_owned_by(). A corner belongs to the partition
+    // with the lowest index that claimed it, whichever thread came first.
     void claim(const Corners& corners, PartitionIndex partition) {
         const PartitionIndex own = mark_of(partition);
         for (std::uint32_t corner : corners) {
@@ -52,7 +62,8 @@ class CornerClaims {
         return std::ranges::all_of(
             corners, [&](std::uint32_t corner) { return owners_[corner] == mark_of(partition); });
     }
-    // Or the first to come has it. Whether all are the lane's; if not, some may have become so.
+    // Second protocol: a corner belongs to the partition that comes first. Returns whether all
+    // corners belong to this partition; if not, it may own some of them all the same.
     bool try_claim(const Corners& corners, PartitionIndex partition) {
         const PartitionIndex own = mark_of(partition);
         return std::ranges::all_of(corners, [&](std::uint32_t corner) {
@@ -75,7 +86,7 @@ class CornerClaims {
         return static_cast<PartitionIndex>(partition + 1);
     }
 
-    std::vector<PartitionIndex> owners_;  // of the entries
+    std::vector<PartitionIndex> owners_;  // for each entry: partition index + 1, or kUnowned
 };
 
 }  // namespace pectin

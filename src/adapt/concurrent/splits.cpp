@@ -6,22 +6,58 @@
 
 namespace pectin {
 
-void ConcurrentSplits::split(const RefinementQueue::Entries& next) {
+ConcurrentSplits::Result ConcurrentSplits::split(const RefinementQueue::Batch& batch,
+                                                 RefinementQueue& queue) {
     const std::size_t entries = active_.vertex_entries();
     if (claims_.entries() < entries) claims_.begin(2 * entries);
     chosen_.resize(active_.edges().size(), 0);
     for (std::size_t i = 0; i < partitions_.size(); ++i) {
         partitions_[i].number = static_cast<CornerClaims::PartitionIndex>(i);
-        partitions_[i].edges = next.partitions[i];
+        partitions_[i].edges = batch.partitions[i];
     }
     for_each_concurrently(
-        partitions_, [&](Partition& partition) { collect_candidates(partition, next.octave); });
+        partitions_, [&](Partition& partition) { collect_candidates(partition, batch.octave); });
     for_each_concurrently(partitions_, [&](Partition& partition) { choose(partition); });
     allocate(assign_slots());
     for_each_concurrently(partitions_, [&](Partition& partition) {
         split_chosen(partition);
         release(partition);
     });
+    const bool floor_hit = queue_needed(queue);
+    defer(queue, batch.octave);
+    return {slots_.ids.size(), floor_hit, deferred_};
+}
+
+// Returns whether the floor keeps one of the edges from being split.
+bool ConcurrentSplits::queue_needed(RefinementQueue& queue) const {
+    bool floor_hit = false;
+    for (const Partition& partition : partitions_) {
+        for (const auto& [edge, octave] : partition.needed) {
+            if (octave == EdgeClassifier::kBelowFloor) {
+                floor_hit = true;
+            } else {
+                queue.push(edge, octave, partition.number);
+            }
+        }
+    }
+    return floor_hit;
+}
+
+void ConcurrentSplits::defer(RefinementQueue& queue, std::size_t octave) {
+    const bool again = accepted_most();
+    for (const Partition& partition : partitions_) {
+        PendingSplits& deferred = deferred_[partition.number];
+        deferred.partition = partition.number;
+        deferred.splits.clear();
+        for (const Candidate& candidate : partition.candidates) {
+            if (candidate.accepted) continue;
+            if (again) {
+                queue.push(candidate.edge, octave, partition.number);
+            } else {
+                deferred.splits.push_back({candidate.edge, candidate.end});
+            }
+        }
+    }
 }
 
 bool ConcurrentSplits::accepted_most() const {
@@ -33,7 +69,7 @@ bool ConcurrentSplits::accepted_most() const {
     return 2 * accepted > total;
 }
 
-// --- Which edges go
+// --- Choosing edges
 
 void ConcurrentSplits::collect_candidates(Partition& partition, std::size_t octave) {
     partition.candidates.clear();
@@ -45,6 +81,13 @@ void ConcurrentSplits::collect_candidates(Partition& partition, std::size_t octa
     }
 }
 
+//          a
+//         / \        All that a split of bc changes has one of the corners a, b, c and d in common
+//        /   \       with it. Edges whose corners are disjoint can be split at the same time.
+//       b-----c
+//        \   /
+//         \ /
+//          d
 ConcurrentSplits::Candidate ConcurrentSplits::candidate(EdgeId e) const {
     const TriMesh& mesh = active_.mesh();
     const HalfEdgeId h = mesh.half_edge(e), twin = mesh.twin(h);
@@ -57,7 +100,8 @@ ConcurrentSplits::Candidate ConcurrentSplits::candidate(EdgeId e) const {
     return found;
 }
 
-// What waits for one that comes later in the lane goes after it.
+// Accepts edges in the order of the partition. An edge that has to wait for a later one is tried
+// again after it.
 void ConcurrentSplits::choose(Partition& partition) {
     partition.order.clear();
     std::size_t before = 0;
@@ -81,13 +125,13 @@ bool ConcurrentSplits::is_chosen(EdgeId e) const {
     return entry && chosen_[*entry] != 0;
 }
 
-// Whether no edge of its faces will have to go before it, once those chosen so far have been split.
+// Whether no edge of e's faces precedes e once the edges chosen so far have been split.
 bool ConcurrentSplits::may_split_now(EdgeId e) {
-    if (is_chosen(e)) return false;  // comes again
-    return limits_.symmetry ? both_faces_allow<RestEdge>(e) : both_faces_allow<double>(e);
+    if (is_chosen(e)) return false;  // the batch has e twice
+    return is_symmetric_ ? both_faces_allow<RestEdge>(e) : both_faces_allow<double>(e);
 }
 
-// Edge: where there is no symmetry, a length tells all of it.
+// Edge: RestEdge with symmetry. Without it the length is enough and is much faster.
 template <typename Edge>
 bool ConcurrentSplits::both_faces_allow(EdgeId e) {
     const Edge own = rest_edge<Edge>(e);
@@ -104,7 +148,8 @@ bool ConcurrentSplits::face_allows(HalfEdgeId h, const Edge& own) {
         return order_.fits_beside(rest_edge<Edge>(next), own) &&
                order_.fits_beside(rest_edge<Edge>(prev), own);
     }
-    // The face at h has half of the one that goes first then, and its spoke; it may be either.
+    // Once `split` has been split at m, e's face consists of e, half of `split` from `near` to m,
+    // and the edge from `apex` to m. If both neighbours are chosen, either may be split first.
     const auto fits = [&](EdgeId split, VertexId near, VertexId apex) {
         const Vec3 m = rest_midpoint(split);
         const double half = 0.5 * static_cast<double>(active_.cached_rest_length(split)),
@@ -126,7 +171,7 @@ Edge ConcurrentSplits::rest_edge(EdgeId e) {
     }
 }
 
-// Of an edge that will be there: from v to the midpoint m.
+// The edge from v to the midpoint m, which does not exist yet.
 template <typename Edge>
 Edge ConcurrentSplits::edge_to_midpoint(double length, VertexId v, const Vec3& m) const {
     if constexpr (std::is_same_v<Edge, RestEdge>) {
@@ -142,9 +187,10 @@ Vec3 ConcurrentSplits::rest_midpoint(EdgeId e) const {
            0.5 * active_.rest_position(active_.mesh().target(h));
 }
 
-// --- Splitting them
+// --- Splitting the chosen edges
 
-// Gives the lanes their places, one after another; how many there are.
+// Gives each partition a range of the slots to be reserved and returns their number. Where levels
+// or the budget do not allow all splits, all edges are deferred.
 std::uint32_t ConcurrentSplits::assign_slots() {
     std::uint32_t count = 0;
     for (Partition& partition : partitions_) {
@@ -152,13 +198,12 @@ std::uint32_t ConcurrentSplits::assign_slots() {
         count += static_cast<std::uint32_t>(partition.order.size());
     }
     const TriMesh& mesh = active_.mesh();
-    if (mesh.has_levels_for(count) && mesh.face_count() + std::size_t{2} * count <= limits_.budget)
+    if (mesh.has_levels_for(count) && mesh.face_count() + std::size_t{2} * count <= budget_)
         return count;
     for (Partition& partition : partitions_) defer_all(partition);
     return 0;
 }
 
-// All of it has to be looked at one by one.
 void ConcurrentSplits::defer_all(Partition& partition) {
     release(partition);
     for (Candidate& candidate : partition.candidates) candidate.accepted = false;
@@ -169,7 +214,7 @@ void ConcurrentSplits::allocate(std::uint32_t count) {
     embedding_.reserve_splits(count);
     for (Partition& partition : partitions_) {
         partition.inserted.reserve(partition.order.size());
-        partition.made.reserve(EdgeClassifier::kMaxNeeded * partition.order.size());
+        partition.needed.reserve(EdgeClassifier::kMaxNeeded * partition.order.size());
         partition.scratch.resize(embedding_.scratch_size());
     }
     active_.allocate_splits(count, slots_);
@@ -183,14 +228,15 @@ void ConcurrentSplits::split_chosen(Partition& partition) {
             active_.concurrent_split(partition.order[i], slots_, partition.first + i));
     }
     embedding_.embed_inserted(partition.inserted, partition.scratch);
-    partition.made.clear();
+    partition.needed.clear();
     for (const ActiveSet::Inserted& made : partition.inserted) {
-        classifier_.classify_one_ring(
-            made, [&](EdgeId e, std::uint16_t octave) { partition.made.emplace_back(e, octave); });
+        classifier_.classify_one_ring(made, [&](EdgeId e, std::uint16_t octave) {
+            partition.needed.emplace_back(e, octave);
+        });
     }
 }
 
-// Whose its corners are and what it has chosen.
+// Clears the partition's claims and its marks in chosen_ for the next call.
 void ConcurrentSplits::release(Partition& partition) {
     for (const Candidate& candidate : partition.candidates) {
         if (candidate.accepted) chosen_[*active_.entry_of(candidate.edge)] = 0;

@@ -1,4 +1,4 @@
-// Splitting many edges on several threads.
+// Splits many edges on several threads.
 #pragma once
 
 #include <array>
@@ -17,11 +17,15 @@
 
 namespace pectin {
 
-// Edges come in lanes. What is split in different lanes has no corner of its faces in common, so
-// that lanes may go at the same time and the mesh comes out as if they went one after another. Left
-// over is an edge of whose corners one belongs to another lane, one that something has to be split
-// before, one between mirrored ends beside a longer one, a crease, a boundary, and one at the rim
-// of what is active. All of it depends on the lanes alone, not on the threads.
+// A batch has edges in several partitions. The edges accepted in different partitions share no
+// corner of their faces, so partitions can be split at the same time, and the mesh is the same as
+// if they were split one after another. An edge is deferred if
+// - one of its corners belongs to another partition,
+// - another edge has to be split before it (Propagation),
+// - symmetry is on and it is between mirrored ends beside a longer edge,
+// - it is a crease or on a boundary or cut, or
+// - its faces are not all in the active set.
+// All of that depends on the partitions alone and not on the number of threads.
 class ConcurrentSplits {
   public:
     ConcurrentSplits(ActiveSet& active, Embedding& embedding, const EdgeClassifier& classifier,
@@ -29,52 +33,42 @@ class ConcurrentSplits {
         : active_(active),
           embedding_(embedding),
           classifier_(classifier),
-          limits_(limits),
-          order_(limits) {}
+          budget_(limits.budget),
+          is_symmetric_(limits.symmetry.has_value()),
+          order_(limits.propagation, limits.symmetry) {}
 
-    // Splits those that still need it and places what this inserts. Throws std::bad_alloc before
-    // anything has been changed. Cost: O(edges), if few have to go before others of their lane that
-    // come first; else up to the square of a lane.
-    void split(const RefinementQueue::Entries& next);
-
-    // How many the last call has split.
-    std::size_t split_count() const { return slots_.ids.size(); }
-    // visit(lane, edge, octave or why it has none), of the edges that need refinement because of
-    // what has been inserted, in order.
-    template <typename Visit>
-    void for_each_new(Visit visit) const {
-        for (const Partition& partition : partitions_) {
-            for (const auto& [edge, octave] : partition.made) visit(partition.number, edge, octave);
-        }
-    }
-    // Whether more was split than left over.
-    bool accepted_most() const;
-    // visit(lane, edge, where it ended before), of what it has left over, in order.
-    template <typename Visit>
-    void for_each_deferred(Visit visit) const {
-        for (const Partition& partition : partitions_) {
-            for (const Candidate& deferred : partition.candidates) {
-                if (!deferred.accepted) visit(partition.number, deferred.edge, deferred.end);
-            }
-        }
-    }
+    struct Result {
+        std::uint64_t splits = 0;
+        bool floor_hit = false;  // a new edge needs refinement, but is too short for it
+        // Edges left for the caller to split one by one: an element for each partition.
+        std::span<const PendingSplits> deferred;
+    };
+    // Splits the edges of the batch that still need it and embeds the new vertices. Queues the new
+    // edges that need refinement. If most edges were accepted, it queues the deferred ones again,
+    // behind those they may have to wait for; otherwise it returns them.
+    //
+    // Throws std::bad_alloc before anything has changed, or while edges are queued. Cost: O(edges)
+    // if few have to wait for others of their partition, at worst quadratic in the size of a
+    // partition. The result is valid until the next call.
+    Result split(const RefinementQueue::Batch& batch, RefinementQueue& queue);
 
   private:
     struct Candidate {
         EdgeId edge;
         VertexId end = kNone<VertexId>;
-        std::optional<CornerClaims::Corners> corners{};  // none where it is left over in any case
+        std::optional<CornerClaims::Corners> corners{};  // none if the edge is deferred anyway
         bool accepted = false;
     };
     struct Partition {
         CornerClaims::PartitionIndex number = 0;
         std::span<const EdgeId> edges;
         std::vector<Candidate> candidates;
-        std::vector<EdgeId> order;  // of those that go
-        std::size_t first = 0;      // the place of its first
+        std::vector<EdgeId> order;  // accepted edges, in the order of their splits
+        std::size_t first = 0;      // the reserved slot of the first of them
         std::vector<ActiveSet::Inserted> inserted;
-        std::vector<std::pair<EdgeId, std::uint16_t>> made;
-        std::vector<DragWeight> scratch;  // of embed_inserted()
+        std::vector<std::pair<EdgeId, std::uint16_t>>
+            needed;                       // edges and octaves, after the splits
+        std::vector<DragWeight> scratch;  // for embed_inserted()
     };
 
     void collect_candidates(Partition& partition, std::size_t octave);
@@ -96,16 +90,21 @@ class ConcurrentSplits {
     void allocate(std::uint32_t count);
     void split_chosen(Partition& partition);
     void release(Partition& partition);
+    bool queue_needed(RefinementQueue& queue) const;
+    bool accepted_most() const;
+    void defer(RefinementQueue& queue, std::size_t octave);
 
     ActiveSet& active_;
     Embedding& embedding_;
     const EdgeClassifier& classifier_;
-    const AdaptLimits& limits_;
+    std::uint64_t budget_;
+    bool is_symmetric_;
     SplitOrder order_;
     std::array<Partition, kPartitions> partitions_;
     CornerClaims claims_;
-    std::vector<std::uint8_t> chosen_;  // edge entries: whether split in this call
+    std::vector<std::uint8_t> chosen_;  // edge entries: 1 if split in this call
     ActiveSet::ReservedSlots slots_;
+    std::array<PendingSplits, kPartitions> deferred_;
 };
 
 }  // namespace pectin

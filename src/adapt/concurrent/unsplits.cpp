@@ -3,11 +3,13 @@
 #include <algorithm>
 #include <utility>
 
+#include "adapt/decimate.h"
 #include "geometry/parallel.h"
 
 namespace pectin {
 namespace {
 
+// Vertices that the borders between partitions are estimated from.
 constexpr std::size_t kSample = 1024;
 
 }  // namespace
@@ -31,7 +33,7 @@ std::uint64_t ConcurrentUnsplits::unsplit(std::span<const VertexId> level) {
     return removed;
 }
 
-// One lane after another.
+// Writes all partitions to the log, in their order.
 void ConcurrentUnsplits::log() {
     for_each_concurrently(partitions_, [this](Partition& partition) {
         partition.count = active_.count(partition.unsplits);
@@ -43,7 +45,8 @@ void ConcurrentUnsplits::log() {
     });
 }
 
-// By their base faces, those of one base face in their order; about as many in each.
+// Sorts the vertices into partitions of about equal size by their base faces. Those of one base
+// face keep their order.
 void ConcurrentUnsplits::distribute(std::span<const VertexId> level) {
     using SortKey = std::pair<FaceId, std::size_t>;
     const auto sort_key = [&, mesh = &active_.mesh()](std::size_t i) {
@@ -54,10 +57,9 @@ void ConcurrentUnsplits::distribute(std::span<const VertexId> level) {
         sample.push_back(sort_key(i));
     }
     std::ranges::sort(sample);
-    std::array<SortKey, kPartitions - 1> borders{};
-    for (std::size_t i = 0; i < borders.size(); ++i) {
-        borders[i] = sample[(i + 1) * sample.size() / kPartitions];
-    }
+    const std::size_t count = criteria_.limits().partitioning.count;
+    std::vector<SortKey> borders;
+    for (std::size_t i = 1; i < count; ++i) borders.push_back(sample[i * sample.size() / count]);
     for (std::size_t i = 0; i < kPartitions; ++i) {
         partitions_[i].number = static_cast<CornerClaims::PartitionIndex>(i);
         partitions_[i].vertices.clear();
@@ -68,7 +70,7 @@ void ConcurrentUnsplits::distribute(std::span<const VertexId> level) {
     }
 }
 
-// For what unsplitting them takes at most.
+// Allocates what unsplit() may need, so that it does not throw.
 void ConcurrentUnsplits::reserve(Partition& partition) {
     partition.unsplits.clear();
     partition.deferred.clear();
@@ -78,11 +80,12 @@ void ConcurrentUnsplits::reserve(Partition& partition) {
     partition.last.reserve(partition.vertices.size());
 }
 
-// Before a star's corners are the lane's, it only reads what no other lane writes.
+// Until it has claimed the corners of a star, a partition only reads what no other partition
+// writes.
 void ConcurrentUnsplits::unsplit(Partition& partition) {
     for (VertexId m : partition.vertices) {
-        const auto star = active_.mesh().removable(m);
-        if (!star || !criteria_.may_unsplit(active_, *star)) continue;
+        const auto star = removable_star(active_, criteria_, m);
+        if (!star) continue;
         const auto corners = corners_of(*star);
         if (!corners) {
             partition.last.push_back(m);
@@ -95,7 +98,7 @@ void ConcurrentUnsplits::unsplit(Partition& partition) {
     }
 }
 
-// None where it has to go alone.
+// None if the vertex has to be removed by itself.
 std::optional<CornerClaims::Corners> ConcurrentUnsplits::corners_of(const Star& star) const {
     if (!active_.may_unsplit_concurrently(star)) return std::nullopt;
     return CornerClaims::corners(active_, {star.a, star.b, star.c, star.d});

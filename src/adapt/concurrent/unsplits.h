@@ -1,4 +1,4 @@
-// Undoing many splits on several threads.
+// Undoes many splits on several threads.
 #pragma once
 
 #include <array>
@@ -14,21 +14,29 @@
 
 namespace pectin {
 
-// Of vertices of one level none that may go is another's neighbour. So whether one may go does not
-// depend on whether others have gone, nor do the faces round it, and the mesh comes out the same in
-// whatever order they go. They are parted into lanes for the threads, by their base faces, which
-// lie together in memory and mostly in space; and a lane owns the corners of what it removes. What
-// has a corner of another lane's is removed after these; which they are depends on the threads, but
-// where each is logged does not. What lies on a crease, a boundary, or outside the active set goes
-// last, one by one.
+// No two removable vertices of one level are neighbours. So whether one of them may be removed does
+// not depend on the others, nor do the faces around it, and the mesh is the same in whatever order
+// they are removed.
+//
+// They are divided into partitions by their base faces, which lie together in memory and mostly in
+// space. A partition claims the corners of what it removes. A vertex with a corner that another
+// partition has claimed is removed after all partitions are done. Which vertices these are depends
+// on the threads, but the order in the log does not. A vertex on a crease, on a boundary or with a
+// corner outside the active set is removed last, one by one.
 class ConcurrentUnsplits {
   public:
     ConcurrentUnsplits(ActiveSet& active, const Criteria& criteria)
         : active_(active), criteria_(criteria) {}
 
-    // Removes those of one level that may go; how many these were. Throws std::bad_alloc where
-    // there is no memory: before anything has been changed, or between two that go one by one.
-    // Precondition: at least one. Cost: O(vertices + vertex entries).
+    // Whether a level has enough vertices for concurrent work.
+    bool is_worth(std::span<const VertexId> level) const {
+        return criteria_.limits().partitioning.is_worth(level.size());
+    }
+
+    // Removes the vertices of one level that may be removed (removable_star()) and returns their
+    // number. Throws std::bad_alloc if there is not enough memory: before anything has changed, or
+    // between two vertices that are removed one by one. Precondition: the level is not empty. Cost:
+    // O(vertices + vertex entries).
     std::uint64_t unsplit(std::span<const VertexId> level);
 
   private:
@@ -38,8 +46,8 @@ class ConcurrentUnsplits {
         std::vector<ActiveSet::Unsplit> unsplits;
         ActiveSet::UnsplitCount count;
         ActiveSet::ReservedLogSlots slots;
-        std::vector<std::size_t> deferred;  // which of these have yet to be done
-        std::vector<VertexId> last;
+        std::vector<std::size_t> deferred;  // indices of the unsplits that have yet to be done
+        std::vector<VertexId> last;         // to be removed one by one
     };
 
     void distribute(std::span<const VertexId> level);

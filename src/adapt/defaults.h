@@ -1,0 +1,36 @@
+// The default limits of adaptive meshing.
+//
+// Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
+// Eurographics UK 1999. Sections 4 and 5.
+#pragma once
+
+#include <cmath>
+#include <numbers>
+
+namespace pectin {
+
+// theta_max in degrees. The paper's examples (section 5) use pi/7.
+inline constexpr double kDefaultThetaMax = 180.0 / 7.0;
+
+// theta_min as a fraction of theta_max. The paper's examples use pi/9 beside pi/7.
+inline constexpr double kDefaultThetaMinFraction = 7.0 / 9.0;
+
+// L_max is the smallest extent of a cell of the lattice in use (section 4, point 1), so that no
+// feature of the deformation fits between the samples. World units.
+constexpr double default_l_max(double smallest_cell_extent) { return smallest_cell_extent; }
+
+// How far an unsplit may move the surface, as a fraction of the length of the restored edge: the
+// sagitta of a circular arc whose end normals diverge by theta_max, over its chord. theta_max is in
+// degrees. The paper has no such limit.
+inline double default_flatness(double theta_max) {
+    return 0.5 * std::tan(theta_max / 4.0 * std::numbers::pi / 180.0);
+}
+
+// The floor as a fraction of the diagonal of the object's box. The paper has no floor.
+inline constexpr double kDefaultFloorFraction = 1e-4;
+
+// The floor is at least this fraction of the largest coordinate, whatever the settings say. That is
+// 2^10 units in the last place of a double, so halves of edges keep about three decimal digits.
+inline constexpr double kLeastFloorFraction = 0x1p-42;
+
+}  // namespace pectin

@@ -1,0 +1,59 @@
+// Curvature trigger: the divergence of the normals at the two ends of an edge.
+//
+// Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
+// Eurographics UK 1999. Section 4, condition (a). The test goes back to U. Nimscheck. Rendering for
+// Free Form Deformations. University of Cambridge, technical report 381 (1995).
+#pragma once
+
+#include "adapt/off.h"
+#include "mesh/active_set.h"
+
+namespace pectin {
+
+// Normals are compared on each side of an edge by itself, so a crease is not refined merely because
+// it is a crease. Edges along a cut (siblings) count as one edge with one side for each sheet.
+//
+// Divergences are stored as 1 - cos(angle), computed as |n1 - n2|^2 / 2. For unit normals this is
+// the paper's 1 - n1.n2, without its cancellation at small angles. A side does not count if one of
+// its normals is undefined, or if its normals oppose each other (by more than 120 degrees) both at
+// rest and now.
+class NormalDivergence {
+  public:
+    // In degrees. A limit of 180 or more is off.
+    struct Angles {
+        double theta_max = kOff;  // edges that diverge by more are refined
+        double theta_min = kOff;  // below theta_max: edges that diverge by less may be decimated
+    };
+
+    NormalDivergence() = default;  // both limits off
+    explicit NormalDivergence(const Angles& angles);
+
+    const Angles& angles() const { return angles_; }
+
+    // Refinement, condition (a): an end of e is deformed and the end normals diverge by more than
+    // theta_max. This depends on the ends of e and not on its faces. Cost: O(sides).
+    bool needs_refinement(const ActiveSet& active, EdgeId e) const;
+    // Decimation, condition (a): the end normals of e diverge by less than theta_min.
+    bool passes_decimation(const ActiveSet& active, EdgeId e) const;
+    // The merged-edge guard: whether bc, the edge that undoing the split of star.m restores, would
+    // need refinement.
+    bool merged_edge_needs_refinement(const ActiveSet& active, const Star& star) const;
+
+    // An edge without a normal discontinuity needs no refinement if |n1 - n2|^2 of its end normals
+    // is less than this. Infinite if the trigger is off. It is rounded down, since the fast path
+    // compares in float.
+    float harmless_squared_difference() const { return harmless_squared_difference_; }
+
+    // Like needs_refinement(), but sides with opposed normals count as well: what the statistics
+    // report as held back.
+    bool diverges_on_any_side(const TriMesh& mesh, EdgeId e) const;
+    // The largest divergence of e, as 1 - cos(angle), over all sides with defined normals.
+    static double largest_on_any_side(const TriMesh& mesh, EdgeId e);
+
+  private:
+    Angles angles_;
+    double refine_above_ = kOff, decimate_below_ = kOff;  // 1 - cos(angle)
+    float harmless_squared_difference_ = std::numeric_limits<float>::infinity();
+};
+
+}  // namespace pectin

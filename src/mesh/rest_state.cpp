@@ -1,0 +1,289 @@
+#include "mesh/rest_state.h"
+
+#include <algorithm>
+#include <atomic>
+#include <cassert>
+#include <limits>
+#include <vector>
+
+#include "mesh/array_bytes.h"
+#include "mesh/sort_ids.h"
+
+namespace pectin {
+
+void RestState::begin(std::span<const FaceId> faces, const Box& zone) {
+    zone_ = zone;
+    fit_to_mesh();
+    std::vector<VertexId> corners;
+    std::vector<WedgeId> wedges;
+    collect(faces, corners, wedges);
+    enter_edges();
+    enter_vertices(corners);
+    enter_wedges(wedges);
+    original_vertices_ = vertices_.slots();
+    original_wedges_ = wedges_.slots();
+    original_edges_ = edges_.slots();
+    original_vertex_ids_ = vertices_.ids;
+    original_wedge_ids_ = wedges_.ids;
+}
+
+void RestState::fit_to_mesh() {
+    const auto fit = [](auto& values, std::uint32_t slots, auto fill) {
+        if (values.size() < slots) values.resize(slots, fill);
+    };
+    fit(vertex_entry_, mesh_.vertex_slots(), kNoEntry);
+    fit(wedge_entry_, mesh_.wedge_slots(), kNoEntry);
+    fit(edge_states_, mesh_.edge_slots(), EdgeState{});
+}
+
+// Collects each corner, wedge and edge of the faces once. Until it is entered, wedge_entry_ holds
+// the vertex of a wedge.
+void RestState::collect(std::span<const FaceId> faces, std::vector<VertexId>& corners,
+                        std::vector<WedgeId>& wedges) {
+    for (FaceId f : faces) {
+        for (int corner = 0; corner < 3; ++corner) {
+            const HalfEdge& h = mesh_.half_edge(TriMesh::half_edge(f, corner));
+            if (vertex_entry_[index(h.origin)] == kNoEntry) {
+                vertex_entry_[index(h.origin)] = 0;
+                corners.push_back(h.origin);
+            }
+            if (wedge_entry_[index(h.wedge)] == kNoEntry) {
+                wedge_entry_[index(h.wedge)] = index(h.origin);
+                wedges.push_back(h.wedge);
+            }
+            enter(allocate(h.edge, false), h.edge, kUnmeasured);
+        }
+    }
+}
+
+void RestState::enter_edges() {
+    sort_ids(std::span(edges_.ids));
+    for (std::uint32_t i = 0; i < edges_.slots(); ++i) {
+        const EdgeId e = edges_.ids[i];
+        edge_states_[index(e)].entry = i;
+        edges_.is_smooth[i] = has_smooth_normals(e) ? 1 : 0;
+        longest_square_ = std::max(longest_square_, mesh_.squared_length(e));
+    }
+}
+
+void RestState::enter_vertices(std::vector<VertexId>& corners) {
+    sort_ids(std::span(corners));
+    const auto first_still = std::stable_partition(corners.begin(), corners.end(), [&](VertexId v) {
+        return zone_.contains_strictly(mesh_.position(v));
+    });
+    influenced_vertices_ = static_cast<std::uint32_t>(first_still - corners.begin());
+    vertices_.reserve(corners.size());
+    for (VertexId v : corners) enter(allocate(v), v, mesh_.position(v), mesh_.is_deformed(v));
+}
+
+void RestState::enter_wedges(std::vector<WedgeId>& wedges) {
+    sort_ids(std::span(wedges));
+    const auto owner = [&](WedgeId w) { return vertex_entry_[wedge_entry_[index(w)]]; };
+    const auto first_still = std::stable_partition(
+        wedges.begin(), wedges.end(), [&](WedgeId w) { return owner(w) < influenced_vertices_; });
+    influenced_wedges_ = static_cast<std::uint32_t>(first_still - wedges.begin());
+    wedges_.reserve(wedges.size());
+    for (WedgeId w : wedges) {
+        const std::uint32_t owned_by = owner(w);
+        enter(allocate(w), w, mesh_.normal(w), owned_by);
+    }
+}
+
+bool RestState::has_smooth_normals(EdgeId e) const {
+    const bool is_boundary = !exists(mesh_.twin(mesh_.half_edge(e)));
+    return is_boundary ? mesh_.sibling(e) == e : mesh_.is_smooth(e);
+}
+
+// Lengths are rounded to float, so the bound is a little larger.
+void RestState::record_length(float length) {
+    const double bound = (1.0 + 1e-6) * static_cast<double>(length);
+    const std::atomic_ref longest(longest_square_);
+    double known = longest.load(std::memory_order_relaxed);
+    while (known < bound * bound && !longest.compare_exchange_weak(known, bound * bound)) {
+    }
+}
+
+float RestState::distance_of_ends(EdgeId e) const {
+    const HalfEdgeId h = mesh_.half_edge(e);
+    return static_cast<float>(glm::distance(position(mesh_.origin(h)), position(mesh_.target(h))));
+}
+
+float RestState::measure(EdgeId e) {
+    if (index(e) >= edge_states_.size()) edge_states_.resize(index(e) + std::size_t{1});
+    EdgeState& state = edge_states_[index(e)];
+    state.length = distance_of_ends(e);
+    if (state.entry == kNoEntry) measured_edges_.push_back(e);
+    return state.length;
+}
+
+Vec3 RestState::area_normal(VertexId p, VertexId q, VertexId r) const {
+    const Vec3 from = position(p);
+    return glm::cross(position(q) - from, position(r) - from);
+}
+
+std::size_t RestState::reserve_splits(std::size_t count) {
+    std::size_t splits = std::numeric_limits<std::uint32_t>::max();
+    const auto reserve = [&](auto& values, std::size_t per_split) {
+        values.reserve_additional(per_split * count);
+        splits = std::min(splits, (values.capacity() - values.size()) / per_split);
+    };
+    const auto reserve_table = [&](auto& table, std::size_t per_split) {
+        table.reserve_additional(per_split * count);
+        splits = std::min(splits, table.spare_capacity() / per_split);
+    };
+    reserve_table(vertices_, 1);
+    reserve(vertex_entry_, 1);
+    reserve_table(wedges_, 2);
+    reserve(wedge_entry_, 2);
+    reserve_table(edges_, 4);
+    reserve(flipped_smooth_, 4);
+    reserve(edge_states_, 3);
+    return splits;
+}
+
+void RestState::reserve_unsplits(std::size_t sheets) {
+    vertices_.reserve_free(sheets);
+    wedges_.reserve_free(2 * sheets);
+}
+
+void RestState::reserve_rim(std::size_t sheets) {
+    edges_.reserve_additional(2 * sheets);
+    flipped_smooth_.reserve_additional(2 * sheets);
+    measured_edges_.reserve_additional(2 * sheets);
+    kept_wedges_.reserve_additional(2 * sheets);
+    kept_normals_.reserve_additional(2 * sheets);
+}
+
+void RestState::remove_or_keep(WedgeId w) {
+    if (entry(w) == kNoEntry) {
+        kept_wedges_.push_back(w);
+        kept_normals_.push_back(mesh_.normal(w));
+        return;
+    }
+    const std::uint32_t removed = remove(w);
+    if (is_inserted_wedge(removed)) wedges_.push_free(removed);
+}
+
+void RestState::restore(TriMesh& mesh) noexcept {
+    for (std::size_t i = 0; i < kept_wedges_.size(); ++i) {
+        mesh.set_normal(kept_wedges_[i], kept_normals_[i]);
+    }
+    drop_inserted();
+    for (std::uint32_t i = 0; i < original_vertices_; ++i) {
+        const VertexId v = vertices_.ids[i] = original_vertex_ids_[i];
+        vertex_entry_[index(v)] = i;
+        mesh.set_position(v, vertices_.positions[i]);
+        mesh.set_deformed(v, vertices_.was_deformed[i] != 0);
+    }
+    for (std::uint32_t i = 0; i < original_wedges_; ++i) {
+        const WedgeId w = wedges_.ids[i] = original_wedge_ids_[i];
+        wedge_entry_[index(w)] = i;
+        mesh.set_normal(w, wedges_.normals[i]);
+    }
+    for (std::uint32_t i = 0; i < original_edges_; ++i) {
+        edge_states_[index(edges_.ids[i])].entry = i;
+    }
+    for (std::uint32_t i : flipped_smooth_) edges_.is_smooth[i] ^= 1;
+    flipped_smooth_.clear();
+}
+
+// Reduces the entries to those of the beginning. All edges lose their stored length and entry.
+void RestState::drop_inserted() noexcept {
+    for (std::uint32_t i = original_vertices_; i < vertices_.slots(); ++i) {
+        if (exists(vertices_.ids[i])) vertex_entry_[index(vertices_.ids[i])] = kNoEntry;
+    }
+    for (std::uint32_t i = original_wedges_; i < wedges_.slots(); ++i) {
+        if (exists(wedges_.ids[i])) wedge_entry_[index(wedges_.ids[i])] = kNoEntry;
+    }
+    for (EdgeId e : edges_.ids) edge_states_[index(e)] = {};
+    for (EdgeId e : measured_edges_) edge_states_[index(e)] = {};
+    measured_edges_.clear();
+    vertices_.resize(original_vertices_);
+    vertices_.clear_free();
+    wedges_.resize(original_wedges_);
+    wedges_.clear_free();
+    edges_.resize(original_edges_);
+    kept_wedges_.clear();
+    kept_normals_.clear();
+}
+
+void RestState::end() noexcept {
+    for (VertexId v : original_vertex_ids_) vertex_entry_[index(v)] = kNoEntry;
+    for (WedgeId w : original_wedge_ids_) wedge_entry_[index(w)] = kNoEntry;
+    original_vertices_ = original_wedges_ = original_edges_ = 0;
+    drop_inserted();
+    original_vertex_ids_.clear();
+    original_wedge_ids_.clear();
+    flipped_smooth_.clear();
+    influenced_vertices_ = influenced_wedges_ = 0;
+    longest_square_ = 0.0;
+}
+
+void RestState::abandon() noexcept {
+    vertices_.clear_all();
+    wedges_.clear_all();
+    edges_.clear_all();
+    vertex_entry_.clear();
+    wedge_entry_.clear();
+    edge_states_.clear();
+    measured_edges_.clear();
+    original_vertex_ids_.clear();
+    original_wedge_ids_.clear();
+    end();
+}
+
+void RestState::record(MeshChange& change) const {
+    for (std::uint32_t i = 0; i < vertices_.slots(); ++i) {
+        const VertexId v = vertices_.ids[i];
+        const bool original = i < original_vertices_;
+        if (original && exists(v) && same_bytes(mesh_.position(v), vertices_.positions[i]) &&
+            mesh_.is_deformed(v) == (vertices_.was_deformed[i] != 0)) {
+            continue;
+        }
+        if (original) {
+            change.before.vertices.push_back(original_vertex_ids_[i]);
+            change.before.positions.push_back(vertices_.positions[i]);
+            change.before.deformed.push_back(vertices_.was_deformed[i]);
+        }
+        if (exists(v)) change.after.add(mesh_, v);
+    }
+    for (std::uint32_t i = 0; i < wedges_.slots(); ++i) {
+        const WedgeId w = wedges_.ids[i];
+        const bool original = i < original_wedges_;
+        if (original && exists(w) && same_bytes(mesh_.normal(w), wedges_.normals[i])) continue;
+        if (original) {
+            change.before.wedges.push_back(original_wedge_ids_[i]);
+            change.before.normals.push_back(wedges_.normals[i]);
+        }
+        if (exists(w)) change.after.add(mesh_, w);
+    }
+    change.before.wedges.insert(change.before.wedges.end(), kept_wedges_.begin(),
+                                kept_wedges_.end());
+    change.before.normals.insert(change.before.normals.end(), kept_normals_.begin(),
+                                 kept_normals_.end());
+    change.before.shrink_to_fit();
+    change.after.shrink_to_fit();
+}
+
+bool RestState::has_changed(FaceId f) const {
+    if (!mesh_.is_live(f)) return true;
+    for (int corner = 0; corner < 3; ++corner) {
+        const HalfEdge& h = mesh_.half_edge(TriMesh::half_edge(f, corner));
+        if (!same_bytes(mesh_.position(h.origin), position(h.origin)) ||
+            !same_bytes(mesh_.normal(h.wedge), normal(h.wedge))) {
+            return true;
+        }
+    }
+    return false;
+}
+
+std::size_t RestState::memory_bytes() const {
+    return vertices_.memory_bytes() + wedges_.memory_bytes() + edges_.memory_bytes() +
+           capacity_bytes(original_vertex_ids_) + capacity_bytes(original_wedge_ids_) +
+           capacity_bytes(kept_wedges_) + capacity_bytes(kept_normals_) +
+           capacity_bytes(flipped_smooth_) + capacity_bytes(measured_edges_) +
+           capacity_bytes(vertex_entry_) + capacity_bytes(wedge_entry_) +
+           capacity_bytes(edge_states_);
+}
+
+}  // namespace pectin

@@ -1,0 +1,117 @@
+// The active gesture, of a drag or of control points: its beginning, frames, commit and cancelling.
+#include <cassert>
+#include <string>
+#include <utility>
+
+#include "session/session_state.h"
+
+namespace pectin {
+namespace {
+
+// Why intersections remain, and what the user can do about it.
+std::string reason_of(IntersectionLimit limit) {
+    switch (limit) {
+        case IntersectionLimit::floor:
+            return "since the floor keeps the edges there from being split; lower the floor";
+        case IntersectionLimit::budget:
+            return "since the triangle budget is used up; raise the budget";
+        case IntersectionLimit::decimation:
+            return "since without a flatness limit vertices there were removed; set flatness";
+        case IntersectionLimit::search:
+        case IntersectionLimit::none:
+            break;
+    }
+    return "since there are too many to find them all; take a larger radius";
+}
+
+std::string remark_on_self_intersections(const Frame& frame) {
+    if (frame.self_intersections == 0) return {};
+    return "triangles still intersect each other in " + std::to_string(frame.self_intersections) +
+           (frame.self_intersections == 1 ? " place, " : " places, ") +
+           reason_of(frame.intersection_limit) + ", or undo and drag less far";
+}
+
+}  // namespace
+
+void Session::State::start_gesture(ActiveGesture& begun, std::span<const FaceId> faces, Warp warp) {
+    std::optional<AdaptLimits> adapt_limits;
+    begun.lattice = lattice_of(warp.steps.back());
+    if (adapt_settings.enabled) {
+        adapt_limits = limits(smallest_feature_extent(warp.steps.back()));
+        adapt_limits->without_self_intersections = begun.drag.fold_free;
+    }
+    begun.measured.steps = warp.steps.size();
+    begun.gesture = std::make_unique<Gesture>(*active, faces, std::move(warp), adapt_limits,
+                                              vertices_at_handles(begun.drag));
+    begun.measured.influenced_vertices = begun.gesture->influenced_vertices();
+}
+
+void Session::State::update_frame(std::span<const Vec3> displacements) {
+    active_gesture->gesture->frame(displacements);
+    // The corners of new faces may lie where nothing moves, so they are marked with their faces.
+    mark_dirty(active_gesture->gesture->take_edited_faces());
+    if (dirty.everything) return;
+    // There is at least one wedge for each vertex. A list that is not empty has its capacity
+    // already.
+    if (dirty.wedges.empty()) dirty.wedges.reserve(active_gesture->gesture->influenced_vertices());
+    active_gesture->gesture->append_moved_wedges(dirty.wedges);
+}
+
+// A gesture in which nothing moves is cancelled.
+void Session::State::commit(std::span<const Vec3> displacements, bool is_noop) {
+    last = active_gesture->measured;
+    if (is_noop) {
+        cancel_drag();
+        return;
+    }
+    Stopwatch stopwatch;
+    MeshChange change = active_gesture->gesture->commit(displacements);
+    try {
+        finish_commit(change);
+    } catch (...) {  // out of memory: restores the object
+        undo(change, *mesh);
+        update_everything();
+        update_outcome();
+        active_gesture.reset();
+        throw;
+    }
+    last.seconds.commit =
+        stopwatch.lap() - last.seconds.deform - last.seconds.refine - last.seconds.decimate;
+}
+
+// Makes the change a step of the history. Everything that may run out of memory comes first.
+void Session::State::finish_commit(MeshChange& change) {
+    const Gesture& gesture = *active_gesture->gesture;
+    // The commit has rolled back edits that frames have shown, so they are drawn again, too.
+    mark_dirty(active_gesture->gesture->take_edited_faces());
+    std::vector<Box> zones = gesture.warp().zones();
+    std::string message = remark_on_self_intersections(gesture.last_frame());
+    record(gesture.last_frame());
+    add_step(active_gesture->is_control() ? Command{active_gesture->control}
+                                          : Command{active_gesture->drag},
+             change);
+
+    lattice_in_use = active_gesture->lattice;
+    zones_in_use = std::move(zones);
+    // Other parts of the surface reach into the zones, but they were not refined there.
+    if (active_gesture->drag.connected) zones_in_use.clear();
+    remark = std::move(message);
+    folded = gesture.folded_vertices();
+    active_gesture.reset();
+}
+
+void Session::State::cancel_drag() noexcept {
+    assert(active_gesture);
+    const std::unique_ptr<ActiveGesture> cancelled = std::move(active_gesture);
+    if (!cancelled->gesture) {  // memory ran out, and the rollback has not marked anything
+        update_everything();
+        return;
+    }
+    if (const auto changed = cancelled->gesture->cancel()) {
+        update_faces(*changed);
+    } else {
+        update_everything();
+    }
+}
+
+}  // namespace pectin

@@ -1,0 +1,87 @@
+// The faces that a drag moves, and the vertices at its handles.
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "geometry/decimal.h"
+#include "mesh/connected_part.h"
+#include "session/session_state.h"
+
+namespace pectin {
+namespace {
+
+// A vertex whose distance from a handle is at most this fraction of its largest coordinate is that
+// handle. Mirror images differ by rounding, some units in the last place for each drag.
+constexpr double kSamePoint = 0x1p-40;
+
+double largest_component(const Vec3& v) {
+    return std::max({std::abs(v.x), std::abs(v.y), std::abs(v.z)});
+}
+
+}  // namespace
+
+// With symmetry, the mirror image of a zone may differ from the other zone by rounding. Both are
+// searched, so that the mirror image of a face that just meets a zone is found, too.
+std::vector<Box> Session::State::zones_on_both_sides(const Warp& warp) const {
+    std::vector<Box> zones = warp.zones();
+    if (!symmetry) return zones;
+    const std::size_t count = zones.size();
+    for (std::size_t i = 0; i < count; ++i) {
+        const Box image = symmetry->image(zones[i]);
+        if (std::ranges::find(zones, image) == zones.end()) zones.push_back(image);
+    }
+    return zones;
+}
+
+// All faces that meet the zones, or with `connected` the part of them that is connected to the
+// handles.
+std::variant<std::vector<FaceId>, std::string> Session::State::faces_of(
+    const command::Drag& drag, std::span<const Box> zones) {
+    std::vector<FaceId> faces;
+    for (const Box& zone : zones) {
+        const std::vector<FaceId> there = face_tree().faces_meeting(zone, *mesh);
+        faces.insert(faces.end(), there.begin(), there.end());
+    }
+    if (zones.size() > 1) {
+        std::sort(faces.begin(), faces.end());
+        faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
+    }
+    if (!drag.connected) return faces;
+    std::vector<FaceId> seeds;
+    for (const Move& move : drag.moves) {
+        if (const auto face = face_tree().nearest(move.from, *mesh)) seeds.push_back(*face);
+        if (!symmetry) continue;
+        const auto opposite = face_tree().nearest(symmetry->image(move.from), *mesh);
+        if (opposite) seeds.push_back(*opposite);
+    }
+    std::vector<FaceId> part = connected_part(*mesh, faces, seeds, zones);
+    if (part.empty()) {
+        return "the surface nearest to " + decimal(drag.moves.front().from) +
+               " does not reach into the influenced zone; drag a point of the surface, or without "
+               "connected";
+    }
+    return part;
+}
+
+// The vertices at handles and pins, with symmetry on both sides of the plane. A point between
+// vertices has none.
+std::vector<VertexId> Session::State::vertices_at_handles(const command::Drag& drag) {
+    std::vector<Vec3> points = drag.pins;
+    for (const Move& move : drag.moves) points.push_back(move.from);
+    if (symmetry) {
+        const std::size_t count = points.size();
+        for (std::size_t i = 0; i < count; ++i) points.push_back(symmetry->image(points[i]));
+    }
+    std::vector<VertexId> vertices;
+    for (const Vec3& point : points) {
+        const auto face = face_tree().nearest(point, *mesh);
+        for (int corner = 0; face && corner < 3; ++corner) {
+            const VertexId v = mesh->origin(TriMesh::half_edge(*face, corner));
+            const double most = kSamePoint * largest_component(point);
+            if (glm::distance(mesh->position(v), point) <= most) vertices.push_back(v);
+        }
+    }
+    return vertices;
+}
+
+}  // namespace pectin
