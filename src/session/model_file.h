@@ -50,8 +50,7 @@ struct SaveReport {
 
 // Writes the mesh to the file, completely or not at all, and then copies the material files that
 // its folder lacks. Precondition: nobody changes the mesh meanwhile. Throws Cancelled, and
-// FileError if write_model() does; the file is then
-// unchanged. Cost: O(n), and that of copying.
+// FileError if write_model() does; the file is then unchanged. Cost: O(n), and that of copying.
 SaveReport save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress = {},
                       std::span<const std::string> material_folders = {});
 
