@@ -129,7 +129,7 @@ TEST(LargePolygon, HolesThatTouchTheOutlineAtACornerAreCoveredExactly) {
     const Ring one{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {8, 5, 0}, {0, 0, 0},
                    {5, 8, 0}, {8, 5, 0},  {10, 10, 0}, {0, 10, 0}};
     EXPECT_NEAR(area_of(one), 80.5, 1e-12);
-    for (std::size_t by = 0; by < one.size(); ++by) expect_covered(turned(one, by));
+    for (std::size_t by = 0; by < one.size(); ++by) expect_covered(rotated(one, by));
     // Several of random size, all at the same corner, with bridges to either tip.
     Random random(15);
     for (int i = 0; i < 300; ++i) {
@@ -150,7 +150,7 @@ TEST(LargePolygon, HolesThatTouchTheOutlineAtACornerAreCoveredExactly) {
         }
         ring.push_back({0, 10, 0});
         SCOPED_TRACE("case " + std::to_string(i));
-        expect_covered(turned(ring, static_cast<std::size_t>(random.integer(0, 8))));
+        expect_covered(rotated(ring, static_cast<std::size_t>(random.integer(0, 8))));
         if (testing::Test::HasFailure()) return;
     }
 }
