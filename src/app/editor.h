@@ -57,11 +57,11 @@ class Editor {
 
     // --- Input.
     void handle(const InputEvent& event, const UiClaims& claims = {});
-    // Once a frame, after its events: moves the drag in hand, looks what has become of a file that
+    // Once a frame, after its events: moves the active drag, looks what has become of a file that
     // is under way, goes on restoring a session, or looks what is under the cursor.
     void advance();
 
-    // There is no memory for something, such as "frame": gives up the drag in hand and says so.
+    // There is no memory for something, such as "frame": gives up the active drag and says so.
     void give_up_for_memory(const char* what) noexcept;
 
     // --- What menus, panels and keys ask for. Nothing happens during a drag, nor while a file is
@@ -206,7 +206,7 @@ class Editor {
     Vec2 cursor_{0.0};
     Modifiers modifiers_{};
     bool cursor_is_ours_ = false;  // over the window and not over its panels
-    bool moved_ = false;           // the drag in hand has to follow
+    bool moved_ = false;           // the active drag has to follow
     std::vector<Vec2> path_;       // of the cursor, since it has followed last
     Vec2 last_cursor_{0.0};        // where the cursor was then
     std::optional<Pick> hover_;

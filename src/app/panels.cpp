@@ -269,7 +269,7 @@ void Panels::draw_frame_tooltip(const FrameFigures& frame, const PictureFigures&
     begin_status_tooltip("Last frame of a drag");
     tooltip_row("moving", formatted("%.1f ms", 1e3 * frame.deform_seconds));
     tooltip_row("refining", formatted("%.1f ms", 1e3 * frame.refine_seconds));
-    tooltip_row("thinning", formatted("%.1f ms", 1e3 * frame.decimate_seconds));
+    tooltip_row("decimating", formatted("%.1f ms", 1e3 * frame.decimate_seconds));
     tooltip_row("uploaded", counted(figures.uploaded_bytes, "byte", "bytes") + " in " +
                                 counted(figures.uploaded_ranges, "piece", "pieces"));
     ImGui::EndTooltip();

@@ -18,8 +18,8 @@ constexpr double kLeastLMax = 0.002, kMostLMax = 0.5;  // of the object's box di
 constexpr const char* kThetaMaxHelp =
     "Edges whose ends' normals diverge by more are split.\nOff: none is split for its angle.";
 constexpr const char* kThetaMinHelp =
-    "Edges whose ends' normals diverge by less may be thinned out again.\nauto: 7/9 of θ max. Off: "
-    "nothing is thinned.";
+    "Vertices are removed again where the normals along their edges diverge by\nless. auto: 7/9 of "
+    "θ max. Off: none is removed.";
 constexpr const char* kLMaxHelp =
     "Longer edges are split where the lattice reaches.\nauto: the smallest cell of the lattice in "
     "use.";

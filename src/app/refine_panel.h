@@ -9,7 +9,7 @@ namespace pectin {
 
 class RefinePanel {
   public:
-    // A changed setting re-adapts the object at once; a slider does so when it is let go.
+    // A changed setting re-adapts the object at once; a slider does so when it is released.
     void draw(Editor& editor);
 
   private:

@@ -1,4 +1,7 @@
 // The drag of a surface point by the mouse: the grabbed point stays under the cursor.
+//
+// A movement of the mouse becomes a Move here, and Session::drag_to() turns that into displacements
+// (session/drag.cpp). docs/architecture.md follows it from the mouse to the screen.
 #pragma once
 
 #include <optional>
@@ -25,7 +28,7 @@ Vec3 on_normal(const Camera& camera, const Vec3& from, const Vec3& normal, const
 class Sculptor {
   public:
     // Begins a drag of the picked point under the ray; the pins stay. Precondition: nothing has
-    // changed since the pick and no drag is in hand. Returns why not, if not.
+    // changed since the pick and no drag is active. Returns why not, if not.
     std::optional<std::string> grab(Session& session, const Pick& pick, const Ray& ray,
                                     std::span<const Vec3> pins = {},
                                     const DragOptions& options = {});
@@ -45,7 +48,7 @@ class Sculptor {
     static constexpr double kGrowth = 1.05;
 
     bool is_dragging() const { return grabbed_.has_value(); }
-    // Of the drag in hand.
+    // Of the active drag.
     const Vec3& from() const { return grabbed_->pick.point; }
     const Vec3& to() const { return grabbed_->done.to; }
     const Vec3& normal() const { return grabbed_->pick.normal; }

@@ -22,7 +22,7 @@ constexpr const char* kPinHelp =
     "on "
     "a pin takes it away.\nP does either under the cursor at any time.";
 constexpr const char* kConnectedHelp =
-    "Only the surface that hangs together with the grabbed\npoint follows, not what lies near it.";
+    "Only the surface that is connected to the grabbed\npoint follows, not what lies near it.";
 constexpr const char* kFoldFreeHelp =
     "A drag never turns space inside out: a long one goes in\nsteps along the way of the cursor.";
 
