@@ -1,6 +1,6 @@
-// What mesh.frag has to know of a whole face: its level, the highest of its corners, and each
-// corner's barycentric coordinates, so that it can draw the edges into the surface itself, where
-// they have nothing to fight with in depth.
+// Passes to mesh.frag what it needs of a face: its level, which is the highest of its corners, and the
+// barycentric coordinates of each corner. With these the edges are drawn as part of the surface, so
+// that there are no depth conflicts.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 

@@ -1,4 +1,4 @@
-// The font's texture also has a white place, for what is no letter.
+// The font texture also contains white texels, which shapes without text use.
 uniform sampler2D font;
 
 in Corner {

@@ -1,5 +1,5 @@
-# Configures a build of the core library alone and fails if it looks for a package that only the
-# program or the tests need, or has a target beside the library.
+# Configures a build of only the core library. Fails if it looks for a package that only the program or
+# the tests need, or has any other target.
 # Run by ctest: cmake -DSOURCE=… -DBUILD=… -DCOMPILER=… -P core_only.cmake
 file(REMOVE_RECURSE ${BUILD})
 execute_process(

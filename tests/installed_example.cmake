@@ -9,7 +9,7 @@ set(saved ${SCRATCH}/dragged.obj)
 
 execute_process(COMMAND ${CMAKE_COMMAND} --install ${BUILD} --component library --prefix ${prefix}
                 OUTPUT_QUIET COMMAND_ERROR_IS_FATAL ANY)
-# A package that names folders of the build would work on this system alone.
+# A package with paths of the build would only work on this system.
 file(GLOB_RECURSE package_files ${prefix}/*.cmake)
 if(NOT package_files)
     message(FATAL_ERROR "no package file is installed")
@@ -31,7 +31,7 @@ execute_process(COMMAND ${CMAKE_COMMAND} -S ${SOURCE}/examples -B ${SCRATCH}/bui
                 COMMAND_ERROR_IS_FATAL ANY)
 execute_process(COMMAND ${CMAKE_COMMAND} --build ${SCRATCH}/build COMMAND_ERROR_IS_FATAL ANY)
 
-# Four triangles about a vertex, which is dragged up; the corners lie beyond the brush's reach.
+# Four triangles around a vertex, which is dragged up. The other vertices are out of the brush's reach.
 file(WRITE ${model} "v 0 0 0\nv 2 0 0\nv 0 2 0\nv -2 0 0\nv 0 -2 0\n"
                     "f 1 2 3\nf 1 3 4\nf 1 4 5\nf 1 5 2\n")
 execute_process(COMMAND ${SCRATCH}/build/drag ${model} ${saved} 1 0 0 0 0.25 0 0.5

@@ -1,15 +1,15 @@
-# Fails unless ctest gives every test program the options of the leak checker, and the tests
-# golden.egl.* the host that they are to draw with.
+# Fails unless ctest passes the options of the leak checker to every test program, and the host to draw
+# with to the tests golden.egl.*.
 # Run by ctest: cmake -DBUILD=… -P test_environment.cmake
 
-# Sets `result` to what ctest knows of the tests that its options choose, as JSON.
+# Sets `result` to the JSON description of the tests that the options of ctest select.
 function(list_tests result)
     execute_process(COMMAND ${CMAKE_CTEST_COMMAND} --test-dir ${BUILD} --show-only=json-v1 ${ARGN}
                     OUTPUT_VARIABLE tests COMMAND_ERROR_IS_FATAL ANY)
     set(${result} "${tests}" PARENT_SCOPE)
 endfunction()
 
-# Fails unless each of the tests has the text in its environment.
+# Fails unless every one of the tests has the text in its environment.
 function(expect_in_each tests text)
     string(REGEX MATCHALL "\"command\" :" commands "${tests}")
     string(REGEX MATCHALL "\"${text}" found "${tests}")
@@ -21,7 +21,7 @@ function(expect_in_each tests text)
     message(STATUS "${count} tests get ${text}")
 endfunction()
 
-# Those of a program that is not built have no names yet.
+# The tests of a program that is not built have no names yet.
 list_tests(all --exclude-regex "^build\\.|_NOT_BUILT")
 expect_in_each("${all}" "LSAN_OPTIONS=suppressions=")
 list_tests(egl --tests-regex "^golden\\.egl\\.")

@@ -5,6 +5,7 @@
 
 #include "app/editor.h"
 #include "app/picture.h"
+#include "io/model_format.h"
 
 namespace pectin {
 namespace {
@@ -77,8 +78,9 @@ void Editor::perform_on_file(Action action) {
         case Action::save_as:
         case Action::export_obj: {
             const std::string& path = workspace_.path();
-            browser.emplace(FileBrowser::Purpose::save,
-                            path.empty() ? workspace_.object_name() + ".obj" : path);
+            browser.emplace(
+                FileBrowser::Purpose::save,
+                path.empty() ? workspace_.object_name() + writable_extensions().front() : path);
             break;
         }
         case Action::save_picture:

@@ -6,6 +6,7 @@
 #include <filesystem>
 
 #include "io/file_error.h"
+#include "io/model_format.h"
 
 namespace pectin {
 namespace {
@@ -34,9 +35,28 @@ std::string absolute_path(const fs::path& path) {
     return error ? path.string() : whole.lexically_normal().string();
 }
 
+bool has_one_of(const std::string& path, std::span<const std::string> extensions) {
+    return std::any_of(extensions.begin(), extensions.end(), [&path](const std::string& extension) {
+        return has_extension(path, extension);
+    });
+}
+
+std::vector<std::string> extensions_for(FileBrowser::Purpose purpose) {
+    switch (purpose) {
+        case FileBrowser::Purpose::open:
+            return readable_extensions();
+        case FileBrowser::Purpose::save:
+            return writable_extensions();
+        case FileBrowser::Purpose::save_picture:
+            break;
+    }
+    return {".png"};
+}
+
 }  // namespace
 
-std::vector<FileEntry> list_folder(const std::string& folder, const std::string& extension) {
+std::vector<FileEntry> list_folder(const std::string& folder,
+                                   std::span<const std::string> extensions) {
     std::error_code error;
     fs::directory_iterator at(folder, error);
     if (error) throw FileError(folder, "cannot be shown: " + error.message());
@@ -47,7 +67,7 @@ std::vector<FileEntry> list_folder(const std::string& folder, const std::string&
                         .is_folder = at->is_directory(ignored)};
         if (entry.name.starts_with('.')) continue;
         if (!entry.is_folder) {
-            if (!at->is_regular_file(ignored) || !lower(entry.name).ends_with(extension)) continue;
+            if (!at->is_regular_file(ignored) || !has_one_of(entry.name, extensions)) continue;
             entry.bytes = at->file_size(ignored);
             if (ignored) entry.bytes = 0;
         }
@@ -58,7 +78,7 @@ std::vector<FileEntry> list_folder(const std::string& folder, const std::string&
 }
 
 FileBrowser::FileBrowser(Purpose purpose, const std::string& path)
-    : purpose_(purpose), extension_(purpose == Purpose::save_picture ? ".png" : ".obj") {
+    : purpose_(purpose), extensions_(extensions_for(purpose)) {
     if (purpose != Purpose::open) name = fs::path(path).filename().string();
     const std::string folder = fs::path(path).parent_path().string();
     enter(folder.empty() ? "." : folder);
@@ -95,7 +115,7 @@ void FileBrowser::enter(const std::string& folder) {
     std::string whole = absolute_path(folder);
     if (whole.size() > 1 && whole.ends_with('/')) whole.pop_back();
     try {
-        entries_ = list_folder(whole, extension_);
+        entries_ = list_folder(whole, extensions_);
         folder_ = whole;
         complaint_.clear();
         takes_typing = true;
@@ -117,7 +137,7 @@ std::string FileBrowser::choose() {
         if (complaint_.empty()) name.clear();
         return {};
     }
-    if (purpose_ != Purpose::open && !lower(whole).ends_with(extension_)) whole += extension_;
+    if (purpose_ != Purpose::open && !has_one_of(whole, extensions_)) whole += extensions_.front();
     return whole;
 }
 

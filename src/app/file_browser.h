@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -15,9 +16,10 @@ struct FileEntry {
 };
 
 // What a folder holds of interest: folders first, each sorted without regard to case; hidden ones
-// left out; of files only those that end in `extension` (".obj"), in any case.
+// left out; of files only those that end in one of `extensions` (".obj"), in any case.
 // Throws FileError where it cannot be read.
-std::vector<FileEntry> list_folder(const std::string& folder, const std::string& extension);
+std::vector<FileEntry> list_folder(const std::string& folder,
+                                   std::span<const std::string> extensions);
 
 class FileBrowser {
   public:
@@ -29,7 +31,8 @@ class FileBrowser {
     Purpose purpose() const { return purpose_; }
     const char* title() const;
     const char* verb() const;  // of the button
-    const std::string& extension() const { return extension_; }
+    // The extensions of the files that are listed (".obj"). The first is added when saving.
+    std::span<const std::string> extensions() const { return extensions_; }
 
     const std::string& folder() const { return folder_; }
     const std::vector<FileEntry>& entries() const { return entries_; }
@@ -51,14 +54,14 @@ class FileBrowser {
     bool takes_typing = true;
 
     // The file that the name means, absolute: a name with a folder counts from this one, and ~ is
-    // the home folder. When saving, the extension is added where it is missing. Empty where there
-    // is no name. Where the name is that of a folder, goes there and answers empty.
+    // the home folder. When saving, the first extension is added where all are missing. Empty where
+    // there is no name. Where the name is that of a folder, goes there and answers empty.
     std::string choose();
     static bool exists(const std::string& path);
 
   private:
     Purpose purpose_;
-    std::string extension_;
+    std::vector<std::string> extensions_;
     std::string folder_;
     std::vector<FileEntry> entries_;
     std::string complaint_;

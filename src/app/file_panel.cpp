@@ -50,7 +50,11 @@ bool draw_entries(FileBrowser& browser) {
     bool chosen = false;
     std::optional<std::string> folder;
     if (browser.entries().empty()) {
-        ImGui::TextDisabled("No folder and no %s file here.", browser.extension().c_str());
+        std::string types;
+        for (const std::string& extension : browser.extensions()) {
+            types += (types.empty() ? "" : " or ") + extension;
+        }
+        ImGui::TextDisabled("No folder and no %s file here.", types.c_str());
     }
     for (const FileEntry& entry : browser.entries()) {
         const bool is_selected = !entry.is_folder && entry.name == browser.name;

@@ -13,6 +13,7 @@
 
 #include "command/json.h"
 #include "io/file_error.h"
+#include "io/model_format.h"
 
 namespace pectin {
 namespace {
@@ -131,8 +132,10 @@ std::string copy_prefix(const std::string& path) {
     return path.substr(0, path.size() - std::strlen(kSuffix)) + "-model-";
 }
 
-std::string copy_path_for(const std::string& path, const std::string& fingerprint) {
-    return copy_prefix(path) + fingerprint + ".obj";
+// The copy is read in the same format as the model.
+std::string copy_path_for(const std::string& path, const std::string& model,
+                          const std::string& fingerprint) {
+    return copy_prefix(path) + fingerprint + std::string(format_for_reading(model).extension);
 }
 
 // The copies first: whatever is left then is still found.
@@ -172,7 +175,7 @@ void RecoveryFile::record(const Command& command, const std::string& fingerprint
         if (open && !fingerprint.empty()) {
             recorder_.remark(std::string(kFingerprint).substr(2) + fingerprint);
             std::erase_if(opened_, [&](const ModelCopy& m) { return m.from == open->path; });
-            opened_.push_back({open->path, copy_path(fingerprint), fingerprint});
+            opened_.push_back({open->path, copy_path(open->path, fingerprint), fingerprint});
         }
         recorder_.record(command);
     } catch (...) {
@@ -193,8 +196,9 @@ std::vector<ModelCopy> RecoveryFile::copies_before_save(const std::string& path)
     return copies;
 }
 
-std::string RecoveryFile::copy_path(const std::string& fingerprint) const {
-    return copy_path_for(path(), fingerprint);
+std::string RecoveryFile::copy_path(const std::string& model,
+                                    const std::string& fingerprint) const {
+    return copy_path_for(path(), model, fingerprint);
 }
 
 void RecoveryFile::remove() { remove_with_copies(path()); }
@@ -230,8 +234,9 @@ LostSessions find_lost_sessions(const std::string& folder) {
     return lost;
 }
 
-std::string copy_path(const LostSession& session, const std::string& fingerprint) {
-    return copy_path_for(session.path, fingerprint);
+std::string copy_path(const LostSession& session, const std::string& model,
+                      const std::string& fingerprint) {
+    return copy_path_for(session.path, model, fingerprint);
 }
 
 void remove_lost_session(const LostSession& session) { remove_with_copies(session.path); }

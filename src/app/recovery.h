@@ -41,8 +41,8 @@ class RecoveryFile {
     bool has_failed() const { return has_failed_; }
     // The copies to make before a file is saved at this path: of the models that it replaces.
     std::vector<ModelCopy> copies_before_save(const std::string& path) const;
-    // Where the copy of a model with this fingerprint is put.
-    std::string copy_path(const std::string& fingerprint) const;
+    // Where the copy of the model at a path with this fingerprint is put.
+    std::string copy_path(const std::string& model, const std::string& fingerprint) const;
     // With its copies.
     void remove();
 
@@ -75,8 +75,9 @@ struct LostSessions {
 // to restore.
 LostSessions find_lost_sessions(const std::string& folder);
 
-// Where the session keeps the copy of a model with this fingerprint, if it has one.
-std::string copy_path(const LostSession& session, const std::string& fingerprint);
+// Where the session keeps the copy of the model at a path with this fingerprint, if it has one.
+std::string copy_path(const LostSession& session, const std::string& model,
+                      const std::string& fingerprint);
 
 // Forgets a lost session, once it is restored or is not wanted.
 void remove_lost_session(const LostSession& session);

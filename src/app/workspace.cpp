@@ -127,9 +127,10 @@ Workspace::Outcome Workspace::execute(const Command& command) {
 Workspace::Outcome Workspace::reopen(const command::Open& open, const LostSession& session,
                                      const std::string& fingerprint) {
     return carry_out(open, [&]() -> FileWork {
-        const ModelCopy copy{.from = copy_path(session, fingerprint),
-                             .to = has_recovery() ? recovery_->copy_path(fingerprint) : "",
-                             .fingerprint = fingerprint};
+        const ModelCopy copy{
+            .from = copy_path(session, open.path, fingerprint),
+            .to = has_recovery() ? recovery_->copy_path(open.path, fingerprint) : "",
+            .fingerprint = fingerprint};
         return [open, copy](const Progress& progress) {
             return FileTask::Result{.model = load_original(open, copy, progress),
                                     .fingerprint = copy.fingerprint};

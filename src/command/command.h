@@ -1,7 +1,8 @@
-// Everything a person can do to the object: mouse, script and tests send these to a Session.
+// The commands: everything that a user can do. The mouse, scripts and tests send them to a Session.
 //
-// Angles are in degrees, lengths in the model's units. An empty optional leaves the present
-// setting as it is. Members that start empty say so, so that designated initialisers may omit them.
+// Angles are in degrees, lengths in the model's units, points in world space. An empty optional
+// leaves the current setting unchanged. Members have initialisers so that designated initialisers
+// may omit them.
 #pragma once
 
 #include <cstdint>
@@ -16,7 +17,7 @@
 
 namespace pectin {
 
-// A setting that may be a number, off (`null`) or derived from others (`"auto"`).
+// A setting that is a number, off (`null` in a script) or derived from others (`"auto"`).
 struct Setting {
     enum class Kind { automatic, off, value };
     Kind kind = Kind::automatic;
@@ -34,7 +35,7 @@ namespace command {
 
 struct Open {
     std::string path{};
-    double crease_angle = 45.0;  // where the file has neither normals nor smoothing groups
+    double crease_angle = 45.0;  // used if the file has no normals or smoothing groups
     bool operator==(const Open&) const = default;
 };
 
@@ -59,7 +60,7 @@ struct Adapt {
 
 struct Brush {
     std::optional<double> radius{};
-    std::optional<int> span{};  // deformable control points an axis
+    std::optional<int> span{};  // deformable control points per axis
     bool operator==(const Brush&) const = default;
 };
 
@@ -67,21 +68,21 @@ struct Cage {
     struct Grid {
         Vec3 origin{0.0}, cell{0.0};
         IVec3 deformable{0};
-        IVec3 margin{0};  // layers of control points beyond these, on each side
+        IVec3 margin{0};  // further layers of control points on each side
         bool operator==(const Grid&) const = default;
     };
     struct Fit {
-        IVec3 deformable{0};  // about the object's box
+        IVec3 deformable{0};  // control points on the object's box
         bool operator==(const Fit&) const = default;
     };
     std::variant<Grid, Fit> lattice;
     bool operator==(const Cage&) const = default;
 };
 
-// Drags and pins, and control points, happen on both sides of a plane from now on.
+// Mirrors all later drags, pins and moves of control points in a plane.
 struct Symmetry {
-    enum class Plane { x, y, z };  // the axis it is perpendicular to
-    std::optional<Plane> plane{};  // none: no symmetry
+    enum class Plane { x, y, z };  // the axis that is normal to the plane
+    std::optional<Plane> plane{};  // empty: no symmetry
     Vec3 through{0.0};             // a point on it
     bool operator==(const Symmetry&) const = default;
 };
@@ -91,13 +92,13 @@ struct Drag {
     using Move = pectin::Move;
     std::vector<Move> moves{};
     std::vector<Vec3> pins{};
-    bool connected = false;   // only the surface that is connected to the moved points
-    bool fold_free = false;   // in steps that are proven one to one
+    bool connected = false;   // only the surface connected to the moved points
+    bool fold_free = false;   // in steps that are proven injective
     std::vector<Vec3> via{};  // waypoints of the first move
     bool operator==(const Drag&) const = default;
 };
 
-// Moves control points of the cage in use.
+// Moves control points of the current cage.
 struct Control {
     struct Point {
         IVec3 index{0};
@@ -118,9 +119,9 @@ struct Redo {
     bool operator==(const Redo&) const = default;
 };
 
-// How much memory undo and redo may take before the oldest steps are dropped.
+// Limits the memory of undo and redo. The oldest steps are dropped beyond it.
 struct History {
-    std::optional<Setting> megabytes{};  // of 10^6 bytes; number or off: no limit
+    std::optional<Setting> megabytes{};  // 10^6 bytes each; number, or off: no limit
     bool operator==(const History&) const = default;
 };
 
@@ -128,7 +129,7 @@ struct Readapt {
     bool operator==(const Readapt&) const = default;
 };
 
-// Makes everything that refinement has inserted part of the base mesh.
+// Makes the refined mesh the base mesh.
 struct Bake {
     bool operator==(const Bake&) const = default;
 };
@@ -143,16 +144,16 @@ struct Stats {
     bool operator==(const Stats&) const = default;
 };
 
-// A picture of the object. No undo step.
+// Draws a picture of the object. Makes no undo step.
 struct Screenshot {
     struct Show {
         bool wireframe = false, lattice = false, levels = false;
-        bool ui = false;  // the window's panels; viewports may refuse
+        bool ui = false;  // the window's panels; refused where there are none
         bool operator==(const Show&) const = default;
     };
     std::string path{};
     int width = 1280, height = 960;  // pixels
-    std::optional<Camera> camera{};  // none: from the front, so that all of the object is seen
+    std::optional<Camera> camera{};  // empty: the whole object from the front
     Show show{};
     bool operator==(const Screenshot&) const = default;
 };
@@ -164,7 +165,7 @@ using Command = std::variant<command::Open, command::Shape, command::Adapt, comm
                              command::Undo, command::Redo, command::History, command::Readapt,
                              command::Bake, command::Save, command::Stats, command::Screenshot>;
 
-// The name a script calls it by.
+// The name of the command in scripts.
 const char* name(const Command& command);
 
 }  // namespace pectin

@@ -1,4 +1,4 @@
-// Commands and statistics as JSON: the lines of a script, and what `stats` writes.
+// Converts commands from and to JSON (the lines of a script), and statistics to JSON.
 #pragma once
 
 #include <optional>
@@ -11,30 +11,29 @@
 
 namespace pectin {
 
-// Why a line is no command.
+// Why a line is not a valid command.
 struct CommandError {
-    std::string command;  // the name given, or "script" where the line names none
-    std::string what;     // what is wrong and what would be right, one line
+    std::string command;  // the given name, or "script" if the line has none
+    std::string what;     // what is wrong and what would be right, in one line
     bool operator==(const CommandError&) const = default;
 };
 
-// Reads one line, strictly: an unknown, repeated or missing field, a wrong type and a value that
-// can never be right are errors. What depends on the object or on present settings is not
-// checked here.
+// Reads one line strictly: an unknown, repeated or missing field, a wrong type and a value that can
+// never be right are errors. Does not check what depends on the object or on the current settings.
 std::variant<Command, CommandError> parse_command(std::string_view json_line);
 
-// What is wrong with the first line of a script; nothing if it is {"pectin": 1}.
+// Says what is wrong with the first line of a script; nothing if it is {"pectin": 1}.
 std::optional<std::string> check_header(std::string_view json_line);
 
-// One line without its end, which parses back to an equal command; numbers are the shortest that
-// read back the same. Precondition: paths are UTF-8, numbers finite and budget at
-// most 2^53.
+// Writes the command as one line without a line end. parse_command() reads an equal command from
+// it. Numbers are the shortest decimals that read back the same. Precondition: paths are UTF-8,
+// numbers are finite, and the budget is at most 2^53.
 std::string format_command(const Command& command);
 
-// Whether a text is one JSON value and nothing else.
+// Whether the text is exactly one JSON value.
 bool is_json(std::string_view text);
 
-// The whole file that `stats` writes; a number that is not finite becomes null.
+// The contents of the file that `stats` writes. Numbers that are not finite become null.
 std::string format_statistics(const Statistics& statistics);
 
 }  // namespace pectin

@@ -11,7 +11,7 @@ namespace pectin {
 
 namespace {
 
-// Objects with `"name": value` fields, on one line or one field a line.
+// Writes JSON text, either on one line or with one field on each line.
 class JsonWriter {
   public:
     enum class Layout { line, indented };
@@ -28,7 +28,7 @@ class JsonWriter {
         text_ += bracket;
         is_first_ = false;
     }
-    // Ahead of each field or element.
+    // Writes what separates two fields or elements. Called before each of them.
     void next() {
         if (!is_first_) text_ += layout_ == Layout::line ? ", " : ",";
         if (layout_ == Layout::indented) break_line();

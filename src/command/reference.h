@@ -1,23 +1,22 @@
-// The commands of a script, their fields and what each means: one table for errors and help.
+// The commands of a script with their fields and meanings. Error messages and help use this table.
 #pragma once
 
 #include <span>
-#include <vector>
 
 namespace pectin {
 
 struct FieldReference {
     const char* name;
-    const char* meaning;
+    const char* meaning;  // default value in parentheses
 };
 
 struct CommandReference {
     const char* name;
     const char* meaning;
-    std::vector<FieldReference> fields;
+    std::span<const FieldReference> fields;
 };
 
-// One entry an alternative of Command, in its order.
+// One entry for each alternative of Command, in the same order.
 std::span<const CommandReference> command_reference();
 
 }  // namespace pectin

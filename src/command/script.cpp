@@ -9,9 +9,9 @@ namespace pectin {
 namespace {
 
 constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
-// So that a device or a damaged file does not fill the memory. The longest sensible command, a drag
-// of some 100,000 points, takes a tenth of it.
-constexpr std::size_t kLongestLine = std::size_t{64} << 20;
+// In bytes. Keeps a device or a damaged file from filling the memory. The longest sensible command,
+// a drag of about 100,000 points, takes a tenth of this.
+constexpr std::size_t kMaxLine = std::size_t{64} << 20;
 constexpr const char* kBlanks = " \t\r\n\v\f";
 
 bool is_skipped(const std::string& line) {
@@ -25,7 +25,7 @@ std::optional<std::string> ScriptReader::read_line() {
     std::string line;
     ++number_;
     char next = 0;
-    while (line.size() <= kLongestLine && text_.get(next) && next != '\n') line.push_back(next);
+    while (line.size() <= kMaxLine && text_.get(next) && next != '\n') line.push_back(next);
     if (!text_ && line.empty()) return std::nullopt;
     if (line.ends_with('\r')) line.pop_back();
     if (number_ == 1 && line.starts_with(kByteOrderMark)) line.erase(0, kByteOrderMark.size());
@@ -41,7 +41,7 @@ std::optional<ScriptLine> ScriptReader::next() {
     while (!is_done_) {
         const std::optional<std::string> line = read_line();
         if (!line && text_.bad()) return fail("the script cannot be read on");
-        if (line && line->size() > kLongestLine) {
+        if (line && line->size() > kMaxLine) {
             return fail(
                 "the line is longer than 64 MiB, which is the most; a script has one command "
                 "in each line");

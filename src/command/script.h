@@ -1,4 +1,4 @@
-// A script, line by line: {"pectin": 1}, then one command a line (UTF-8, JSON Lines).
+// Reads a script: the line {"pectin": 1}, then one command on each line (JSON Lines in UTF-8).
 #pragma once
 
 #include <cstddef>
@@ -17,15 +17,14 @@ struct ScriptLine {
     std::variant<Command, CommandError> command;
 };
 
-// Reads one line at a time, so that what stands before a bad line can be done first.
+// Reads one line at a time, so that the commands before an invalid line can be executed first.
 class ScriptReader {
   public:
     // Precondition: `text` outlives the reader.
     explicit ScriptReader(std::istream& text) : text_(text) {}
 
-    // The next command, or the error that takes its place; nothing at the end. Blank lines and
-    // lines that start with # are passed over. A bad first line and a read that fails are errors
-    // after which there is nothing more.
+    // The next command or the error in its line; nothing at the end of the script. Skips blank
+    // lines and lines that start with #. An invalid first line and a read error end the script.
     std::optional<ScriptLine> next();
 
   private:
@@ -37,7 +36,8 @@ class ScriptReader {
     bool is_done_ = false;
 };
 
-// Relative paths become relative to `folder`; absolute ones, and all where it is empty, stay.
+// Makes a relative path of the command relative to `folder`. Absolute paths are unchanged; if
+// `folder` is empty, all paths are.
 void resolve_paths(Command& command, const std::string& folder);
 
 }  // namespace pectin

@@ -1,3 +1,5 @@
+// V. I. Levenshtein. Binary codes capable of correcting deletions, insertions, and reversals.
+// Doklady Akademii Nauk SSSR 163 (1965).
 #include "command/spelling.h"
 
 #include <algorithm>
@@ -11,9 +13,9 @@ namespace pectin {
 
 namespace {
 
-constexpr std::size_t kLongestWorthComparing = 20, kLargestSlip = 2;
+constexpr std::size_t kMaxCompared = 20, kMaxDistance = 2;
 
-// Levenshtein, Doklady 1965, one row at a time.
+// The Levenshtein distance, computed one row at a time (Levenshtein 1965).
 std::size_t edit_distance(std::string_view a, std::string_view b) {
     std::vector<std::size_t> row(b.size() + 1);
     std::iota(row.begin(), row.end(), std::size_t{0});
@@ -30,7 +32,7 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
 }  // namespace
 
 const char* nearest_command(std::string_view given) {
-    if (given.size() > kLongestWorthComparing) return nullptr;
+    if (given.size() > kMaxCompared) return nullptr;
     const auto distance = [given](const CommandReference& entry) {
         return edit_distance(given, entry.name);
     };
@@ -38,7 +40,7 @@ const char* nearest_command(std::string_view given) {
     const auto nearest =
         std::min_element(known.begin(), known.end(),
                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-    return distance(*nearest) <= kLargestSlip ? nearest->name : nullptr;
+    return distance(*nearest) <= kMaxDistance ? nearest->name : nullptr;
 }
 
 }  // namespace pectin

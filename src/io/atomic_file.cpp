@@ -12,13 +12,12 @@
 namespace pectin {
 namespace {
 
-// The file that writing to `path` would change: symbolic links are followed, also one that
-// points to a file yet to be made.
-std::string behind_links(const std::string& path) {
-    constexpr int kMostLinks = 40;  // as Linux
+// Follows symbolic links to the file that writing to `path` would change. That file need not exist.
+std::string follow_links(const std::string& path) {
+    constexpr int kMaxLinks = 40;  // the limit of Linux
     std::filesystem::path target(path);
     std::error_code error;
-    for (int i = 0; i < kMostLinks && std::filesystem::is_symlink(target, error); ++i) {
+    for (int i = 0; i < kMaxLinks && std::filesystem::is_symlink(target, error); ++i) {
         const auto link = std::filesystem::read_symlink(target, error);
         if (error) break;
         target = target.parent_path() / link;  // an absolute link replaces the folder
@@ -34,7 +33,7 @@ std::string folder_of(const std::string& path) {
 }  // namespace
 
 AtomicFile::AtomicFile(const std::string& path)
-    : path_(path), target_(behind_links(path)), folder_(folder_of(target_)) {
+    : path_(path), target_(follow_links(path)), folder_(folder_of(target_)) {
     if (std::filesystem::path(target_).filename().empty()) {
         throw FileError(path_, "names a folder; give the file a name");
     }
@@ -46,14 +45,15 @@ AtomicFile::AtomicFile(const std::string& path)
         if (!S_ISREG(status.st_mode)) {
             throw FileError(path_, "is a device or a pipe; save to a file");
         }
-        // Renaming would get round a file's write protection.
+        // Renaming would ignore the file's write protection.
         if (::access(target_.c_str(), W_OK) != 0) {
             throw FileError(path_, "is write-protected; allow writing or save under another name");
         }
     }
     open_temporary();
     if (replaces) {
-        // The owner only where the system lets us; first, for chown clears bits of the mode.
+        // Changing the owner fails without privileges, which is accepted. It comes first because
+        // chown clears bits of the mode.
         if (::fchown(file_.get(), status.st_uid, status.st_gid) != 0) errno = 0;
         if (::fchmod(file_.get(), status.st_mode & 07777) != 0) errno = 0;
     }
@@ -64,12 +64,12 @@ AtomicFile::~AtomicFile() {
 }
 
 void AtomicFile::open_temporary() {
-    constexpr int kMostTries = 10000;         // past what killed processes may have left behind
-    constexpr mode_t kModeOfNewFiles = 0666;  // less the umask
+    constexpr int kMaxTries = 10000;  // more than the files that killed processes may have left
+    constexpr mode_t kModeOfNewFiles = 0666;  // minus the umask
     const std::string prefix = folder_ + "/.pectin-" + std::to_string(::getpid()) + "-";
-    for (int i = 0; i < kMostTries; ++i) {
+    for (int i = 0; i < kMaxTries; ++i) {
         std::string name = prefix + std::to_string(i) + ".tmp";
-        // Listed before it exists, so that no signal finds it unlisted.
+        // The file is listed before it exists, so that a signal at any time removes it.
         TemporaryFileEntry entry(name);
         file_ = FileDescriptor(name.c_str(), O_WRONLY | O_CREAT | O_EXCL, kModeOfNewFiles);
         if (file_.is_open()) {
@@ -99,7 +99,8 @@ void AtomicFile::commit_new() {
     flush();
     if (::renameat2(AT_FDCWD, temporary_.path().c_str(), AT_FDCWD, target_.c_str(),
                     RENAME_NOREPLACE) != 0) {
-        // Some file systems cannot do it in one step: two steps are the next best.
+        // Some file systems do not support RENAME_NOREPLACE. Then a file that appears between the
+        // check and the renaming is replaced.
         if (errno != EINVAL && errno != ENOSYS) fail(errno);
         struct stat status {};
         if (::lstat(target_.c_str(), &status) == 0) fail(EEXIST);
@@ -110,7 +111,7 @@ void AtomicFile::commit_new() {
 
 void AtomicFile::flush() {
     while (::fsync(file_.get()) != 0) {
-        if (errno == EINVAL) break;  // a file system that cannot
+        if (errno == EINVAL) break;  // the file system does not support it
         if (errno != EINTR) fail(errno);
     }
     if (!file_.close()) fail(errno);
@@ -118,7 +119,7 @@ void AtomicFile::flush() {
 
 void AtomicFile::finish() {
     temporary_ = {};
-    // The new file is in place: that its name reaches the disk later is no failure any more.
+    // The new file is in place, so a failure to flush its name to the disk is ignored.
     const FileDescriptor folder(folder_.c_str(), O_RDONLY | O_DIRECTORY);
     if (folder.is_open()) ::fsync(folder.get());
 }

@@ -1,4 +1,4 @@
-// Files that are either written whole or not at all.
+// Writes files either completely or not at all.
 #pragma once
 
 #include <string>
@@ -9,13 +9,13 @@
 
 namespace pectin {
 
-// A new content for the file at a path, which takes the place of the old one in commit(). Until
-// then, and if anything fails, the old file stays as it is; without commit() nothing is left.
+// Replaces the file at a path in commit(). Until then, and if anything fails, the old file is
+// unchanged. Without commit() no new file is left behind.
 //
-// Written to a temporary file in the same folder, flushed to the disk and renamed, so that a
-// crash or a power cut leaves the old file or the new one. The new file keeps the old one's
-// permissions; a symbolic link stays and its target is replaced. remove_temporary_files() removes
-// the temporary file when a signal ends the program.
+// The contents go to a temporary file in the same folder, which commit() flushes to the disk and
+// renames. So a crash or a power cut leaves either the old file or the new one. The new file keeps
+// the permissions of the old one. If the path is a symbolic link, its target is replaced.
+// remove_temporary_files() removes the temporary file when a signal ends the program.
 // All members throw FileError.
 class AtomicFile {
   public:
@@ -26,7 +26,7 @@ class AtomicFile {
 
     void write(std::string_view bytes);
     void commit();
-    // The same where there is no file yet; fails where one has come there meanwhile.
+    // Like commit() for a file that must not exist yet. Throws if it exists by now.
     void commit_new();
 
   private:
@@ -38,7 +38,7 @@ class AtomicFile {
     std::string path_;    // as given, for messages
     std::string target_;  // the file behind symbolic links
     std::string folder_;
-    TemporaryFileEntry temporary_;  // its path is empty if there is no file to remove
+    TemporaryFileEntry temporary_;  // its path is empty if there is no temporary file
     FileDescriptor file_;
 };
 

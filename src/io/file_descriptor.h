@@ -1,4 +1,4 @@
-// An open file of the operating system, closed with its owner.
+// Owns an open file of the operating system.
 #pragma once
 
 #include <fcntl.h>
@@ -11,7 +11,7 @@ namespace pectin {
 
 class FileDescriptor {
   public:
-    // Opens as open(2) does; not is_open(), with errno set, where that fails.
+    // Opens the file as open(2) does. If this fails, is_open() is false and errno is set.
     FileDescriptor(const char* path, int flags, mode_t mode = 0) {
         do {
             descriptor_ = ::open(path, flags | O_CLOEXEC, mode);
@@ -28,8 +28,8 @@ class FileDescriptor {
 
     bool is_open() const { return descriptor_ >= 0; }
     int get() const { return descriptor_; }
-    // Whether the system had nothing to complain of, such as a late write error on a network
-    // drive; EINTR is no complaint, for Linux has closed by then.
+    // Returns false if the system reports an error, such as a late write error on a network drive.
+    // EINTR is not an error, because Linux has closed the file by then.
     bool close() {
         const int descriptor = std::exchange(descriptor_, -1);
         return descriptor < 0 || ::close(descriptor) == 0 || errno == EINTR;

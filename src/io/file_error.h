@@ -1,4 +1,4 @@
-// What goes wrong with files, with the place where it did.
+// The exception for errors in files and with files.
 #pragma once
 
 #include <cstddef>
@@ -10,9 +10,9 @@
 
 namespace pectin {
 
-// what() is "PATH:LINE: message", or "PATH: message" where no line is to blame (line 0), as
-// printable() text: a zero byte in a file or a path does not cut it off. Messages say what is wrong
-// and, where that helps, what would be right.
+// what() is "PATH:LINE: message", or "PATH: message" if the error is not in a line (line 0). It is
+// printable() text, so that a zero byte in a file or a path does not truncate it. Messages say what
+// is wrong and, where this helps, what would be right.
 class FileError : public std::runtime_error {
   public:
     FileError(std::string path, std::size_t line, std::string message)
@@ -25,7 +25,7 @@ class FileError : public std::runtime_error {
         : FileError(std::move(path), 0, std::move(message)) {}
 
     const std::string& path() const { return path_; }
-    std::size_t line() const { return line_; }  // from 1; 0 where there is none
+    std::size_t line() const { return line_; }  // counted from 1; 0 if there is none
     const std::string& message() const { return message_; }
 
   private:

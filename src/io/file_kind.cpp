@@ -1,4 +1,4 @@
-// Signatures are those of file(1)'s data base and of the formats' own specifications.
+// The signatures come from the database of file(1) and from the specifications of the formats.
 #include "io/file_kind.h"
 
 #include <algorithm>
@@ -22,7 +22,7 @@ struct Signature {
     FileKind kind;
 };
 
-// The first that matches counts, so longer ones stand before their beginnings.
+// The first match counts, so a longer signature precedes one that is a prefix of it.
 constexpr std::array kSignatures{
     Signature{0, "\x1f\x8b"sv, {packed, "is a gzip file", kUnpack}},
     Signature{0, "PK\x03\x04"sv, {packed, "is a zip archive", kUnpack}},
@@ -116,7 +116,7 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-// Text in ASCII has a zero in every second byte there. A few other characters may be among it.
+// In UTF-16, every second byte of an ASCII character is zero. A few other characters are allowed.
 bool is_utf16_without_mark(std::string_view head) {
     const std::size_t pairs = std::min(head.size(), kSignatureBytes) / 2;
     if (pairs < 4) return false;
@@ -126,7 +126,7 @@ bool is_utf16_without_mark(std::string_view head) {
     return 10 * most > 9 * pairs && least == 0;
 }
 
-// Eighty bytes of anything, the number of triangles, fifty bytes for each.
+// A binary STL file has 80 arbitrary bytes, the number of triangles and 50 bytes for each triangle.
 bool is_binary_stl(std::string_view head, std::size_t bytes) {
     constexpr std::size_t kHeader = 84, kTriangle = 50;
     return head.size() >= kHeader && bytes > kHeader &&
@@ -140,7 +140,7 @@ bool is_bmp(std::string_view head, std::size_t bytes) {
     return header >= 12 && header <= 124 && pixels >= kFileHeader + header && pixels <= bytes;
 }
 
-// P1 to P7, PF and Pf (Netpbm): the letter, a number or F, blank space, and a number.
+// Netpbm pictures begin with P1 to P7, PF or Pf, white space and a number.
 bool is_netpbm(std::string_view head) {
     if (head.size() < 8 || head[0] != 'P') return false;
     if ((head[1] < '1' || head[1] > '7') && head[1] != 'F' && head[1] != 'f') return false;
@@ -149,12 +149,12 @@ bool is_netpbm(std::string_view head) {
     return is_space && ((head[3] >= '0' && head[3] <= '9') || head[3] == '#');
 }
 
-// Chunks of which the first names itself and the length of all (Autodesk 3D Studio).
+// A file of Autodesk 3D Studio begins with a chunk that contains the length of the file.
 bool is_3ds(std::string_view head, std::size_t bytes) {
     return head.starts_with("MM") && head.size() >= 6 && little_endian(head, 2, 4) == bytes;
 }
 
-// Whether the first line that is no comment begins a material.
+// Whether the first line that is not a comment begins a material.
 bool begins_material(std::string_view head) {
     while (true) {
         const std::size_t begin = head.find_first_not_of(" \t\r\n");
@@ -165,7 +165,7 @@ bool begins_material(std::string_view head) {
     }
 }
 
-// Formats in text that have no signature at one place.
+// Recognises text formats that have no signature at a fixed offset.
 FileKind recognise_text(std::string_view head) {
     const std::size_t begin = head.find_first_not_of(" \t\r\n");
     if (begin == head.npos) return {};
@@ -229,7 +229,7 @@ bool is_tga(std::string_view head, std::string_view tail, std::size_t bytes) {
     const std::size_t map_bytes =
         map == 0 ? 0 : std::size_t{little_endian(head, 5, 2)} * ((byte(7) + 7u) / 8);
     const std::size_t before = kHeader + byte(0) + map_bytes, pixel_bytes = (depth + 7u) / 8;
-    // A run of packed pixels stands for 128 of them at most.
+    // A run of packed pixels has at most 128 pixels.
     const std::size_t least =
         is_packed ? (pixels + 127) / 128 * (1 + pixel_bytes) : pixels * pixel_bytes;
     return bytes >= before + least;

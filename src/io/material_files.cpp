@@ -31,7 +31,7 @@ std::string lower_case(std::string_view text) {
     return lower;
 }
 
-// Also a symbolic link that leads nowhere: writing would follow it.
+// True also for a dangling symbolic link, because writing would follow it.
 bool path_exists(const fs::path& path) {
     std::error_code error;
     return fs::symlink_status(path, error).type() != fs::file_type::not_found && !error;
@@ -49,7 +49,7 @@ bool is_picture(const OpenFile& file, const std::string& path) {
     return recognise_file(head, file.bytes).is_image() || is_tga(head, tail, file.bytes);
 }
 
-// What asking for a file says where there is none. No file has a name that is too long.
+// Whether the error means that there is no file. A name that is too long cannot belong to a file.
 bool is_missing(int error) { return error == ENOENT || error == ENOTDIR || error == ENAMETOOLONG; }
 
 class MaterialCopier {
@@ -63,7 +63,7 @@ class MaterialCopier {
     MaterialCopy copy();
 
   private:
-    using Reasons = std::map<std::string, std::string>;  // by name
+    using Reasons = std::map<std::string, std::string>;  // keyed by name
 
     std::vector<std::string> library_names(std::string_view statement);
     void find_once(const std::string& name, const fs::path& subfolder, std::set<fs::path>& found);
@@ -75,7 +75,7 @@ class MaterialCopier {
     bool find_textures_of(const fs::path& library);
     void copy_one(const fs::path& path, const Progress& progress);
     void copy_bytes(const OpenFile& file, const fs::path& path, const Progress& progress) const;
-    std::optional<OpenFile> open(const fs::path& path, std::uint64_t most_bytes,
+    std::optional<OpenFile> open(const fs::path& path, std::uint64_t max_bytes,
                                  const Progress& progress);
     void refuse(const fs::path& path, std::string why) {
         refused_.insert_or_assign(path.generic_string(), std::move(why));
@@ -87,30 +87,31 @@ class MaterialCopier {
     fs::path from_, to_;
     const Progress& progress_;
     const MaterialLimits& limits_;
-    PatientInquiry inquiry_;
-    std::map<fs::path, int> errors_;                    // of error_of()
-    std::set<std::pair<fs::path, std::string>> names_;  // looked up, with their subfolders
-    std::set<fs::path> libraries_, textures_;           // found in from_
-    std::set<std::string> lost_;                        // by name
+    TimedFileQuery query_;
+    std::map<fs::path, int> errors_;                    // cached results of error_of()
+    std::set<std::pair<fs::path, std::string>> names_;  // subfolder and name of those looked up
+    std::set<fs::path> libraries_, textures_;           // exist in from_
+    std::set<std::string> not_found_;                   // names of files not found
     Reasons refused_, failed_;
     MaterialCopy result_;
 };
 
-// What the system says to opening a file of from_, as errno; 0 where it is there, whatever it is.
+// The errno of asking the system about a path in from_; 0 if something exists there.
 int MaterialCopier::error_of(const fs::path& path) {
     const auto known = errors_.find(path);
     if (known != errors_.end()) return known->second;
     int error = ETIMEDOUT;
     try {
-        error = inquiry_.ask((from_ / path).string(), progress_).error;
+        error = query_.ask((from_ / path).string(), progress_).error;
     } catch (const FileError&) {
-        // No answer: open() will say so.
+        // The system did not answer. open() will report it.
     }
     errors_.emplace(path, error);
     return error;
 }
 
-// One file, also with blanks in its name, or several, where a name ends at .mtl and a blank.
+// The statement names one file, whose name may contain blanks, or several files. In a list, a name
+// ends after ".mtl" and a blank.
 std::vector<std::string> MaterialCopier::library_names(std::string_view statement) {
     constexpr std::string_view kExtension = ".mtl";
     const auto whole = path_inside({}, statement);
@@ -139,7 +140,7 @@ void MaterialCopier::find_libraries(std::span<const std::string> statements) {
     }
 }
 
-// Whether another name may be looked up; else says that there are too many.
+// Whether another name may be looked up. If not, reports that there are too many.
 bool MaterialCopier::may_look_up() {
     progress_.advance(0.0);
     if (names_.size() < limits_.names) return true;
@@ -147,8 +148,8 @@ bool MaterialCopier::may_look_up() {
     return false;
 }
 
-// The first time that the name comes, if it is not one too many. A texture that is not beside its
-// library may be beside the model.
+// Looks the name up, unless this was done before or there are too many names. A texture that is not
+// in the folder of its library may be in the folder of the model.
 void MaterialCopier::find_once(const std::string& name, const fs::path& subfolder,
                                std::set<fs::path>& found) {
     if (names_.contains({subfolder, name}) || !may_look_up()) return;
@@ -157,7 +158,7 @@ void MaterialCopier::find_once(const std::string& name, const fs::path& subfolde
     find(name, std::span(subfolders).first(subfolder.empty() ? 1 : 2), found);
 }
 
-// Adds the file that the name means to `found`, or says why it does not.
+// Adds the file that the name means to `found`, or records why there is none.
 void MaterialCopier::find(const std::string& name, std::span<const fs::path> subfolders,
                           std::set<fs::path>& found) {
     std::string with_slashes = name;
@@ -166,7 +167,8 @@ void MaterialCopier::find(const std::string& name, std::span<const fs::path> sub
     for (const std::string& spelling : {name, with_slashes}) {
         for (const fs::path& subfolder : subfolders) {
             const auto path = path_inside(subfolder, spelling);
-            // With backslashes a name such as .\\a.png is only one part, which is not hidden.
+            // A name with backslashes such as .\\a.png has only one part. It is judged once it is
+            // split.
             const bool is_split = spelling == with_slashes;
             if (!path || (!is_split && is_hidden(*path))) continue;
             if (is_hidden(*path)) return refuse(*path, kIsHidden);
@@ -178,7 +180,7 @@ void MaterialCopier::find(const std::string& name, std::span<const fs::path> sub
         }
     }
     if (inside) {
-        lost_.insert(inside->generic_string());
+        not_found_.insert(inside->generic_string());
     } else {
         refuse(with_slashes, kLeadsOut);
     }
@@ -189,17 +191,17 @@ void MaterialCopier::find_textures() {
                   [this](const fs::path& library) { return !find_textures_of(library); });
 }
 
-// The file, if it is a regular one of at most so many bytes; else says why it is not copied.
-std::optional<OpenFile> MaterialCopier::open(const fs::path& path, std::uint64_t most_bytes,
+// Opens the file if it is a regular one and not too large. If not, records why it is not copied.
+std::optional<OpenFile> MaterialCopier::open(const fs::path& path, std::uint64_t max_bytes,
                                              const Progress& progress) {
     const std::string source = (from_ / path).string();
     try {
-        OpenAnswer answer = inquiry_.ask(source, progress);
+        FileAnswer answer = query_.ask(source, progress);
         const bool is_readable = answer.error == 0;
         try {
             OpenFile file = opened(source, std::move(answer));
-            if (file.bytes <= most_bytes) return file;
-            refuse(path, "is larger than " + std::to_string(most_bytes >> 20) + " MB");
+            if (file.bytes <= max_bytes) return file;
+            refuse(path, "is larger than " + std::to_string(max_bytes >> 20) + " MB");
         } catch (const FileError& error) {
             if (!is_readable) throw;
             refuse(path, error.message());
@@ -210,7 +212,7 @@ std::optional<OpenFile> MaterialCopier::open(const fs::path& path, std::uint64_t
     return std::nullopt;
 }
 
-// The library's text; none if it is not copied, and then says why.
+// The text of the library. If it must not be copied, returns nothing and records the reason.
 std::optional<std::string> MaterialCopier::read_library(const fs::path& library) try {
     const char* why = reason_against(from_, library);
     if (!why && !is_library_name(library)) why = "does not end in .mtl";
@@ -230,7 +232,7 @@ std::optional<std::string> MaterialCopier::read_library(const fs::path& library)
     return std::nullopt;
 }
 
-// Whether it is a library.
+// Returns whether the file is a library.
 bool MaterialCopier::find_textures_of(const fs::path& library) {
     const std::optional<std::string> text = read_library(library);
     if (!text) return false;
@@ -253,7 +255,7 @@ MaterialCopy MaterialCopier::copy() {
         copy_one(path, part);
         done = std::min(done + step, 1.0);
     }
-    std::copy_if(lost_.begin(), lost_.end(), std::back_inserter(result_.missing),
+    std::copy_if(not_found_.begin(), not_found_.end(), std::back_inserter(result_.missing),
                  [this](const std::string& name) { return !path_exists(to_ / name); });
     for (auto& [name, why] : refused_) result_.refused.push_back({name, why});
     for (auto& [name, why] : failed_) result_.failed.push_back({name, why});
@@ -279,7 +281,7 @@ void MaterialCopier::copy_one(const fs::path& path, const Progress& progress) tr
     fail(path, error);
 }
 
-// In pieces: textures can be large.
+// Copies in pieces, because textures can be large.
 void MaterialCopier::copy_bytes(const OpenFile& file, const fs::path& path,
                                 const Progress& progress) const {
     const std::string source = (from_ / path).string(), target = (to_ / path).string();
@@ -306,8 +308,8 @@ MaterialCopy copy_material_files(std::span<const std::string> material_libraries
     const fs::path source = from.empty() ? "." : from, target = to.empty() ? "." : to;
     if (material_libraries.empty()) return {};
     try {
-        // The folder may have been on a drive that is gone, which would hold up all that follows.
-        ask_patiently(source.string(), progress);
+        // If the folder is on a drive that no longer answers, every further call would wait for it.
+        query_file(source.string(), progress);
     } catch (const FileError& error) {
         MaterialCopy result;
         result.failed.push_back({source.string(), error.message()});

@@ -24,7 +24,7 @@ std::string lower_case(std::string_view text) {
 
 bool names_texture(std::string_view keyword) {
     const std::string word = lower_case(keyword);
-    if (word == "map_aat") return false;  // whether textures are antialiased: on or off
+    if (word == "map_aat") return false;  // switches the antialiasing of textures on or off
     return word.starts_with("map_") || word == "bump" || word == "disp" || word == "decal" ||
            word == "refl" || word == "norm";
 }
@@ -41,9 +41,10 @@ bool is_texture_option(std::string_view word) {
     return std::find(kOptions.begin(), kOptions.end(), word) != kOptions.end();
 }
 
-// The arguments of a texture statement so that the parser understands them. It takes three numbers
-// behind -o, -s and -t, where one or two are allowed as well and it would swallow the name; these
-// are filled up. It does not know -cc, which is left out. A number that is the last word is a name.
+// Rewrites the arguments of a texture statement for the parser. The parser always reads three
+// numbers after -o, -s and -t and so takes the name for a number if only one or two are given; the
+// missing ones are added. It does not know -cc, which is left out. A number that is the last word
+// is a name.
 std::string completed_options(std::string_view arguments) {
     std::string result;
     while (true) {
@@ -74,8 +75,8 @@ std::string completed_options(std::string_view arguments) {
     return arguments.empty() ? std::string() : result + std::string(arguments);
 }
 
-// What one statement's name is in the parser's own words; statements of one slot replace each
-// other there. It has a few spellings that all mean one slot.
+// The slot of the parser that a keyword fills. Several spellings can mean the same slot. In the
+// parser, a later statement of a slot replaces an earlier one.
 std::string slot_of(std::string_view keyword) {
     const std::string word = lower_case(keyword);
     if (word == "map_bump" || word == "bump") return "bump";
@@ -87,8 +88,8 @@ void add_texture(Material& material, const std::string& name) {
     if (!name.empty()) material.textures.push_back(name);
 }
 
-// The textures that the parser has a member for, and those among its unknown parameters, such as
-// decal and map_opacity, where options still stand before the name.
+// Takes the textures from the parser's members and from its unknown parameters. The latter, such as
+// decal and map_opacity, still have options before the name.
 void take_textures(const tinyobj::material_t& parsed, Material& material) {
     using tinyobj::material_t;
     constexpr std::array kNames{
@@ -110,8 +111,8 @@ void take_textures(const tinyobj::material_t& parsed, Material& material) {
     }
 }
 
-// Collects the statements of one material and has them parsed piece by piece: the parser keeps one
-// value of each slot, and every piece has each slot once.
+// Collects the statements of a material and parses them in pieces. The parser keeps one value per
+// slot, so each piece contains a slot at most once.
 class MaterialReader {
   public:
     void read(std::string_view keyword, std::string_view arguments);
@@ -126,7 +127,7 @@ class MaterialReader {
 
     std::vector<Material> materials_;
     Material material_;
-    bool has_begun_ = false;  // with newmtl or with a statement before the first
+    bool has_begun_ = false;  // by newmtl or by a statement before the first newmtl
     std::string piece_;
     std::set<std::string> slots_;  // in piece_
 };
@@ -140,7 +141,8 @@ void MaterialReader::read(std::string_view keyword, std::string_view arguments) 
     }
     has_begun_ = true;
     const bool is_texture = names_texture(keyword);
-    // The parser reads lines up to the first zero byte. Such a name means no file.
+    // The parser reads lines up to the first zero byte, which would shorten the name. No file has
+    // such a name.
     if (is_texture && arguments.find('\0') != arguments.npos) {
         return add_texture(material_, std::string(arguments));
     }
@@ -154,7 +156,8 @@ void MaterialReader::read(std::string_view keyword, std::string_view arguments) 
 }
 
 void MaterialReader::parse_piece() {
-    // The parser drops what stands before the first newmtl, and a name is not its business here.
+    // The parser drops statements before the first newmtl, so every piece gets one. The name of
+    // the material is not needed here.
     std::istringstream stream("newmtl m\n" + std::exchange(piece_, {}));
     slots_.clear();
     std::map<std::string, int> names;

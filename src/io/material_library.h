@@ -1,4 +1,4 @@
-// Material libraries (MTL files): the materials of OBJ files and the textures that they name.
+// Reads material libraries (MTL files) for the names of their materials and textures.
 #pragma once
 
 #include <string>
@@ -10,23 +10,23 @@
 namespace pectin {
 
 struct Material {
-    std::string name;  // empty for what stands before the first newmtl
-    // The files that its statements name, as they are written there, in no particular order: map_*,
-    // bump, disp, decal, refl (six of them for a cube) and norm, without their options.
+    std::string name;  // empty for statements before the first newmtl
+    // The file names in the statements map_*, bump, disp, decal, refl (six for a cube) and norm, as
+    // written but without options, in no particular order.
     std::vector<std::string> textures;
 
     bool operator==(const Material&) const = default;
 };
 
-// Read by tinyobjloader's material parser. What it would lose is given to it in pieces that lose
-// nothing, or is found among its unknown parameters. Lines end and continue as those of OBJ files.
-// Nothing is an error: what is no statement of a material is ignored. Throws Cancelled.
-// Cost: O(n), some microseconds for each texture.
+// Uses tinyobjloader's material parser. The parser would lose some textures, so it gets the text in
+// pieces in which no statement replaces another, and its unknown parameters are searched for
+// textures. Lines end and continue as in OBJ files. There are no errors: statements that do not
+// belong to a material are ignored. Throws Cancelled. Cost: O(n), some microseconds per texture.
 std::vector<Material> parse_materials(std::string_view text, const Progress& progress = {});
 
-// Whether a text may be a material library: it has none but statements that material libraries have
-// before its first material, and no more others than such behind that, as extensions of exporters
-// are. A script that names its interpreter (#!) is none. An empty text may be one.
+// Whether a text may be a material library. Before the first newmtl it must have known statements
+// only. In all it may have as many unknown statements, such as extensions of exporters, as known
+// ones. A script that names its interpreter (#!) is not a library. An empty text may be one.
 bool may_be_material_library(std::string_view text);
 
 }  // namespace pectin

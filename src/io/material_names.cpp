@@ -30,7 +30,7 @@ fs::path followed(const fs::path& path) {
 
 }  // namespace
 
-// A path that ends at a zero byte for the system would not be the one that is examined here.
+// The system would read a name only up to a zero byte, so the path checked here would be another.
 std::optional<fs::path> path_inside(const fs::path& subfolder, std::string_view name) {
     const fs::path path = (subfolder / name).lexically_normal();
     if (name.find('\0') != name.npos || path.is_absolute() || path.empty()) return std::nullopt;
@@ -57,7 +57,7 @@ const char* reason_against(const fs::path& folder, const fs::path& path) {
 bool is_library_name(const fs::path& path) { return lower_case_extension(path) == ".mtl"; }
 
 bool is_picture_name(const fs::path& path) {
-    // Of the formats that recognise_file() and is_tga() know.
+    // The formats that recognise_file() and is_tga() recognise.
     static constexpr auto kExtensions = std::to_array<std::string_view>(
         {".avif", ".bmp", ".bw",   ".dds",  ".dib",  ".exr", ".gif", ".hdr",  ".heic", ".heif",
          ".icb",  ".iff", ".j2c",  ".j2k",  ".jfif", ".jp2", ".jpc", ".jpe",  ".jpeg", ".jpf",

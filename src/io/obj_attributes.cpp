@@ -42,12 +42,12 @@ void drop_normal(Corner& corner, const IndexedFaceSet& faces, const AttributeLin
 Vec3f unit_normal(const std::array<double, 3>& n) {
     const Vec3 direction{n[0], n[1], n[2]};
     const Vec3f as_read(direction);
-    constexpr double kUnitTolerance = 1e-6;  // of the square: a few float roundings
+    constexpr double kUnitTolerance = 1e-6;  // of the squared length; a few float roundings
     if (std::abs(glm::dot(Vec3(as_read), Vec3(as_read)) - 1.0) < kUnitTolerance) return as_read;
 
     const double largest = std::max({std::abs(n[0]), std::abs(n[1]), std::abs(n[2])});
     if (largest == 0.0) return Vec3f{0.0f};
-    const Vec3 scaled = direction / largest;  // its square neither overflows nor vanishes
+    const Vec3 scaled = direction / largest;  // so that the square neither overflows nor underflows
     return Vec3f(scaled / glm::length(scaled));
 }
 
@@ -63,7 +63,7 @@ void drop_attributes(IndexedFaceSet& faces, const AttributeLines& lines, ReadRep
         }
     }
     for (Vec2f& uv : faces.uvs) {
-        if (std::isnan(uv.x)) uv = Vec2f{0.0f};  // nothing refers to it any more
+        if (std::isnan(uv.x)) uv = Vec2f{0.0f};  // no corner refers to it any more
     }
 }
 

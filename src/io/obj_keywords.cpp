@@ -32,7 +32,7 @@ std::string_view likely_obj_keyword(std::string_view word) {
         Guess{"vtx", "v"},     Guess{"texcoord", "vt"}, Guess{"texture", "vt"}};
     std::string letters;
     for (char c : word.substr(0, 16)) {
-        if (c == ':' || c == ',' || c == '=') break;  // "f:" and "f," are seen, too
+        if (c == ':' || c == ',' || c == '=') break;  // some files have "f:" and "f,"
         letters += static_cast<char>(std::tolower(static_cast<unsigned char>(c)));
     }
     const auto guess = std::find_if(kGuesses.begin(), kGuesses.end(),
@@ -41,10 +41,10 @@ std::string_view likely_obj_keyword(std::string_view word) {
 }
 
 void UnknownKeywords::add(std::string_view word, std::size_t line) {
-    constexpr std::size_t kMost = 16;
-    constexpr std::size_t kLongest = 64;  // more is cut off, which quoted_word() shows
-    word = word.substr(0, kLongest);
-    if (words_.size() == kMost) return;
+    constexpr std::size_t kMaxWords = 16;
+    constexpr std::size_t kMaxLength = 64;  // bytes; quoted_word() shows that a longer word is cut
+    word = word.substr(0, kMaxLength);
+    if (words_.size() == kMaxWords) return;
     const auto is_word = [&](const Word& known) { return known.word == word; };
     if (std::any_of(words_.begin(), words_.end(), is_word)) return;
     words_.push_back({std::string(word), line});

@@ -1,4 +1,4 @@
-// The keywords of OBJ files, and guesses at what other words are meant to be.
+// Knows the keywords of OBJ files and guesses which keyword a misspelt word means.
 #pragma once
 
 #include <cstddef>
@@ -8,15 +8,16 @@
 
 namespace pectin {
 
-// Whether the format has it, read by pectin or not: curves, free-form surfaces and display
-// statements among them (Wavefront Technologies, The Advanced Visualizer, appendix B1).
+// Whether the format has this keyword. This includes statements that pectin does not read, such as
+// curves, free-form surfaces and display attributes (Wavefront Technologies. The Advanced
+// Visualizer, appendix B1: Object files).
 bool is_obj_keyword(std::string_view word);
 
-// v, vt, vn or f, where the word resembles one of these ("F", "vertex"); empty for other words.
+// The keyword v, vt, vn or f that the word resembles ("F", "vertex"); empty for other words.
 std::string_view likely_obj_keyword(std::string_view word);
 
-// The different words at the beginning of statements that are no keywords, and where they first
-// stand. Remembers a few; a file has no more of them, or is no OBJ file.
+// Collects the words at the beginning of statements that are not keywords, and the lines where they
+// first occur. Keeps 16 words; a file with more is not an OBJ file.
 class UnknownKeywords {
   public:
     void add(std::string_view word, std::size_t line);
@@ -26,8 +27,8 @@ class UnknownKeywords {
         std::size_t line;
     };
     const std::vector<Word>& words() const { return words_; }
-    // "'V' in line 1 should be 'v'; 'F' in line 4 should be 'f'": what to tell of a file without
-    // faces. Where no guess is possible, that the first word is no keyword. Empty without words.
+    // Explains why a file may have no faces: "'V' in line 1 should be 'v'; 'F' in line 4 should be
+    // 'f'". If no guess is possible, says that the first word is no keyword. Empty without words.
     std::string explanation() const;
 
   private:

@@ -1,4 +1,4 @@
-// The parts of an OBJ file.
+// Collects the parts of an OBJ file.
 #pragma once
 
 #include <cstddef>
@@ -12,14 +12,14 @@
 
 namespace pectin {
 
-// The parts that polygons and elements have asked for, each once.
+// The parts that polygons and elements belong to, without duplicates.
 class PartTable {
   public:
     PartTable() = default;
-    PartTable(const PartTable&) = delete;  // sorted_ looks into parts_
+    PartTable(const PartTable&) = delete;  // sorted_ refers to parts_
     PartTable& operator=(const PartTable&) = delete;
 
-    // Its index, and whether it is new.
+    // The index of the part, and whether it is new.
     std::pair<std::uint32_t, bool> find_or_add(const Part& part) {
         const auto found = sorted_.find(part);
         if (found != sorted_.end()) return {*found, false};

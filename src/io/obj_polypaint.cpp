@@ -11,7 +11,7 @@
 namespace pectin {
 namespace {
 
-constexpr std::size_t kDigits = 8;  // of an entry
+constexpr std::size_t kDigits = 8;  // per entry
 constexpr std::uint32_t kUnmasked = 0xff;
 
 Vec3f color_of(std::uint32_t entry) {
@@ -35,7 +35,7 @@ void ObjPolypaint::add(std::string_view hexadecimals, std::size_t line) {
     unreadable_.add(line);
 }
 
-// False where it is not made of entries.
+// Returns false if the word does not consist of entries.
 bool ObjPolypaint::add_word(std::string_view digits) {
     if (digits.size() % kDigits != 0) return false;
     for (; !digits.empty(); digits.remove_prefix(kDigits)) {

@@ -1,4 +1,4 @@
-// Vertex colours that ZBrush writes into comments of OBJ files (polypaint).
+// Reads vertex colours that ZBrush writes in comments of OBJ files (polypaint).
 #pragma once
 
 #include <cstddef>
@@ -11,18 +11,18 @@
 
 namespace pectin {
 
-// Lines "#MRGB MMRRGGBBMMRRGGBB...": for each vertex, in the order of the file, eight hexadecimal
-// digits for a mask and a colour. The mask protects vertices while one paints. It is no part of
-// the model and is not kept.
+// The lines have the form "#MRGB MMRRGGBBMMRRGGBB...", with eight hexadecimal digits per vertex in
+// the order of the file: a mask and a colour. The mask protects vertices from being edited. It is
+// not kept.
 class ObjPolypaint {
   public:
-    // hexadecimals: what follows #MRGB in a line. A malformed line ends the reading, since nobody
-    // knows which vertices later lines mean.
+    // Adds a line. A malformed line ends the reading, because it is unknown which vertices the
+    // later lines belong to. hexadecimals: the text after #MRGB.
     void add(std::string_view hexadecimals, std::size_t line);
 
-    // Gives the colours to the vertices that have none of their own. colors: n_vertices, NaN where
-    // a vertex has none, or empty, which it stays where there is no paint. Reports what does not
-    // fit. Cost: O(n_vertices).
+    // Sets the colours of vertices that have none. Reports masks and entries that do not match.
+    // colors: one per vertex, NaN if it has no colour; may be empty, and stays so if there are no
+    // #MRGB lines. Cost: O(vertices).
     void apply(std::vector<Vec3f>& colors, std::size_t vertices, ReadReport& report) const;
 
   private:

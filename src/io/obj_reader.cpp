@@ -26,12 +26,12 @@ namespace {
 using Index = std::uint32_t;
 
 constexpr std::uint32_t kNoIndex = IndexedFaceSet::kNoIndex;
-constexpr std::size_t kLongestName = 4096;
-// Parts name their object, group and material each for itself, so that a short statement makes
-// another copy of a long name. Models stay far below this; it bounds what a hostile text can take.
-constexpr std::size_t kMostPartBytesPerByte = 16;
-constexpr std::size_t kLeastPartBytes = std::size_t{1} << 20;
-// Of text, between two looks at whether the work is to go on.
+constexpr std::size_t kMaxName = 4096;
+// Each part stores the names of its object, group and material, so a short statement can copy a
+// long name. This limits the memory that a malicious text can take. Real models stay far below it.
+constexpr std::size_t kMaxPartBytesPerByte = 16;
+constexpr std::size_t kFreePartBytes = std::size_t{1} << 20;
+// Bytes of text between two reports of progress.
 constexpr std::size_t kProgressBytes = std::size_t{64} << 10;
 
 class ObjParser {
@@ -68,7 +68,7 @@ class ObjParser {
     std::size_t append_corners(std::vector<Corner>& corners);
     bool take_corner(std::string_view& rest, ObjCorner& corner);
     Corner resolve(const ObjCorner& raw);
-    Index present_part();
+    Index current_part();
     void check_positions() const;
     [[noreturn]] void fail_without_faces() const;
     [[noreturn]] void fail(const std::string& message) const {
@@ -80,13 +80,13 @@ class ObjParser {
     const Progress& progress_;
     const ObjLimits& limits_;
     ReadReport& report_;
-    std::size_t size_;  // bytes of the text
+    std::size_t size_;  // of the text, in bytes
     std::size_t bytes_left_at_report_;
 
     IndexedFaceSet faces_;
     std::size_t triangles_ = 0;
     Part state_;
-    std::optional<Index> part_;  // of state_, once something has asked for it
+    std::optional<Index> part_;  // index of state_; empty until an element needs it
     PartTable parts_;
     ObjReferences positions_{"vertex"}, uvs_{"texture coordinate"}, normals_{"normal"};
     AttributeLines lines_;
@@ -165,12 +165,12 @@ void ObjParser::read_vertex() {
         is_colored = count.value_or(0) >= color.size();
     }
     if (!is_colored && faces_.colors.empty()) return;
-    // Of this vertex, and of all before the first that is coloured.
+    // This also marks all vertices before the first coloured one as having no colour.
     faces_.colors.resize(faces_.positions.size(), Vec3f{std::numeric_limits<float>::quiet_NaN()});
     if (is_colored) faces_.colors.back() = {color[0], color[1], color[2]};
 }
 
-// One that is not made of finite numbers keeps its index, so that those of others stay right.
+// A texture coordinate that is not finite is stored, so that the indices of the others are right.
 void ObjParser::read_uv() {
     std::array<float, 2> uv{};
     const std::optional<std::size_t> count = read_numbers(statements_.arguments(), uv);
@@ -179,7 +179,7 @@ void ObjParser::read_uv() {
     faces_.uvs.push_back(is_defined ? Vec2f{uv[0], uv[1]} : kUndefinedUv);
 }
 
-// The same. A zero vector is no normal either.
+// A normal that is not finite or zero is stored as zero for the same reason.
 void ObjParser::read_normal() {
     std::array<double, 3> n{};
     const std::optional<std::size_t> count = read_numbers(statements_.arguments(), n);
@@ -199,18 +199,19 @@ void ObjParser::read_face() {
              " triangles up to here; split the model into several files");
     }
     faces_.polygon_end.push_back(static_cast<Index>(faces_.corners.size()));
-    faces_.polygon_part.push_back(present_part());
+    faces_.polygon_part.push_back(current_part());
 }
 
 void ObjParser::read_element(Element::Kind kind) {
     if (append_corners(faces_.element_corners) == 0) {
         return report_.empty_statements.add(statements_.line());
     }
-    faces_.elements.push_back({kind, static_cast<Index>(faces_.polygon_count()), present_part(),
+    faces_.elements.push_back({kind, static_cast<Index>(faces_.polygon_count()), current_part(),
                                static_cast<Index>(faces_.element_corners.size())});
 }
 
-// What holds for the faces, lines and points from here on; false for any other statement.
+// Reads a statement that sets the part of the following faces, lines and points. Returns false for
+// other statements.
 bool ObjParser::read_state() {
     const std::string_view keyword = statements_.keyword();
     if (keyword == "o") {
@@ -227,7 +228,7 @@ bool ObjParser::read_state() {
     return true;
 }
 
-// Cuts the coordinates off the front of `rest`.
+// Removes the coordinates from the front of `rest`.
 std::array<double, 3> ObjParser::take_position(std::string_view& rest) const {
     std::array<double, 3> position{};
     std::string why_not;
@@ -245,8 +246,8 @@ std::array<double, 3> ObjParser::take_position(std::string_view& rest) const {
 
 std::string ObjParser::read_name() const {
     const std::string_view name = statements_.arguments();
-    if (name.size() > kLongestName) {
-        fail("the name is longer than " + std::to_string(kLongestName) + " bytes");
+    if (name.size() > kMaxName) {
+        fail("the name is longer than " + std::to_string(kMaxName) + " bytes");
     }
     return std::string(name);
 }
@@ -263,7 +264,7 @@ std::string ObjParser::read_group_names() const {
     return names;
 }
 
-// Anything but a number is off, as elsewhere; `on` is seen in files.
+// Anything but a number means off, as in other programs, except `on`, which some files have.
 Index ObjParser::read_smoothing_group() const {
     std::string_view rest = statements_.arguments();
     const std::string_view token = take_token(rest).value_or("off");
@@ -273,7 +274,7 @@ Index ObjParser::read_smoothing_group() const {
     return read.ec == std::errc{} ? group : 0;
 }
 
-// The corners that the statement names; how many.
+// Appends the corners of the statement and returns their number.
 std::size_t ObjParser::append_corners(std::vector<Corner>& corners) {
     std::size_t count = 0;
     std::string_view rest = statements_.arguments();
@@ -285,7 +286,7 @@ std::size_t ObjParser::append_corners(std::vector<Corner>& corners) {
     return count;
 }
 
-// The next corner, cut off the front of `rest`; false where there is none.
+// Removes the next corner from the front of `rest`. Returns false if there is none.
 bool ObjParser::take_corner(std::string_view& rest, ObjCorner& corner) {
     const char* const end = rest.data() + rest.size();
     const char* at = rest.data();
@@ -302,8 +303,8 @@ bool ObjParser::take_corner(std::string_view& rest, ObjCorner& corner) {
     return true;
 }
 
-// A face needs its positions. It can do without the rest, so what names no texture coordinate or
-// normal of the file is dropped: at once where it counts back too far, else at the end of the file.
+// Positions are required; texture coordinates and normals are optional. So an index of one that
+// does not exist is dropped: here if it counts back too far, otherwise at the end of the file.
 ObjParser::Corner ObjParser::resolve(const ObjCorner& raw) {
     const std::size_t line = statements_.line();
     Corner corner;
@@ -323,10 +324,10 @@ ObjParser::Corner ObjParser::resolve(const ObjCorner& raw) {
     return corner;
 }
 
-Index ObjParser::present_part() {
+Index ObjParser::current_part() {
     if (part_) return *part_;
     const auto [index, is_new] = parts_.find_or_add(state_);
-    if (is_new && parts_.bytes() > kLeastPartBytes + kMostPartBytesPerByte * size_) {
+    if (is_new && parts_.bytes() > kFreePartBytes + kMaxPartBytesPerByte * size_) {
         fail("too many combinations of long object, group and material names up to here");
     }
     part_ = index;
@@ -346,7 +347,8 @@ void ObjParser::fail_without_faces() const {
             (explanation.empty() ? "a model has f statements of 3 corners or more" : explanation));
 }
 
-// What is no OBJ file at all is told as what it is, whichever line the reader stumbles over.
+// Throws if the text is recognised as another kind of file. Its kind explains more than the line
+// at which the reader failed.
 void refuse_other_kind(std::string_view text, const std::string& name) {
     if (text.empty()) throw FileError(name, "holds no faces; it is empty");
     const FileKind kind = recognise_file(text.substr(0, kSignatureBytes), text.size());
@@ -358,7 +360,7 @@ void refuse_other_kind(std::string_view text, const std::string& name) {
 }  // namespace
 
 IndexedFaceSet read_obj(const std::string& path, const Progress& progress, ReadReport* report) {
-    constexpr double kReading = 0.1;  // of the time; the rest is parsing
+    constexpr double kReading = 0.1;  // as a fraction of the time; the rest is parsing
     const ObjLimits limits;
     const std::string text = read_whole_file(path, progress.part(0.0, kReading), limits.bytes);
     return parse_obj(text, path, progress.part(kReading, 1.0), limits, report);

@@ -1,4 +1,4 @@
-// Wavefront OBJ files to polygons.
+// Reads Wavefront OBJ files.
 #pragma once
 
 #include <cstddef>
@@ -12,43 +12,43 @@
 
 namespace pectin {
 
-// What the 32-bit ids of a mesh can tell apart.
+// Limits that keep ids within 32 bits.
 struct ObjLimits {
-    // Shorter texts have fewer than 2^31 elements, polygons and corners, each of them.
+    // Of the text. Texts up to this size have fewer than 2^31 elements, polygons and corners.
     std::size_t bytes = std::size_t{4} << 30;
-    // That polygons can be cut into: three half-edges each, of which there are less than 2^31.
+    // Into which the polygons are triangulated. Each has three half-edges, of which a mesh has
+    // fewer than 2^31.
     std::uint32_t triangles = 0x7fffffffu / 3;
 };
 
-// Reads v, vn, vt, f, l, p, o, g, usemtl, s and mtllib; other statements are ignored, and so are
-// f, l and p without corners and a third coordinate of `vt`. Positions are the doubles, texture
-// coordinates and colours the floats nearest to the text; normals are made unit. Relative indices
-// and indices of what comes later in the file are followed. Faces of one or two corners and faces
-// with repeated vertices are polygons as they are written.
+// Reads the statements v, vn, vt, f, l, p, o, g, usemtl, s and mtllib and ignores all others. It
+// also ignores f, l and p without corners and a third coordinate of vt. Positions are the doubles
+// nearest to the text; texture coordinates and colours are the nearest floats; normals become unit.
+// Relative indices and indices of elements that come later in the file are resolved. Faces of one
+// or two corners and faces with repeated vertices are kept as written.
 //
-// What follows the three coordinates of `v` is a colour from three numbers on (r g b; more, such as
-// alpha, are ignored); one number is w, which is ignored, and so are two, which mean nothing.
-// Vertices without a colour get that of ZBrush's #MRGB comments (ObjPolypaint).
+// Three or more numbers after the coordinates of v are a colour (r g b; further ones, such as
+// alpha, are ignored). One number is w, which is ignored. Two numbers have no meaning and are
+// ignored. Vertices without a colour get the one in ZBrush's #MRGB comments (ObjPolypaint).
 //
-// A face can do without texture coordinates, normals and colours. Corners that name one that the
-// file does not have, or that is not made of finite numbers, or a normal that is zero, have none;
-// the report says how many and where.
+// Texture coordinates, normals and colours are optional. A corner loses an attribute if the file
+// does not have it, if it has numbers that are not finite, or if the normal is zero. The report
+// counts these corners and names the first line.
 //
-// o, g, usemtl and s hold until the next of the same kind, alone until a bare one takes the name
-// away; names are kept whatever the material libraries say, which are not read. Parts are listed
-// in the order of their first faces, lines or points.
+// An o, g, usemtl or s holds until the next of the same kind; without a name it resets the name.
+// Material libraries are not read, so names of unknown materials are kept. Parts are listed in the
+// order of their first faces, lines or points.
 //
-// report: what was dropped; it is not changed where this throws.
+// report: receives what was dropped, if not null; unchanged if the function throws.
 //
-// Throws FileError: read_whole_file's; with the line for a position that is malformed, missing or
-// not finite, and for its index where that is malformed, 0 or out of range; for a text without
-// faces or beyond the limits. Throws Cancelled.
-// Cost: O(n). Memory: a small multiple of the text's size, whatever it says; the text itself is
-// gone on return.
+// Throws FileError as read_whole_file() does; with the line if a position is malformed, missing or
+// not finite, or its index is malformed, 0 or out of range; and for a text that has no faces or is
+// beyond the limits. Throws Cancelled.
+// Cost: O(n). Memory: at most a small multiple of the size of the text, which is freed on return.
 IndexedFaceSet read_obj(const std::string& path, const Progress& progress = {},
                         ReadReport* report = nullptr);
 
-// The same from memory; `name` stands for the path in messages.
+// Reads the text of an OBJ file. name: used as the path in messages.
 IndexedFaceSet parse_obj(std::string_view text, const std::string& name,
                          const Progress& progress = {}, const ObjLimits& limits = {},
                          ReadReport* report = nullptr);

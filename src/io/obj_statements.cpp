@@ -21,15 +21,16 @@ std::string_view trimmed(std::string_view text) {
     return without_leading_blanks(text);
 }
 
-// Up to the first blank.
+// The text up to the first blank.
 std::string_view leading_token(std::string_view text) {
     std::size_t end = 0;
     while (end < text.size() && !is_blank(text[end])) ++end;
     return text.substr(0, end);
 }
 
-// Whether a decimal number that no Real can hold is so because it is tiny, not huge. Coarse:
-// counts the digits before the first that is not 0, for such numbers are hundreds of them away.
+// Tells whether a decimal number beyond the range of its type is too small, not too large. Counting
+// the digits before the first that is not 0 is exact enough, because the limits are dozens of
+// powers of ten away.
 bool is_tiny(std::string_view number) {
     const std::size_t e = std::min(number.find_first_of("eE"), number.size());
     const std::string_view mantissa = number.substr(0, e);
@@ -46,7 +47,7 @@ bool is_tiny(std::string_view number) {
     return static_cast<double>(point) - static_cast<double>(first) + exponent < 0.0;
 }
 
-// The first c in [begin, end), or end.
+// The first c in [begin, end), or end if there is none.
 const char* find(char c, const char* begin, const char* end) {
     const void* found =
         begin == end ? nullptr : std::memchr(begin, c, static_cast<std::size_t>(end - begin));

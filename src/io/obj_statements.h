@@ -1,4 +1,4 @@
-// The statements of an OBJ text, one by one, and the tokens and numbers in them.
+// Splits an OBJ text into statements, tokens and numbers.
 #pragma once
 
 #include <array>
@@ -9,21 +9,21 @@
 
 namespace pectin {
 
-// Splits a text into statements. Lines end with \n, \r\n or \r; a backslash at the end of a line
-// continues it on the next; lines that are empty or begin with # are none, but for #MRGB, with
-// which ZBrush writes colours. A byte order mark is skipped.
+// Splits a text into statements. Lines end with \n, \r\n or \r. A backslash at the end of a line
+// continues the statement on the next line. Empty lines and lines that begin with # are skipped,
+// but not #MRGB, with which ZBrush writes colours. A byte order mark is skipped.
 class ObjStatements {
   public:
-    // Precondition: `text` outlives this.
+    // Precondition: `text` outlives this object.
     explicit ObjStatements(std::string_view text);
 
-    // To the next statement; false at the end.
+    // Moves to the next statement. Returns false at the end.
     bool next();
 
-    // Of the present statement. Views hold until the next call of next().
+    // These describe the current statement. The views are valid until the next call of next().
     std::string_view keyword() const { return keyword_; }
-    std::string_view arguments() const { return arguments_; }  // without blanks at the ends
-    std::size_t line() const { return line_; }                 // from 1, of its first line
+    std::string_view arguments() const { return arguments_; }  // without leading or trailing blanks
+    std::size_t line() const { return line_; }                 // of its first line, counted from 1
 
     std::size_t bytes_left() const { return static_cast<std::size_t>(end_ - at_); }
 
@@ -33,7 +33,7 @@ class ObjStatements {
 
     const char* at_;
     const char* end_;
-    const char* newline_;  // the first \n from at_ on, or end_; found anew once at_ is past it
+    const char* newline_;  // the first \n at or after at_, or end_; stale once at_ has passed it
     std::size_t lines_taken_ = 0;
     std::size_t line_ = 0;
     std::string joined_;
@@ -42,8 +42,8 @@ class ObjStatements {
 
 inline bool is_blank(char c) { return c == ' ' || c == '\t'; }
 
-// The next token, cut off the front of `arguments`; none at the end or at a # that begins one.
-// By hand: most of a model is blanks and short tokens, too short for find_first_of and memchr.
+// Removes the next token from the front of `arguments`. Returns nothing at the end or if the token
+// begins with #. A plain loop, because find_first_of and memchr are slower on short tokens.
 inline std::optional<std::string_view> take_token(std::string_view& arguments) {
     const std::size_t size = arguments.size();
     std::size_t begin = 0;
@@ -59,16 +59,17 @@ inline std::optional<std::string_view> take_token(std::string_view& arguments) {
     return token;
 }
 
-// The Real nearest to the decimal number that `token` is; a leading + is allowed and what is too
-// small is 0. For anything else, nan and infinities among it, returns none and says why.
+// The Real nearest to the decimal number `token`. A leading + is allowed. Numbers that are too
+// small become 0. For anything else, including nan and infinities, returns nothing and sets
+// `why_not`.
 template <typename Real>
 std::optional<Real> parse_number(std::string_view token, std::string& why_not);
 
 extern template std::optional<float> parse_number(std::string_view, std::string&);
 extern template std::optional<double> parse_number(std::string_view, std::string&);
 
-// Reads at most n numbers from the front of `text`; how many there are. None where one of these is
-// not a finite number.
+// Reads at most n numbers from the front of `text` and returns how many there are. Returns nothing
+// if one of them is not a finite number.
 template <typename Real, std::size_t n>
 std::optional<std::size_t> read_numbers(std::string_view text, std::array<Real, n>& numbers) {
     std::string why_not;

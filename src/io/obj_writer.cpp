@@ -21,7 +21,7 @@
 namespace pectin {
 namespace {
 
-// Text in large pieces to wherever it goes.
+// Passes text to a sink in large pieces.
 class TextBuffer {
   public:
     explicit TextBuffer(std::function<void(std::string_view)> sink)
@@ -42,14 +42,13 @@ class TextBuffer {
         bytes_[used_++] = c;
         return *this;
     }
-    // The shortest decimal that reads back the same.
+    // Appends the shortest decimal that reads back the same.
     template <typename Number>
     TextBuffer& number(Number n) {
-        constexpr std::size_t kLongestNumber = 32;
-        if (kLongestNumber > kSize - used_) flush();
+        constexpr std::size_t kMaxDigits = 32;
+        if (kMaxDigits > kSize - used_) flush();
         char* const begin = bytes_.data() + used_;
-        used_ +=
-            static_cast<std::size_t>(std::to_chars(begin, begin + kLongestNumber, n).ptr - begin);
+        used_ += static_cast<std::size_t>(std::to_chars(begin, begin + kMaxDigits, n).ptr - begin);
         return *this;
     }
     void flush() {
@@ -64,12 +63,13 @@ class TextBuffer {
     std::size_t used_ = 0;
 };
 
-// Numbers values (float vectors, by their bits) from 1 in the order they first come.
+// Numbers different float vectors, compared by their bits, from 1 in the order of their first use.
 template <typename Value>
 class UniqueValues {
   public:
-    explicit UniqueValues(std::size_t most)
-        : slots_(std::bit_ceil(2 * most + 2), 0), shift_(64 - std::countr_zero(slots_.size())) {}
+    explicit UniqueValues(std::size_t max_values)
+        : slots_(std::bit_ceil(2 * max_values + 2), 0),
+          shift_(64 - std::countr_zero(slots_.size())) {}
 
     std::uint32_t number(const Value& value) {
         std::size_t slot = hash(value);
@@ -87,22 +87,23 @@ class UniqueValues {
     static Bits bits(const Value& value) { return std::bit_cast<Bits>(value); }
     std::size_t hash(const Value& value) const {
         std::uint64_t h = 0;
-        for (std::uint32_t word : bits(value)) h = (h ^ word) * 0x9E3779B97F4A7C15u;  // Fibonacci
+        for (std::uint32_t word : bits(value))
+            h = (h ^ word) * 0x9E3779B97F4A7C15u;  // Fibonacci hashing
         return h >> shift_;
     }
 
-    std::vector<std::uint32_t> slots_;  // numbers, 0 where empty
+    std::vector<std::uint32_t> slots_;  // numbers of values; 0 if empty
     int shift_;
     std::vector<Value> values_;
 };
 
-// Advances a part of the work every few thousand of its elements.
+// Reports progress every few thousand elements of a part of the work.
 class Steps {
   public:
     Steps(const Progress& part, std::size_t elements)
         : part_(part), elements_(std::max<std::size_t>(elements, 1)) {}
 
-    // That many are behind it, no fewer than last time.
+    // done: the number of finished elements; must not decrease.
     void at(std::size_t done) {
         if (done < next_) return;
         constexpr std::size_t kElementsAStep = 4096;
@@ -134,7 +135,7 @@ class ObjWriter {
     }
 
   private:
-    struct Attributes {  // numbers from 1; 0 where none
+    struct Attributes {  // numbers from 1; 0 if there is none
         std::uint32_t uv = 0, normal = 0;
     };
 
@@ -173,7 +174,7 @@ class ObjWriter {
         }
     }
 
-    // Where each part ends, of the time that writing takes.
+    // Where each part ends, as a fraction of the time that writing takes.
     static constexpr double kPositions = 0.35, kNumbered = 0.5, kUvs = 0.55, kNormals = 0.75;
 
     const TriMesh& mesh_;
@@ -181,14 +182,15 @@ class ObjWriter {
     TextBuffer text_;
     FacePieces pieces_;
     UnsharedVertices unshared_;
-    std::vector<std::uint32_t> vertices_;  // n_vertex_slots and those added along seams; from 1
-    std::vector<Attributes> wedges_;       // n_wedge_slots
-    std::vector<Attributes> loose_;        // n_loose_corners
-    // Of corners whose own normal is undefined: the number of their face's, where it has area.
+    std::vector<std::uint32_t>
+        vertices_;  // numbers from 1 by vertex slot, then of those added along seams
+    std::vector<Attributes> wedges_;  // by wedge slot
+    std::vector<Attributes> loose_;   // by loose corner
+    // For corners with an undefined normal: the number of the normal of the face, if it has area.
     std::map<HalfEdgeId, std::uint32_t> face_normals_;
     std::vector<std::uint32_t> element_uvs_;
     std::uint32_t elements_written_ = 0;
-    Part part_;  // that of the last face or element written
+    Part part_;  // of the last face or element that was written
 };
 
 void ObjWriter::write_positions() {
@@ -232,7 +234,7 @@ bool ObjWriter::has_undefined_normals() const {
 void ObjWriter::write_wedges() {
     const std::size_t loose = form().loose_corners.size() + form().element_corners.size();
     UniqueValues<Vec2f> uvs(mesh_.has_uvs() ? mesh_.wedge_slots() + loose : loose);
-    // Each face has one normal that can stand for those of its corners.
+    // One normal per face can replace undefined normals of its corners.
     const std::size_t faces = has_undefined_normals() ? pieces_.all().size() : 0;
     UniqueValues<Vec3f> normals(mesh_.wedge_slots() + loose + faces);
     const auto number_of = [&](const Vec2f& uv) { return std::isnan(uv.x) ? 0 : uvs.number(uv); };
@@ -250,8 +252,8 @@ void ObjWriter::write_wedges() {
         if (const std::uint32_t n = number_of_normal(of_face)) face_normals_.emplace(h, n);
     };
     wedges_.assign(mesh_.wedge_slots(), {});
-    // In the order in which corners are written, which no diagonal of a polygon has a part in;
-    // those that no triangle has come last.
+    // Numbers follow the order in which corners are written, so they do not depend on the diagonals
+    // of polygons. Corners that belong to no triangle come last.
     Steps steps(progress_.part(kPositions, kNumbered), mesh_.base_face_count());
     for (PolygonWalk polygon(mesh_); polygon.next();) {
         steps.at(polygon.first_face());
@@ -377,7 +379,7 @@ void ObjWriter::write_part(std::uint32_t id) {
 void ObjWriter::write_name(std::string_view keyword, std::string_view name) {
     text_ << keyword;
     if (!name.empty()) text_ << ' ' << name;
-    if (name.ends_with('\\')) text_ << ' ';  // or it would continue the line
+    if (name.ends_with('\\')) text_ << ' ';  // a final backslash would continue the line
     text_ << '\n';
 }
 

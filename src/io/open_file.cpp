@@ -30,7 +30,7 @@ namespace {
     }
 }
 
-void refuse_what_is_no_file(const std::string& path, mode_t mode) {
+void refuse_irregular_file(const std::string& path, mode_t mode) {
     if (S_ISREG(mode)) return;
     if (S_ISDIR(mode)) fail_to_read(path, EISDIR);
     if (S_ISFIFO(mode)) {
@@ -41,29 +41,29 @@ void refuse_what_is_no_file(const std::string& path, mode_t mode) {
 
 }  // namespace
 
-// One question at a time. `ask` is set before the thread starts, the rest is guarded by `mutex`.
-struct PatientInquiry::Worker {
+// Answers one question at a time. `ask` is set before the thread starts; `mutex` guards the rest.
+struct TimedFileQuery::Worker {
     enum class State { idle, asked, answered, over };
 
-    std::function<OpenAnswer(const std::string&)> ask;
+    std::function<FileAnswer(const std::string&)> ask;
     std::mutex mutex;
     std::condition_variable has_changed;
     State state = State::idle;
     std::string path;
-    OpenAnswer answer;
+    FileAnswer answer;
     std::exception_ptr failure;
 
     void run();
 };
 
-void PatientInquiry::Worker::run() {
+void TimedFileQuery::Worker::run() {
     std::unique_lock lock(mutex);
     while (true) {
         has_changed.wait(lock, [this] { return state == State::asked || state == State::over; });
         if (state == State::over) return;
         const std::string question = std::move(path);
         lock.unlock();
-        OpenAnswer found;
+        FileAnswer found;
         std::exception_ptr what_failed;
         try {
             found = ask(question);
@@ -79,18 +79,18 @@ void PatientInquiry::Worker::run() {
     }
 }
 
-PatientInquiry::~PatientInquiry() {
+TimedFileQuery::~TimedFileQuery() {
     if (!worker_) return;
     const std::lock_guard lock(worker_->mutex);
     worker_->state = Worker::State::over;
     worker_->has_changed.notify_all();
 }
 
-// Whether there is a thread to ask.
-bool PatientInquiry::start() {
+// Returns whether there is a thread to ask.
+bool TimedFileQuery::start() {
     if (worker_) return true;
     const auto worker = std::make_shared<Worker>();
-    worker->ask = patience_.ask;
+    worker->ask = options_.ask;
     try {
         std::thread([worker] { worker->run(); }).detach();
     } catch (const std::system_error&) {
@@ -100,15 +100,15 @@ bool PatientInquiry::start() {
     return true;
 }
 
-OpenAnswer PatientInquiry::ask(const std::string& path, const Progress& progress) {
+FileAnswer TimedFileQuery::ask(const std::string& path, const Progress& progress) {
     const auto no_answer = [&path] {
         return FileError(path,
                          "does not answer; is the drive or the server that it is on still there?");
     };
     if (is_waiting_) throw no_answer();
-    if (!start()) return patience_.ask(path);
+    if (!start()) return options_.ask(path);
     constexpr std::chrono::milliseconds kBetweenChecks{20};
-    const auto end = std::chrono::steady_clock::now() + patience_.longest;
+    const auto end = std::chrono::steady_clock::now() + options_.timeout;
     const auto is_answered = [this] { return worker_->state == Worker::State::answered; };
     std::unique_lock lock(worker_->mutex);
     worker_->path = path;
@@ -127,19 +127,19 @@ OpenAnswer PatientInquiry::ask(const std::string& path, const Progress& progress
     return std::move(worker_->answer);
 }
 
-OpenAnswer ask_patiently(const std::string& path, const Progress& progress,
-                         const OpenPatience& patience) {
-    return PatientInquiry(patience).ask(path, progress);
+FileAnswer query_file(const std::string& path, const Progress& progress,
+                      const QueryOptions& options) {
+    return TimedFileQuery(options).ask(path, progress);
 }
 
-OpenAnswer ask_system(const std::string& path) {
-    OpenAnswer answer;
+FileAnswer ask_system(const std::string& path) {
+    FileAnswer answer;
     struct stat status {};
     if (::stat(path.c_str(), &status) != 0) return {.error = errno};
     answer.mode = status.st_mode;
     if (!S_ISREG(status.st_mode)) return answer;
     answer.file.descriptor = FileDescriptor(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY);
-    // Something else may have come there since.
+    // The path may name something else by now.
     if (!answer.file.descriptor.is_open() || ::fstat(answer.file.descriptor.get(), &status) != 0) {
         return {.error = errno};
     }
@@ -148,15 +148,14 @@ OpenAnswer ask_system(const std::string& path) {
     return answer;
 }
 
-OpenFile opened(const std::string& path, OpenAnswer answer) {
+OpenFile opened(const std::string& path, FileAnswer answer) {
     if (answer.error != 0) fail_to_read(path, answer.error);
-    refuse_what_is_no_file(path, answer.mode);
+    refuse_irregular_file(path, answer.mode);
     return std::move(answer.file);
 }
 
-OpenFile open_file(const std::string& path, const Progress& progress,
-                   const OpenPatience& patience) {
-    return opened(path, ask_patiently(path, progress, patience));
+OpenFile open_file(const std::string& path, const Progress& progress, const QueryOptions& options) {
+    return opened(path, query_file(path, progress, options));
 }
 
 std::size_t read_bytes(const OpenFile& file, const std::string& path, char* bytes,

@@ -1,4 +1,4 @@
-// Files opened for reading, without waiting for what is no file.
+// Opens files for reading without waiting for pipes, devices or file systems that do not answer.
 #pragma once
 
 #include <sys/types.h>
@@ -17,62 +17,62 @@ namespace pectin {
 
 struct OpenFile {
     FileDescriptor descriptor;
-    std::size_t bytes = 0;  // its size when it was opened
+    std::size_t bytes = 0;  // size when it was opened
 };
 
-// What the system says of a path.
-struct OpenAnswer {
-    int error = 0;    // as errno; 0 where it could be asked
-    mode_t mode = 0;  // as stat(2) has it
-    OpenFile file{};  // open where it is a regular file and `error` is 0
+// What the system says about a path.
+struct FileAnswer {
+    int error = 0;    // errno; 0 if there was none
+    mode_t mode = 0;  // st_mode of stat(2)
+    OpenFile file{};  // open if it is a regular file and `error` is 0
 };
-// Asks it. Nothing but a regular file is opened: opening a pipe would wait for its writer, and
-// opening some devices has consequences. Waits as long as the system does.
-OpenAnswer ask_system(const std::string& path);
+// Asks the system about a path and opens it if it is a regular file. Opening a pipe would wait for
+// its writer, and opening a device can have side effects. Waits as long as the system does.
+FileAnswer ask_system(const std::string& path);
 
-// How open_file() asks the system, and how long it waits for an answer. A disk that has to start
-// first takes less than that.
-struct OpenPatience {
-    std::chrono::milliseconds longest{30'000};
-    std::function<OpenAnswer(const std::string&)> ask = ask_system;
+// How open_file() asks the system and how long it waits for an answer. The default is longer than a
+// disk takes to start.
+struct QueryOptions {
+    std::chrono::milliseconds timeout{30'000};
+    std::function<FileAnswer(const std::string&)> ask = ask_system;
 };
 
-// Asks the system about files. A file system may not answer at all, as that of a server that is
-// gone. So the system is asked on one other thread, while this one waits until `progress` asks to
-// stop or its patience ends. The other thread then stays behind until the system answers. Where no
-// thread can be made, this one asks.
-class PatientInquiry {
+// Asks the system about files with a time limit. A file system may never answer, for instance if
+// its server is gone. So another thread asks the system, while the caller waits until `progress`
+// asks to stop or the time is over. The other thread then stays until the system answers. If no
+// thread can be made, the caller's thread asks.
+class TimedFileQuery {
   public:
-    explicit PatientInquiry(OpenPatience patience = {}) : patience_(std::move(patience)) {}
-    ~PatientInquiry();
-    PatientInquiry(const PatientInquiry&) = delete;
-    PatientInquiry& operator=(const PatientInquiry&) = delete;
+    explicit TimedFileQuery(QueryOptions options = {}) : options_(std::move(options)) {}
+    ~TimedFileQuery();
+    TimedFileQuery(const TimedFileQuery&) = delete;
+    TimedFileQuery& operator=(const TimedFileQuery&) = delete;
 
-    // Throws FileError where there is no answer; after that at once, for every path, so that many
-    // files cost no more than one. Throws Cancelled.
-    OpenAnswer ask(const std::string& path, const Progress& progress = {});
+    // Throws FileError if there is no answer. All later calls then throw at once, so that many
+    // files take no longer than one. Throws Cancelled.
+    FileAnswer ask(const std::string& path, const Progress& progress = {});
 
   private:
     struct Worker;
     bool start();
 
-    OpenPatience patience_;
+    QueryOptions options_;
     std::shared_ptr<Worker> worker_;  // shared with the other thread, which may outlive this
-    bool is_waiting_ = false;         // for an answer that has not come
+    bool is_waiting_ = false;         // whether an answer is pending
 };
 
-// Asks once.
-OpenAnswer ask_patiently(const std::string& path, const Progress& progress = {},
-                         const OpenPatience& patience = {});
+// Asks about one path with a TimedFileQuery.
+FileAnswer query_file(const std::string& path, const Progress& progress = {},
+                      const QueryOptions& options = {});
 
-// The file of the answer. Throws FileError where it is no regular file, missing or unreadable.
-OpenFile opened(const std::string& path, OpenAnswer answer);
+// The file of the answer. Throws FileError if it is missing, unreadable or not a regular file.
+OpenFile opened(const std::string& path, FileAnswer answer);
 
-// Both at once: opens the regular file at `path`.
+// Opens the regular file at `path`. Throws FileError, Cancelled.
 OpenFile open_file(const std::string& path, const Progress& progress = {},
-                   const OpenPatience& patience = {});
+                   const QueryOptions& options = {});
 
-// Reads from the file to `bytes`, up to `most` of them and fewer only at its end; how many.
+// Reads up to `most` bytes into `bytes` and returns how many; fewer only at the end of the file.
 // path: for messages. Throws FileError.
 std::size_t read_bytes(const OpenFile& file, const std::string& path, char* bytes,
                        std::size_t most);

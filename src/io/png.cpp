@@ -11,7 +11,7 @@
 namespace pectin {
 namespace {
 
-// libpng's simplified interface, freed with its owner.
+// Owns the image of libpng's simplified interface.
 struct PngImage {
     PngImage() { image.version = PNG_IMAGE_VERSION; }
     ~PngImage() { png_image_free(&image); }

@@ -7,8 +7,8 @@
 namespace pectin {
 namespace {
 
-// How many bytes the UTF-8 character at the front of `text` has (RFC 3629); 0 where there is none,
-// or a control character.
+// The number of bytes of the UTF-8 character at the beginning of `text` (RFC 3629). 0 if there is
+// no valid one, or if it is a control character.
 std::size_t printable_character(std::string_view text) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(text[i]); };
     const unsigned char first = byte(0);
@@ -22,10 +22,12 @@ std::size_t printable_character(std::string_view text) {
     }
     const bool is_too_long = (size == 3 && code < 0x800) || (size == 4 && code < 0x10000);
     const bool is_surrogate = code >= 0xd800 && code < 0xe000;
-    const bool is_control = code < 0xa0 || code == 0x2028 || code == 0x2029;  // C1, line separators
-    const bool turns_text =
+    const bool is_control =
+        code < 0xa0 || code == 0x2028 || code == 0x2029;  // C1 and line separators
+    const bool changes_direction =
         (code >= 0x202a && code <= 0x202e) || (code >= 0x2066 && code <= 0x2069);
-    return is_too_long || is_surrogate || is_control || turns_text || code > 0x10ffff ? 0 : size;
+    return is_too_long || is_surrogate || is_control || changes_direction || code > 0x10ffff ? 0
+                                                                                             : size;
 }
 
 }  // namespace
@@ -48,12 +50,12 @@ std::string printable(std::string_view text) {
 }
 
 std::string quoted_word(std::string_view word) {
-    constexpr std::size_t kLongest = 60;
-    if (word.size() <= kLongest) return "'" + printable(word) + "'";
-    std::size_t end = kLongest;
-    // Not in the middle of a UTF-8 character.
+    constexpr std::size_t kMaxLength = 60;
+    if (word.size() <= kMaxLength) return "'" + printable(word) + "'";
+    std::size_t end = kMaxLength;
+    // Does not cut inside a UTF-8 character.
     while (end > 0 && (static_cast<unsigned char>(word[end]) & 0xc0) == 0x80) --end;
-    return "'" + printable(word.substr(0, end > 0 ? end : kLongest)) + "...'";
+    return "'" + printable(word.substr(0, end > 0 ? end : kMaxLength)) + "...'";
 }
 
 }  // namespace pectin

@@ -1,4 +1,4 @@
-// Text from files and paths, made fit to be shown in a message.
+// Prepares text from files and paths for messages.
 #pragma once
 
 #include <string>
@@ -6,13 +6,12 @@
 
 namespace pectin {
 
-// The text in one line that any terminal and any C string can hold: control characters (the zero
-// byte among them) and bytes that are not UTF-8 become \x and two hexadecimal digits. All other
-// text stays as it is. Cost: O(n).
+// The text as one line without control characters. These, including the zero byte, and bytes that
+// are not UTF-8 become \x and two hexadecimal digits. All other text is unchanged. Cost: O(n).
 std::string printable(std::string_view text);
 
-// The same between single quotes, for a word of a file inside a message. A word of more than 60
-// bytes is shortened; it ends in "..." then.
+// The printable() word in single quotes. A word of more than 60 bytes is shortened and ends in
+// "...".
 std::string quoted_word(std::string_view word);
 
 }  // namespace pectin

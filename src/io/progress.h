@@ -1,4 +1,4 @@
-// How far a long piece of work has come, and the wish that it end.
+// Reports the progress of long work and lets it be cancelled.
 #pragma once
 
 #include <exception>
@@ -8,27 +8,27 @@
 
 namespace pectin {
 
-// Work that was stopped by whoever asked for it: nothing is wrong and nothing has changed.
+// Thrown when the caller has cancelled the work. Nothing has changed then.
 class Cancelled : public std::exception {
   public:
     const char* what() const noexcept override { return "cancelled"; }
 };
 
-// Handed down to long work, which calls advance() often. The one that has neither a callback nor
-// a way to be stopped costs nothing.
+// Passed to long work, which calls advance() often. A default-constructed Progress does nothing.
 class Progress {
   public:
     Progress() = default;
-    // report: called on the working thread with a fraction from 0 to 1 that never falls.
+    // report: called on the working thread with a fraction in [0, 1] that never decreases.
     Progress(std::stop_token stop, std::function<void(double)> report)
         : stop_(std::move(stop)), report_(std::move(report)) {}
 
-    // Throws Cancelled where the work is to end. fraction: of this piece of the work.
+    // Reports the finished fraction of this part of the work. Throws Cancelled if stop is
+    // requested.
     void advance(double fraction) const {
         if (stop_.stop_requested()) throw Cancelled();
         if (report_) report_(begin_ + fraction * (end_ - begin_));
     }
-    // The part [begin, end] of this work, as a whole of its own.
+    // The progress of the part [begin, end] of this work; its own fractions run from 0 to 1.
     Progress part(double begin, double end) const {
         Progress piece = *this;
         piece.begin_ = begin_ + begin * (end_ - begin_);

@@ -1,4 +1,4 @@
-// Whole files into memory.
+// Reads whole files into memory.
 #pragma once
 
 #include <cstddef>
@@ -9,10 +9,9 @@
 
 namespace pectin {
 
-// The bytes of the file at `path`.
-// Throws FileError: open_file's, and where it is larger than `most_bytes`, before it takes memory
-// for them. Throws Cancelled.
+// The bytes of the file at `path`. Throws FileError as open_file() does, and if the file is larger
+// than `max_bytes`, before allocating memory for it. Throws Cancelled.
 std::string read_whole_file(const std::string& path, const Progress& progress = {},
-                            std::size_t most_bytes = std::numeric_limits<std::size_t>::max());
+                            std::size_t max_bytes = std::numeric_limits<std::size_t>::max());
 
 }  // namespace pectin

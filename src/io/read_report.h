@@ -1,4 +1,4 @@
-// What a reader found in a file that a model cannot take as it stands there.
+// Reports what a reader dropped from a file.
 #pragma once
 
 #include <cstddef>
@@ -7,10 +7,10 @@
 
 namespace pectin {
 
-// How often something was found, and where first.
+// How often something was found, and the line of the first occurrence.
 struct ReadFinding {
     std::uint32_t count = 0;
-    std::size_t line = 0;  // of the first; from 1, 0 where there is none
+    std::size_t line = 0;  // counted from 1; 0 if there is none
 
     void add(std::size_t at_line, std::uint32_t times = 1) {
         if (times == 0) return;
@@ -20,22 +20,23 @@ struct ReadFinding {
     bool operator==(const ReadFinding&) const = default;
 };
 
-// All of this is dropped, and the rest of the file is read. What BuildReport counts is kept.
+// All of this is dropped; the rest of the file is read. BuildReport, in contrast, counts what is
+// kept.
 struct ReadReport {
-    ReadFinding missing_uvs;         // corners that name a texture coordinate the file lacks
-    ReadFinding missing_normals;     // corners that name a normal the file lacks
-    ReadFinding undefined_uvs;       // corners whose `vt` is not made of finite numbers
+    ReadFinding missing_uvs;  // corners with the index of a texture coordinate that the file lacks
+    ReadFinding missing_normals;     // corners with the index of a normal that the file lacks
+    ReadFinding undefined_uvs;       // corners whose `vt` has numbers that are not finite
     ReadFinding undefined_normals;   // corners whose `vn` is zero or not three finite numbers
-    ReadFinding undefined_colors;    // vertices with a colour or weight that is no finite number
+    ReadFinding undefined_colors;    // vertices with a colour or weight that is not finite
     ReadFinding empty_statements;    // f, l and p without corners
-    ReadFinding unknown_statements;  // with a keyword that the format does not have
-    ReadFinding unpainted_vertices;  // that the #MRGB colours of the file do not reach
+    ReadFinding unknown_statements;  // statements whose keyword the format does not have
+    ReadFinding unpainted_vertices;  // vertices after the last #MRGB colour of the file
     ReadFinding surplus_paint;       // #MRGB colours beyond the last vertex
-    ReadFinding unreadable_paint;    // #MRGB lines from the first that is malformed on
-    ReadFinding masked_vertices;     // with a mask in their #MRGB entry, which is not kept
+    ReadFinding unreadable_paint;    // #MRGB lines from the first malformed one on
+    ReadFinding masked_vertices;     // vertices with a mask in their #MRGB entry
 
-    std::string unknown_keyword;  // the first one; what it should be, where that can be guessed
-    std::string likely_keyword;
+    std::string unknown_keyword;  // the first unknown keyword
+    std::string likely_keyword;   // what it should be; empty if that cannot be guessed
 
     bool operator==(const ReadReport&) const = default;
 };

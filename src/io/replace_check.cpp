@@ -14,11 +14,11 @@
 namespace pectin {
 namespace {
 
-// So much of a file is enough to say what it is.
-constexpr std::size_t kMostBytes = std::size_t{16} << 20;
+// As many bytes of a file as are read to tell its kind.
+constexpr std::size_t kMaxBytes = std::size_t{16} << 20;
 
-// Whether the beginning of a text has vertices and nothing but statements of OBJ. The last line may
-// be cut off.
+// Whether the beginning of a text has vertices and only OBJ statements. The last line, which may be
+// incomplete, is ignored.
 bool is_obj(std::string_view head) {
     std::size_t vertices = 0;
     ObjStatements statements(head.substr(0, head.rfind('\n')));
@@ -29,7 +29,7 @@ bool is_obj(std::string_view head) {
     return vertices > 0;
 }
 
-std::string what_it_is(const FileKind& kind, std::string_view contents) {
+std::string describe_file(const FileKind& kind, std::string_view contents) {
     if (kind.is_known()) return std::string(kind.is);
     const std::string_view head = contents.substr(0, kSignatureBytes);
     if (is_obj(head)) return "is an OBJ model";
@@ -43,16 +43,16 @@ std::string what_it_is(const FileKind& kind, std::string_view contents) {
 }  // namespace
 
 void check_may_replace(const std::string& path, MayReplace may_replace, std::string_view writes) {
-    OpenAnswer answer = ask_patiently(path);
+    FileAnswer answer = query_file(path);
     if (answer.error == ENOENT || answer.error == ENOTDIR) return;
     if (answer.error == 0 && !S_ISREG(answer.mode)) return;
     const OpenFile file = opened(path, std::move(answer));
-    std::string contents(std::min(file.bytes, kMostBytes), '\0');
+    std::string contents(std::min(file.bytes, kMaxBytes), '\0');
     contents.resize(read_bytes(file, path, contents.data(), contents.size()));
     if (contents.empty()) return;
     const FileKind kind = recognise_file(contents, file.bytes);
     if (may_replace(kind, contents)) return;
-    throw FileError(path, what_it_is(kind, contents) + " and is not replaced; " +
+    throw FileError(path, describe_file(kind, contents) + " and is not replaced; " +
                               std::string(writes) + ", so give it another name");
 }
 

@@ -1,4 +1,4 @@
-// Guards files against results that would replace them by a slip of the hand.
+// Keeps results from replacing files of another kind by mistake.
 #pragma once
 
 #include <string>
@@ -8,12 +8,13 @@
 
 namespace pectin {
 
-// Whether a file with these contents may be replaced. kind: as recognise_file() has it.
+// Whether a file with these contents may be replaced. kind: the result of recognise_file().
 using MayReplace = bool (*)(const FileKind& kind, std::string_view contents);
 
-// Throws FileError unless there is no file at `path`, an empty one, or one that `may_replace`
-// accepts. The message says what the file is. writes: "stats writes JSON files", for the message.
-// What is no regular file is left to the writer, which refuses it.
+// Throws FileError if the file at `path` must not be replaced. A file may be replaced if it does
+// not exist, is empty, or `may_replace` accepts it. Anything but a regular file is also accepted;
+// the writer refuses it. writes: for the message, which also says what the file is: "stats writes
+// JSON files".
 void check_may_replace(const std::string& path, MayReplace may_replace, std::string_view writes);
 
 bool is_png(const FileKind& kind, std::string_view contents);

@@ -1,4 +1,5 @@
-// The temporary files that are being written, so that none is left when a signal ends the program.
+// Lists the temporary files that are being written, so that they are removed when a signal ends the
+// program.
 #pragma once
 
 #include <mutex>
@@ -6,8 +7,8 @@
 
 namespace pectin {
 
-// Names a temporary file for as long as it exists. There is one list for the whole process, since a
-// signal ends the whole process. Safe to use on any thread.
+// Keeps a temporary file in the list. There is one list for the process, because a signal ends the
+// process. Thread-safe.
 class TemporaryFileEntry {
   public:
     TemporaryFileEntry() = default;
@@ -22,9 +23,9 @@ class TemporaryFileEntry {
     std::string path_;  // empty if there is no file
 };
 
-// Removes all of them. To be called on an ordinary thread (not in a signal handler) right before
-// the process ends: files that are still being written lose their names. As long as what is
-// returned exists, a thread that would add one waits.
+// Removes all listed files. Call it on an ordinary thread (not in a signal handler) just before the
+// process ends, because files that are still being written are removed, too. While the returned
+// lock exists, threads that would add a file wait.
 [[nodiscard]] std::unique_lock<std::mutex> remove_temporary_files() noexcept;
 
 }  // namespace pectin

@@ -6,12 +6,13 @@
 namespace pectin {
 namespace {
 
-constexpr std::int64_t kMostSamples = std::int64_t{64} << 20;  // of a picture: half a gigabyte
+constexpr std::int64_t kMaxSamples = std::int64_t{64}
+                                     << 20;  // per picture; they take half a gigabyte
 
 int clamped_samples(const Gl& gl, const IVec2& size, int wanted) {
     GLint most = 0;
     gl.GetIntegerv(GL_MAX_SAMPLES, &most);
-    const std::int64_t affordable = kMostSamples / (std::int64_t{size.x} * size.y);
+    const std::int64_t affordable = kMaxSamples / (std::int64_t{size.x} * size.y);
     return static_cast<int>(std::clamp<std::int64_t>(affordable, 1, std::min(most, wanted)));
 }
 
@@ -49,7 +50,7 @@ void Canvas::check_size() const {
 }
 
 void Canvas::make_sampled() {
-    // One sample asked for as 0: some drivers take 1 for more.
+    // One sample is requested as 0, because some drivers take 1 for more.
     const GLsizei samples = samples_ > 1 ? samples_ : 0;
     gl_->BindRenderbuffer(GL_RENDERBUFFER, colour_.name());
     gl_->RenderbufferStorageMultisample(GL_RENDERBUFFER, samples, GL_RGBA8, size_.x, size_.y);
@@ -103,7 +104,7 @@ Image Canvas::read() const {
     gl_->PixelStorei(GL_PACK_ALIGNMENT, 4);
     gl_->ReadPixels(0, 0, size_.x, size_.y, GL_RGBA, GL_UNSIGNED_BYTE, image.rgba.data());
     check_errors(*gl_, "reading the picture back");
-    // OpenGL's first row is the bottom one.
+    // OpenGL's first row is the bottom row.
     auto top = image.rgba.begin();
     auto bottom = image.rgba.end() - static_cast<std::ptrdiff_t>(stride);
     for (; top < bottom; top += static_cast<std::ptrdiff_t>(stride),

@@ -1,4 +1,4 @@
-// The picture being drawn: the program's own framebuffer, the same on every host.
+// The framebuffer that pictures are drawn to. It is the same on every host.
 #pragma once
 
 #include <cstdint>
@@ -9,32 +9,31 @@
 
 namespace pectin {
 
-// RGBA, 8 bits each, rows from the top.
+// A picture with 8-bit RGBA pixels, rows from the top.
 struct Image {
     IVec2 size{0};
     std::vector<std::uint8_t> rgba;  // 4 * size.x * size.y
 };
 
-// Colour and depth with several samples a pixel, and the texture they are resolved to.
+// Colour and depth buffers with several samples per pixel, and the texture they are resolved to.
 class Canvas {
   public:
-    // samples: wanted a pixel; clamped to what the context can do and, for pictures so large that
-    // they would take gigabytes, to fewer. Throws ContextError where the size is beyond the
-    // context's limits or its memory. Precondition: both sizes are above 0.
+    // samples: the wanted number per pixel. It is reduced to the limit of the context, and for
+    // pictures so large that they would take gigabytes. Throws ContextError if the size is beyond
+    // the limits or the memory of the context. Precondition: both sizes are above 0.
     Canvas(const Gl& gl, const IVec2& size, int samples = kSamples);
     static constexpr int kSamples = 8;
 
     const IVec2& size() const { return size_; }
     int samples() const { return samples_; }
 
-    // Draws go here from now on, over all of the canvas.
+    // Directs all further drawing to the whole canvas.
     void bind() const;
-    // Averages the samples into the texture. After drawing, before texture() or read().
+    // Averages the samples into the texture. Call it after drawing and before texture() or read().
     void resolve() const;
-    // RGBA8, to be drawn or sampled.
+    // The resolved picture, RGBA8.
     GLuint texture() const { return texture_.name(); }
-    // Copies the resolved picture to the framebuffer that `draw_framebuffer` names (0: the
-    // window's), pixel by pixel.
+    // Copies the resolved picture without scaling. draw_framebuffer: the target; 0 is the window.
     void blit_to(GLuint draw_framebuffer) const;
     Image read() const;
 

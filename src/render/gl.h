@@ -1,7 +1,8 @@
-// OpenGL 3.3 core through a struct of function pointers, one for each context.
+// Loads the functions of OpenGL 3.3 core into a struct, one for each context.
 //
-// A host makes a context, makes it current and loads its functions; everything in this room takes
-// them as `const Gl&`, keeps the address, and must go before them, with the context current.
+// A host creates a context, makes it current and loads its functions. The classes of this module
+// take them as `const Gl&` and keep the address. They must be destroyed before it, with the context
+// current.
 #pragma once
 
 #include <glad/gl.h>
@@ -11,20 +12,21 @@
 namespace pectin {
 
 using Gl = GladGLContext;
-// The host's own look-up: eglGetProcAddress, glfwGetProcAddress, OSMesaGetProcAddress.
+// Finds a function: eglGetProcAddress, glfwGetProcAddress or OSMesaGetProcAddress.
 using GetProc = GLADloadfunc;
 
-// No context, or one that cannot draw what is asked for; what() says what to install or change.
+// Thrown if there is no context or it cannot draw what is asked. what() says what to install or
+// change.
 class ContextError : public std::runtime_error {
   public:
     using std::runtime_error::runtime_error;
 };
 
-// Precondition: the context is current. Throws ContextError below OpenGL 3.3, naming what is there.
+// Precondition: the context is current. Throws ContextError, with the version, below OpenGL 3.3.
 Gl load_gl(GetProc get_proc);
 
-// Throws ContextError, naming `doing`, where OpenGL has run out of memory; asserts that no other
-// error is pending.
+// Throws ContextError if OpenGL has run out of memory. Asserts that no other error is pending.
+// doing: what was attempted, for the message.
 void check_errors(const Gl& gl, const char* doing);
 
 }  // namespace pectin

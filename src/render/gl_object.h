@@ -1,4 +1,4 @@
-// OpenGL objects with one owner each: move-only, deleted with it.
+// Owners of OpenGL objects: movable, not copyable; the destructor deletes the object.
 #pragma once
 
 #include <utility>

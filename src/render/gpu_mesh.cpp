@@ -7,11 +7,12 @@
 namespace pectin {
 namespace {
 
-// A call costs about what a kilobyte does: slots between two dirty ones go along up to here.
+// A call costs about as much as uploading a kilobyte, so gaps between changed slots are uploaded up
+// to this size.
 constexpr std::uint32_t kVertexGap = 1024 / sizeof(GpuVertex);
 constexpr std::uint32_t kTriangleGap = 1024 / sizeof(GpuTriangle);
-// Whole uploads go through a staging array of at most this many elements at a time.
-constexpr std::uint32_t kStaged = 1u << 18;
+// Whole meshes are uploaded in pieces of at most this many elements.
+constexpr std::uint32_t kMaxStaged = 1u << 18;
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -23,7 +24,7 @@ void sort_distinct(std::span<const Id> ids, std::vector<std::uint32_t>& sorted) 
     sorted.erase(std::unique(sorted.begin(), sorted.end()), sorted.end());
 }
 
-// Calls write(first, end) for runs of the sorted ids below `slots`, over gaps up to `gap`.
+// Calls write(first, end) for runs of sorted ids below `slots`, joining runs with gaps up to `gap`.
 template <class Write>
 void for_each_range(std::span<const std::uint32_t> sorted, std::uint32_t slots, std::uint32_t gap,
                     const Write& write) {
@@ -31,15 +32,15 @@ void for_each_range(std::span<const std::uint32_t> sorted, std::uint32_t slots, 
     for (auto at = sorted.begin(); at != last;) {
         const std::uint32_t first = *at;
         std::uint32_t end = first + 1;
-        for (++at; at != last && *at - end <= gap && *at - first < kStaged; ++at) end = *at + 1;
+        for (++at; at != last && *at - end <= gap && *at - first < kMaxStaged; ++at) end = *at + 1;
         write(first, end);
     }
 }
 
 template <class Write>
 void for_all(std::uint32_t slots, const Write& write) {
-    for (std::uint32_t first = 0; first < slots; first += kStaged) {
-        write(first, std::min(slots, first + kStaged));
+    for (std::uint32_t first = 0; first < slots; first += kMaxStaged) {
+        write(first, std::min(slots, first + kMaxStaged));
     }
 }
 

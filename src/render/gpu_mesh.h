@@ -1,8 +1,8 @@
-// The mesh in graphics memory, kept up to date by uploading what changed.
+// The mesh in graphics memory, updated by uploading only what changed.
 //
-// A vertex for each wedge slot (position relative to the object's centre, normal, level) and an
-// index triple for each face slot, so that an edit of the mesh touches the same few places here;
-// a dead face is the triple 0, 0, 0 and covers nothing.
+// There is a vertex for each wedge slot (position relative to the object's centre, normal, level)
+// and an index triple for each face slot, so that an edit of the mesh changes as few slots here as
+// there. A deleted face has the triple 0, 0, 0, which covers no pixel.
 #pragma once
 
 #include <cstddef>
@@ -16,28 +16,29 @@
 
 namespace pectin {
 
-// As mesh.vert reads it.
+// The layout that mesh.vert reads.
 struct GpuVertex {
-    Vec3f position{0.0f};  // world, relative to the centre
-    Vec3f normal{0.0f};    // unit, or 0: undefined
+    Vec3f position{0.0f};  // world space, relative to the centre
+    Vec3f normal{0.0f};    // unit, or 0 if undefined
     std::uint16_t level = 0;
-    std::uint16_t deformed = 0;  // 1 where a committed gesture has moved it
+    std::uint16_t deformed = 0;  // 1 if a committed gesture has moved it
 };
 static_assert(sizeof(GpuVertex) == 28);
 
 using GpuTriangle = glm::u32vec3;
 static_assert(sizeof(GpuTriangle) == 12);
 
-// A buffer of elements that keeps its contents when it grows; growth is by half at least, so that
-// many small ones cost little.
+// A buffer that keeps its contents when it grows. It grows by at least half, so that repeated
+// growth costs amortised O(1) per element.
 class GrowingBuffer {
   public:
     GrowingBuffer(const Gl& gl, std::size_t element_bytes)
         : gl_(&gl), buffer_(gl), element_bytes_(element_bytes) {}
 
-    // Returns whether the buffer is another one now, to be bound anew. The copy stays on the GPU.
+    // Returns whether the buffer was replaced, so that it must be bound again. Contents are copied
+    // on the GPU.
     bool reserve(std::size_t elements);
-    // Forgets the contents.
+    // Discards the contents.
     void clear(std::size_t elements);
     void write(std::size_t first, std::size_t count, const void* data);
 
@@ -54,29 +55,30 @@ class GpuMesh {
   public:
     struct Upload {
         std::size_t bytes = 0;
-        std::size_t ranges = 0;  // calls it took
+        std::size_t ranges = 0;  // number of upload calls
     };
 
     explicit GpuMesh(const Gl& gl);
 
-    // All of the mesh. `centre`: that positions are relative to from now on; near the object, for
-    // floats to be fine enough. Cost: O(mesh).
+    // Uploads the whole mesh. Positions are relative to `centre` until the next upload; it should
+    // be near the object for the precision of floats. Cost: O(mesh).
     Upload upload(const TriMesh& mesh, const Vec3& centre);
-    // Relative to the centre of its box.
+    // The same with the centre of the mesh's bounding box.
     Upload upload(const TriMesh& mesh);
 
-    // What an edit changed, in any order, repeats allowed. `wedges`: those that moved or came, live
-    // or not (what went needs no mention). `faces`: slots whose face came, went or has other
-    // corners. Cost: O(answer log answer), whatever the size of the mesh.
-    // Precondition: `mesh` is the one uploaded, changed by nothing else since.
+    // Uploads what an edit changed. Both lists may be in any order and contain duplicates.
+    // wedges: moved and inserted wedges; removed ones may be listed. faces: slots whose face was
+    // inserted or removed or has other corners. Cost: O(k log k) for lists of length k.
+    // Precondition: `mesh` is the uploaded mesh and has no other changes since then.
     Upload update(const TriMesh& mesh, std::span<const WedgeId> wedges,
                   std::span<const FaceId> faces);
 
-    // Draws every face slot with attributes 0 position, 1 normal, 2 level and deformed.
+    // Draws all face slots. The attributes are 0 position, 1 normal, 2 level and deformed.
     void draw() const;
 
     const Vec3& centre() const { return centre_; }
-    // World; of all that was uploaded since the whole mesh was: it grows at once and shrinks later.
+    // In world space. Contains everything uploaded since the last upload of the whole mesh, so it
+    // grows at once but shrinks only then.
     const Box& bounds() const { return bounds_; }
     std::uint32_t face_slots() const { return face_slots_; }
 
@@ -95,9 +97,9 @@ class GpuMesh {
     Vec3 centre_{0.0};
     Box bounds_;
     std::uint32_t face_slots_ = 0;
-    // n_wedge_slots; what a face last said of the wedge. A wedge that went may keep its vertex.
+    // By wedge slot: the vertex as recorded from a face. Entries of removed wedges may be stale.
     std::vector<VertexId> wedge_vertices_;
-    // Scratch, kept for its capacity.
+    // Temporary arrays, kept for their capacity.
     std::vector<std::uint32_t> sorted_;
     std::vector<GpuVertex> staged_vertices_;
     std::vector<GpuTriangle> staged_triangles_;

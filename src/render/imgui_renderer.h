@@ -1,6 +1,7 @@
-// Draws what Dear ImGui has made of the panels, the same on every host.
+// Draws the panels of Dear ImGui on every host.
 //
-// Its own OpenGL backend asks libGL for functions and so fails in contexts that are not libGL's.
+// Dear ImGui's own OpenGL backend loads functions from libGL and so fails in contexts that do not
+// come from libGL.
 #pragma once
 
 #include "render/canvas.h"
@@ -14,11 +15,11 @@ namespace pectin {
 
 class ImGuiRenderer {
   public:
-    // Takes over the fonts' texture; compiles the shaders. Throws ShaderError.
+    // Uploads the font texture and compiles the shaders. Throws ShaderError.
     ImGuiRenderer(const Gl& gl, ImFontAtlas& fonts);
 
-    // Over what the canvas has. Blending, scissors and the program are left off.
-    // Precondition: the canvas is as large as the data's display in its framebuffer's pixels.
+    // Draws over the contents of the canvas. Leaves blending, scissor test and program off.
+    // Precondition: the canvas has the display size of the data in framebuffer pixels.
     void draw(const ImDrawData& data, const Canvas& canvas);
 
   private:

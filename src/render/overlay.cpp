@@ -12,7 +12,7 @@ constexpr Colour kSelected{255, 172, 48, 255};
 constexpr Colour kHovered{255, 255, 255, 235};
 constexpr std::array kAxes{Colour{255, 120, 120, 92}, Colour{130, 235, 120, 92},
                            Colour{120, 165, 255, 92}};
-constexpr int kMirrorGrid = 6;  // squares along each side
+constexpr int kMirrorGrid = 6;  // squares per side
 
 constexpr Colour kDeformable{70, 220, 255, 235};
 constexpr Colour kDeformableMoved{255, 244, 150, 255};
@@ -20,7 +20,7 @@ constexpr Colour kInfluenced{150, 170, 255, 170};
 constexpr Colour kInfluencedGrid{150, 170, 255, 48};
 constexpr Colour kPhantom{190, 196, 206, 110};
 
-// Up to here the grid's inside is drawn as well; beyond it would be a thicket.
+// The interior of the grid is drawn up to this many control points per axis.
 constexpr int kInnerGrid = 5;
 
 Colour faint(Colour colour) {
@@ -28,7 +28,7 @@ Colour faint(Colour colour) {
     return colour;
 }
 
-// A grid of control points from `first` to `last`, both counted.
+// A range of control points from `first` to `last`, inclusive.
 struct ControlRange {
     IVec3 first, last;
 
@@ -46,7 +46,7 @@ struct ControlRange {
     }
 };
 
-int most_of(const IVec3& counts) { return glm::max(counts.x, glm::max(counts.y, counts.z)); }
+int max_component(const IVec3& counts) { return glm::max(counts.x, glm::max(counts.y, counts.z)); }
 
 IVec3 unit_step(int axis) {
     IVec3 step{0};
@@ -56,17 +56,17 @@ IVec3 unit_step(int axis) {
 
 void add_deformable(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements) {
     const ControlRange range{IVec3{0}, lattice.deformable - 1};
-    const int most = most_of(lattice.deformable);
-    // Denser grids are drawn finer, or they would hide the object.
+    const int most = max_component(lattice.deformable);
+    // Denser grids have thinner lines, so that they do not hide the object.
     const float fine = most <= kInnerGrid ? 1.0f : glm::max(0.4f, 6.0f / static_cast<float>(most));
-    const double still = 1e-6 * lattice.smallest_cell_extent();
+    const double threshold = 1e-6 * lattice.smallest_cell_extent();
     const auto displacement = [&](const IVec3& c) {
         return displacements.empty() ? Vec3{0.0} : displacements[lattice.control_index(c)];
     };
     const auto position = [&](const IVec3& c) { return lattice.rest(c) + displacement(c); };
     range.for_each([&](const IVec3& c) {
         if (!draws_control(lattice, c)) return;
-        const bool moved = glm::length(displacement(c)) > still;
+        const bool moved = glm::length(displacement(c)) > threshold;
         overlay.points.push_back({.position = position(c),
                                   .colour = moved ? kDeformableMoved : kDeformable,
                                   .diameter = (moved ? 7.0f : 6.0f) * fine});
@@ -78,7 +78,7 @@ void add_deformable(Overlay& overlay, const Lattice& lattice, std::span<const Ve
     });
 }
 
-// Along each axis the lines of the grid on the range's border; its box's edges are stronger.
+// Draws the grid lines along each axis on the boundary of the range, with stronger box edges.
 void add_influenced(Overlay& overlay, const Lattice& lattice) {
     const ControlRange range{IVec3{-2}, lattice.deformable + 1};
     range.for_each([&](const IVec3& c) {
@@ -96,7 +96,7 @@ void add_influenced(Overlay& overlay, const Lattice& lattice) {
     });
 }
 
-// Its control points along the edges of their box; all of them would be a fog.
+// Draws only the control points on the edges of their box; all of them would hide the object.
 void add_phantom(Overlay& overlay, const Lattice& lattice) {
     const ControlRange range{IVec3{-3}, lattice.deformable + 2};
     range.for_each([&](const IVec3& c) {
@@ -165,7 +165,7 @@ void add_lattice(Overlay& overlay, const Lattice& lattice, std::span<const Vec3>
 }
 
 bool draws_control(const Lattice& lattice, const IVec3& control) {
-    if (most_of(lattice.counts()) <= kInnerGrid) return true;
+    if (max_component(lattice.counts()) <= kInnerGrid) return true;
     for (int axis = 0; axis < 3; ++axis) {
         const int first = lattice.margin[axis], last = first + lattice.counts()[axis] - 1;
         if (control[axis] <= first || control[axis] >= last) return true;

@@ -1,7 +1,10 @@
-// Lines and points drawn over the object: the lattice, drags, pins, and what a host adds.
+// Lines and points that are drawn over the object: the lattice, drags, pins and others.
 //
-// Those behind the object show faintly through it. Positions are in world space, widths and
-// diameters in pixels (times Scene::pixel_scale).
+// Those behind the object are drawn faintly. Positions are in world space, widths and diameters in
+// pixels (multiplied by Scene::pixel_scale).
+//
+// J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation. Eurographics
+// UK 1999.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +17,7 @@
 
 namespace pectin {
 
-// As on screen, 0 to 255.
+// Channels from 0 to 255, as on screen.
 struct Colour {
     std::uint8_t red = 255, green = 255, blue = 255, alpha = 255;
     bool operator==(const Colour&) const = default;
@@ -40,22 +43,23 @@ struct Overlay {
     Box bounds() const;
 };
 
-// A drag's grabbed point (ring), where it is to go (disc), and the way between. Faint: its image.
+// The grabbed point of a drag (ring), its target (disc) and the line between them.
+// is_faint: for the mirror image of a drag.
 void add_drag(Overlay& overlay, const Vec3& from, const Vec3& to, bool is_faint = false);
 void add_pin(Overlay& overlay, const Vec3& position, bool is_faint = false);
-// A control point that is under the cursor, selected, or both.
+// A control point that is selected, under the cursor (hovered), or both.
 void add_control_point(Overlay& overlay, const Vec3& position, bool is_selected, bool is_hovered);
 
-// A grid where the plane cuts the box, in the colour of its axis: red for x, green for y, blue for
-// z.
+// A grid where the plane intersects the box. The colour is that of the plane's axis: red for x,
+// green for y, blue for z.
 void add_mirror_plane(Overlay& overlay, const MirrorPlane& plane, const Box& box);
 
-// The zones of a lattice, told apart (Gain & Dodgson 1999, figure 2): the deformable control points
-// and the grid between them, where they have been moved to; the box of the influenced zone with the
-// grid on its faces; the phantom layer as points about it.
-// displacements: control_count in the order of control_index, or empty: at rest.
+// The zones of a lattice (Gain & Dodgson 1999, figure 2): the displaced deformable control points
+// and the grid between them, the box of the influenced zone with the grid on its faces, and the
+// control points of the phantom layer around it.
+// displacements: one per control point in the order of control_index(); empty: all zero.
 void add_lattice(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements);
-// Whether add_lattice draws this control point: of large lattices only those on the border.
+// Whether add_lattice() draws this control point. In large lattices only boundary points are drawn.
 bool draws_control(const Lattice& lattice, const IVec3& control);
 
 }  // namespace pectin

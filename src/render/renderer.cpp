@@ -10,8 +10,9 @@ namespace pectin {
 namespace {
 
 constexpr float kEdgeWidth = 1.1f;        // pixels
-constexpr float kHiddenStrength = 0.28f;  // of what lies behind the object
-constexpr double kNearMargin = 0.5;       // lines and points are drawn nearer than they are
+constexpr float kHiddenStrength = 0.28f;  // opacity of overlays behind the object
+constexpr double kNearMargin =
+    0.5;  // factor of the near plane: overlays are drawn nearer than they are
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -126,7 +127,7 @@ void Renderer::draw_overlay(const Overlay& overlay, const View& view, const Canv
     gl_->Disable(GL_BLEND);
 }
 
-// Once what the object hides, faintly, and once what it does not.
+// Draws the parts behind the object faintly, then the visible parts.
 void Renderer::draw_overlay_part(const ShaderProgram& program, GLenum mode, GLint first,
                                  GLsizei count, const View& view, const Canvas& canvas) const {
     program.use();

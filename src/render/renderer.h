@@ -1,4 +1,4 @@
-// Draws the object and what lies over it.
+// Draws the object and the overlays.
 #pragma once
 
 #include "geometry/camera.h"
@@ -9,22 +9,23 @@
 
 namespace pectin {
 
-// One picture of the object.
+// What a picture shows besides the mesh.
 struct Scene {
     Camera camera{};
     bool wireframe = false;
     bool levels = false;       // colours by refinement level
     Overlay overlay{};         // world space
-    float pixel_scale = 1.0f;  // of widths in pixels; above 1 on screens of small pixels
+    float pixel_scale = 1.0f;  // factor of widths in pixels; above 1 on high-resolution screens
 };
 
 class Renderer {
   public:
-    // Compiles the shaders; throws ShaderError.
+    // Compiles the shaders. Throws ShaderError.
     explicit Renderer(const Gl& gl);
 
-    // Background, object, overlay. The canvas stays bound and unresolved, so that a host may draw
-    // its panels on it; depth test and blending are left off. Precondition: the camera is valid.
+    // Draws the background, the object and the overlay. The canvas stays bound and unresolved, so
+    // that a host can draw its panels on it. Leaves depth test and blending off. Precondition: the
+    // camera is valid.
     void draw(const GpuMesh& mesh, const Scene& scene, const Canvas& canvas);
 
   private:
@@ -34,7 +35,7 @@ class Renderer {
         DepthRange depths;
         float pixel;  // height of a pixel at distance 1
     };
-    // As line.vert and point.vert read it.
+    // The layout that line.vert and point.vert read.
     struct OverlayVertex {
         Vec3f position;
         Colour colour;
@@ -55,7 +56,7 @@ class Renderer {
     ShaderProgram background_, surface_, faces_, line_, point_;
     GlVertexArray no_attributes_, overlay_array_;
     GlBuffer overlay_buffer_;
-    std::vector<OverlayVertex> overlay_vertices_;  // scratch: ends of lines, then points
+    std::vector<OverlayVertex> overlay_vertices_;  // temporary: ends of lines, then points
 };
 
 }  // namespace pectin

@@ -39,7 +39,7 @@ std::string program_log(const Gl& gl, GLuint program) {
     return without_line_ends(std::move(log));
 }
 
-// A compiled stage; only needed until its program is linked.
+// Owns a compiled stage until its program is linked.
 class Shader {
   public:
     Shader(const Gl& gl, const ShaderSource& source, const std::string& preamble)
@@ -85,7 +85,7 @@ ShaderProgram::ShaderProgram(const Gl& gl, std::initializer_list<ShaderSource> s
         gl.GetProgramiv(name_, GL_LINK_STATUS, &linked);
         if (linked != GL_TRUE) throw ShaderError(names, program_log(gl, name_));
     } catch (const ShaderError&) {
-        gl.DeleteProgram(name_);  // the destructor of what was never made does not run
+        gl.DeleteProgram(name_);  // a constructor that throws runs no destructor
         throw;
     }
 }

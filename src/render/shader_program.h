@@ -1,4 +1,4 @@
-// Shader programs, made from the sources in shaders/.
+// Compiles and links the shader programs in shaders/.
 #pragma once
 
 #include <initializer_list>
@@ -11,14 +11,14 @@
 
 namespace pectin {
 
-// A file of shaders/; its ending (.vert, .geom, .frag) says the stage. Without a #version line:
-// that, and what the program defines, are put before it.
+// A file of shaders/. Its extension (.vert, .geom, .frag) determines the stage. It has no #version
+// line; ShaderProgram adds that line and the defines.
 struct ShaderSource {
     const char* name;
     const char* text;
 };
 
-// what() has the shader's name and the driver's log.
+// what() contains the name of the shader and the log of the driver.
 class ShaderError : public std::runtime_error {
   public:
     ShaderError(std::string shader, std::string log)
@@ -36,7 +36,7 @@ class ShaderError : public std::runtime_error {
 
 class ShaderProgram {
   public:
-    // defines: names that the sources see as #define NAME. Throws ShaderError.
+    // defines: names for #define. Throws ShaderError.
     ShaderProgram(const Gl& gl, std::initializer_list<ShaderSource> sources,
                   std::initializer_list<const char*> defines = {});
     ~ShaderProgram();
@@ -44,7 +44,8 @@ class ShaderProgram {
     ShaderProgram& operator=(ShaderProgram&& other) noexcept;
 
     void use() const;
-    // Of the program in use; names that the shaders do not use are passed over.
+    // Sets a uniform. Ignores names that the shaders do not use. Precondition: the program is in
+    // use.
     void set(const char* uniform, float value) const;
     void set(const char* uniform, int value) const;
     void set(const char* uniform, const glm::vec2& value) const;

@@ -1,19 +1,15 @@
 #include "session/model_file.h"
 
-#include <algorithm>
-#include <cctype>
 #include <filesystem>
 #include <map>
 #include <set>
-#include <string_view>
 #include <system_error>
 #include <utility>
 #include <vector>
 
 #include "io/file_error.h"
 #include "io/material_files.h"
-#include "io/obj_reader.h"
-#include "io/obj_writer.h"
+#include "io/model_format.h"
 #include "io/printable.h"
 
 namespace pectin {
@@ -23,14 +19,6 @@ namespace {
 constexpr double kRead = 0.4, kBuilt = 0.75;
 // The fraction of the time of saving at which writing ends and copying material files begins.
 constexpr double kWritten = 0.95;
-
-bool has_extension(const std::string& path, std::string_view extension) {
-    if (path.size() < extension.size()) return false;
-    return std::equal(
-        extension.begin(), extension.end(),
-        path.end() - static_cast<std::ptrdiff_t>(extension.size()),
-        [](char y, char x) { return std::tolower(static_cast<unsigned char>(x)) == y; });
-}
 
 // Combines the results of several folders. A file that one folder has is not missing in the others.
 class MaterialReport {
@@ -120,7 +108,7 @@ LoadedModel make_model(BuiltMesh built) {
 LoadedModel load_model(const command::Open& open, const Progress& progress) {
     ReadReport read_report;
     LoadedModel model =
-        make_model(build_mesh(read_obj(open.path, progress.part(0.0, kRead), &read_report),
+        make_model(build_mesh(read_model(open.path, progress.part(0.0, kRead), &read_report),
                               {.crease_angle = open.crease_angle}));
     model.read_report = std::move(read_report);
     if (model.mesh->face_slots() == 0) {
@@ -136,10 +124,7 @@ LoadedModel load_model(const command::Open& open, const Progress& progress) {
 
 SaveReport save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress,
                       std::span<const std::string> material_folders) {
-    if (!has_extension(save.path, ".obj")) {
-        throw FileError(save.path, "does not end in .obj; save writes OBJ files");
-    }
-    write_obj(mesh, save.path, progress.part(0.0, kWritten));
+    write_model(mesh, save.path, progress.part(0.0, kWritten));
     try {
         SaveReport report = copy_materials(mesh, material_folder(save.path), material_folders,
                                            progress.part(kWritten, 1.0));

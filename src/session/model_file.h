@@ -38,7 +38,7 @@ std::string material_folder(const std::string& model_path);
 LoadedModel make_model(BuiltMesh built);
 
 // Reads the file and makes a model with a tree, so that neither the first pick nor the first drag
-// has to wait. Throws Cancelled, and FileError if read_obj() does or if the file contains no
+// has to wait. Throws Cancelled, and FileError if read_model() does or if the file contains no
 // surface. Cost: O(n log n).
 LoadedModel load_model(const command::Open& open, const Progress& progress = {});
 
@@ -51,8 +51,7 @@ struct SaveReport {
 
 // Writes the mesh to the file, completely or not at all, and then copies the material files that
 // its folder lacks. Precondition: nobody changes the mesh meanwhile. Throws Cancelled, and
-// FileError if write_obj() does or if the path is not that of an OBJ file; the file is then
-// unchanged. Cost: O(n), and that of copying.
+// FileError if write_model() does; the file is then unchanged. Cost: O(n), and that of copying.
 SaveReport save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress = {},
                       std::span<const std::string> material_folders = {});
 

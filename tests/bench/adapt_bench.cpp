@@ -1,6 +1,8 @@
-// Refinement and decimation: what a split and a removal cost, beside the paper's figures
-// (Gain & Dodgson 1999, section 5: 200 refinements in 16.8 ms, 32 and 92 decimations in 9.5 ms,
-// on a 195 MHz R10000).
+// Measures the cost of splits and removals, beside the paper's figures: 200 refinements in 16.8 ms,
+// and 32 refinements with 92 decimations in 9.5 ms, on a 195 MHz R10000 (section 5).
+//
+// J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation. Eurographics
+// UK 1999.
 #include <benchmark/benchmark.h>
 #include <unistd.h>
 
@@ -25,11 +27,11 @@ void report(benchmark::State& state, const char* what, double count, double tota
     state.counters["paper_us"] = paper_microseconds;
 }
 
-constexpr double kPaperSplit = 16'800.0 / 200.0;          // microseconds a refinement
-constexpr double kPaperEither = 9'500.0 / (32.0 + 92.0);  // microseconds a refinement or removal
+constexpr double kPaperSplit = 16'800.0 / 200.0;          // microseconds per refinement
+constexpr double kPaperEither = 9'500.0 / (32.0 + 92.0);  // microseconds per refinement or removal
 
-// Splits alone, from a few hundred (as in the paper) to a quarter of a million: the first time, in
-// memory that has to be had from the system, and in a later frame, where it is there already.
+// Splits only, from a few hundred (as in the paper) to a quarter of a million. The first time the
+// memory comes from the system; in a later frame it is already allocated.
 void split(benchmark::State& state) {
     const TriMesh mesh = sphere(static_cast<int>(state.range(0)));
     const AdaptLimits at = limits(static_cast<double>(state.range(1)) / 100.0, kOff);
@@ -60,7 +62,7 @@ BENCHMARK(split)
     ->Args({6, 62, 1})
     ->UseManualTime();
 
-// Removals alone: everything that a refinement inserted.
+// Removals only: everything that a refinement has inserted.
 void unsplit(benchmark::State& state) {
     const TriMesh mesh = sphere(static_cast<int>(state.range(0)));
     const AdaptLimits at = limits(static_cast<double>(state.range(1)) / 100.0, kOff);
@@ -83,8 +85,8 @@ BENCHMARK(unsplit)
     ->Args({6, 62})
     ->UseManualTime();
 
-// The paper's two steps on a coarse object: an extrusion, refined at pi/7, then one that flattens
-// it again, refined at pi/7 and decimated at pi/9.
+// The paper's two steps on a coarse object: an extrusion that is refined at pi/7, then its
+// flattening, which is refined at pi/7 and decimated at pi/9.
 void extrude_then_flatten(benchmark::State& state) {
     const TriMesh mesh = sphere(2);
     const AdaptLimits at = limits(180.0 / 7.0, 180.0 / 9.0);
@@ -109,7 +111,7 @@ void extrude_then_flatten(benchmark::State& state) {
 }
 BENCHMARK(extrude_then_flatten)->UseManualTime();
 
-// Of memory that the program has, those pages that are there.
+// The resident memory of the program, in bytes.
 double resident_bytes() {
     std::ifstream statm("/proc/self/statm");
     double all = 0.0, resident = 0.0;
@@ -123,9 +125,9 @@ double mean_edge(const TriMesh& mesh) {
     return sum / mesh.edge_count();
 }
 
-// A whole sphere of 330 k faces to half its mean edge, longest first, as peers do it; and all of it
-// taken back. A drag of next to nothing acts, so that normals are turned, too. Mirrored: with
-// symmetry on, at a plane through the middle.
+// Refines a whole sphere of 330 k faces to half its mean edge length, longest edge first, as the
+// peers do, and then decimates it to the base mesh. A tiny drag acts, so that normals are
+// transformed, too. Mirrored: with symmetry in a plane through the centre.
 void refine_to_half_mean(benchmark::State& state) {
     const TriMesh mesh = sphere(7);
     AdaptLimits half{.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6};

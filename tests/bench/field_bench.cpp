@@ -1,5 +1,5 @@
-// Evaluating fields of space at many points, on one thread: the textbook 4 x 4 x 4 sum of a lattice
-// and the weights of a drag.
+// Measures the evaluation of deformations at many points on one thread: the textbook 4 x 4 x 4 sum
+// of a lattice and the weights of a drag.
 #include <benchmark/benchmark.h>
 
 #include <random>

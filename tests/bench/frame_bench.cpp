@@ -1,4 +1,4 @@
-// What a frame of a drag costs, plain and fold-free, while no further step is needed.
+// Measures a frame of a drag, plain and fold-free, while no further step is needed.
 #include <benchmark/benchmark.h>
 
 #include <array>
@@ -8,7 +8,7 @@
 namespace pectin {
 namespace {
 
-// resolution of the sphere; fold_free. The hand wavers between 0.9 and 1.15 cells.
+// Arguments: resolution of the sphere, fold_free. The drag varies between 0.9 and 1.15 cells.
 void drag_frame(benchmark::State& state) {
     constexpr double kRadius = 0.4, kCell = kRadius / 3.0;
     Session session;

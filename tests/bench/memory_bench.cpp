@@ -1,4 +1,4 @@
-// Bytes: of a loaded model with what gestures keep for it, and of a step that can be undone.
+// Measures the memory of a loaded model with its first gesture, and of an undo step.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -10,7 +10,7 @@
 namespace pectin::bench {
 namespace {
 
-// A closed smooth mesh, the tree of its faces and the arrays that stay after a first gesture on it.
+// A closed smooth mesh, its face tree and the arrays that remain after a first gesture.
 void loaded_bytes(benchmark::State& state) {
     TriMesh mesh = sphere(static_cast<int>(state.range(0)));
     const double triangles = mesh.face_count();
@@ -32,7 +32,7 @@ void loaded_bytes(benchmark::State& state) {
 }
 BENCHMARK(loaded_bytes)->ArgName("resolution")->Arg(6)->Arg(7)->Arg(8);
 
-// A drag that splits nothing: what each vertex it has moved costs.
+// The bytes per moved vertex of a drag without splits.
 void undo_bytes_a_vertex(benchmark::State& state) {
     TriMesh mesh = sphere(7);
     ActiveSet active(mesh);
@@ -51,9 +51,10 @@ void undo_bytes_a_vertex(benchmark::State& state) {
 }
 BENCHMARK(undo_bytes_a_vertex);
 
-// What a step takes beyond the states of vertices and wedges, for each of its operations: all
-// edits, and all faces that came, went or moved, though the drag would list half of these anyway.
-// As a check of the whole, the step beside 100 bytes a vertex and 32 an operation.
+// The bytes of a step beyond the states of vertices and wedges, per operation. Operations are all
+// edits. The faces that were inserted, removed or moved count as well, although a drag without
+// edits would list half of them. As a check of the whole, the step is compared with 100 bytes per
+// vertex and 32 per operation.
 void report_operations(benchmark::State& state, const MeshChange& change) {
     const auto operations = static_cast<double>(change.edits.size());
     const auto bytes = static_cast<double>(change.memory_bytes());
@@ -69,7 +70,7 @@ void report_operations(benchmark::State& state, const MeshChange& change) {
         bytes / (100.0 * static_cast<double>(touched.size()) + 32.0 * operations);
 }
 
-// A drag that refines all of a sphere, or one that takes all of that back.
+// A drag that refines a whole sphere, or one that decimates it again.
 void undo_bytes_an_operation(benchmark::State& state) {
     const bool removes = state.range(0) != 0;
     const AdaptLimits refining{.curvature = NormalDivergence({.theta_max = 0.6, .theta_min = 0.0}),

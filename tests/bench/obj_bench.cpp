@@ -1,5 +1,5 @@
-// Opening and saving a model of a million triangles, beside what tinyobjloader alone takes to parse
-// the same file in the same run; and the memory of it.
+// Measures opening and saving a model of a million triangles, compared with tinyobjloader's parsing
+// of the same file in the same run, and the memory.
 #include <benchmark/benchmark.h>
 #include <malloc.h>
 #include <sys/wait.h>
@@ -30,8 +30,8 @@ constexpr int kTorusResolution = 250;
 constexpr std::uint32_t kAround = 4 * kTorusResolution, kTube = 2 * kTorusResolution;  // quads
 constexpr double kTriangles = 2.0 * kAround * kTube;
 
-// A torus with normals and with texture coordinates that have a seam each way, in a folder of its
-// own, as exporters write it: six decimals, triangles.
+// A torus as exporters write it, in its own folder: triangles with six decimals, normals, and
+// texture coordinates with a seam in each direction.
 class ModelFile {
   public:
     ModelFile() {
@@ -107,7 +107,7 @@ double seconds(Work work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// Turn and turn about, so that both meet the same machine; the fastest of each counts.
+// Measures both alternately, so that both see the same load; the fastest run of each counts.
 template <typename Work>
 void compare(benchmark::State& state, Work work) {
     model();
@@ -131,18 +131,18 @@ void obj_build(benchmark::State& state) {
     compare(state, [] { benchmark::DoNotOptimize(build_mesh(read_obj(model().path()))); });
 }
 
-// What `open` does, the tree for picking and the active set among it; to be no more than 2.
+// The work of `open`, including face tree and active set. The ratio should be at most 2.
 void obj_open(benchmark::State& state) {
     compare(state, [] { benchmark::DoNotOptimize(open_model()); });
 }
 
-// To be below 1. With the flush to the disk.
+// Includes the flush to the disk. The ratio should be below 1.
 void obj_save(benchmark::State& state) {
     const LoadedModel loaded = open_model();
     compare(state, [&loaded] { save_model(*loaded.mesh, {model().saved()}); });
 }
 
-// From /proc/self/status, in bytes.
+// A value of /proc/self/status, in bytes.
 double process_figure(const std::string& name) {
     std::ifstream status("/proc/self/status");
     for (std::string line; std::getline(status, line);) {
@@ -152,10 +152,10 @@ double process_figure(const std::string& name) {
 }
 
 struct Memory {
-    double peak = 0.0, kept = 0.0;  // bytes above what the process had before
+    double peak = 0.0, kept = 0.0;  // bytes in addition to those before
 };
 
-// Of a process of its own, so that what others freed does not hide what this one takes.
+// Measures in a new process, so that memory freed earlier does not hide what this takes.
 template <typename Work>
 Memory memory_of(Work work) {
     int ends[2];
@@ -183,7 +183,7 @@ void report(benchmark::State& state, const Memory& memory) {
     state.counters["bytes_a_triangle"] = memory.kept / kTriangles;
 }
 
-// While it opens to be no more than 400, once it is open 220.
+// Should be at most 400 while it opens and 220 once it is open.
 void obj_memory(benchmark::State& state) {
     model();
     for (auto _ : state) report(state, memory_of(open_model));

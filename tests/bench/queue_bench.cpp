@@ -1,5 +1,5 @@
-// The queue of refinement beside a binary heap: edges go through longest first, and each leaves two
-// halves and two spokes, as in a refinement. Making these is in the time of both.
+// Compares the refinement queue with a binary heap. Edges are taken longest first, and each adds
+// two halves and two spokes, as in a refinement. The time of both includes computing these.
 #include <benchmark/benchmark.h>
 
 #include <cstdint>
@@ -12,19 +12,19 @@
 namespace pectin::bench {
 namespace {
 
-// By octaves of the squared length, up to some thousands at a time; within an octave first come,
-// first served in each partition.
+// Ordered by octave of the squared length, up to some thousands of edges at a time; FIFO within
+// each partition of an octave.
 class Octaves {
   public:
     void push(double squared, std::uint32_t e) {
         queue_.push(EdgeId{e}, RefinementQueue::octave_of(squared));
     }
-    // visit(edge) of those that go next; false if there are none.
+    // Calls visit(edge) for the next edges. Returns false if there are none.
     template <typename Visit>
     bool take(Visit visit) {
         if (queue_.is_empty()) return false;
         const RefinementQueue::Batch next = queue_.take();
-        taken_.clear();  // the entries are valid until the next push
+        taken_.clear();  // the entries are valid only until the next push
         for (const auto& partition : next.partitions)
             taken_.insert(taken_.end(), partition.begin(), partition.end());
         for (EdgeId e : taken_) visit(index(e));
@@ -36,7 +36,7 @@ class Octaves {
     std::vector<EdgeId> taken_;
 };
 
-// By the length itself.
+// Ordered by length.
 class BinaryHeap {
   public:
     void push(double squared, std::uint32_t e) { heap_.emplace(squared, e); }
@@ -53,10 +53,10 @@ class BinaryHeap {
     std::priority_queue<std::pair<double, std::uint32_t>> heap_;
 };
 
-// Lengths that depend on an edge's ancestors alone, so that the job is the same in any order.
+// Edges whose lengths depend only on their ancestors, so that the work is the same in any order.
 class Edges {
   public:
-    static constexpr std::uint32_t kFirst = 491'520;  // of a sphere of 330 k faces
+    static constexpr std::uint32_t kFirst = 491'520;  // edges of a sphere of 330 k faces
     static constexpr double kMost = 0.25;             // no longer than half of 1
 
     Edges() {
@@ -66,7 +66,7 @@ class Edges {
     std::uint32_t count() const { return static_cast<std::uint32_t>(edges_.size()); }
     double squared(std::uint32_t e) const { return edges_[e].squared; }
     bool is_too_long(std::uint32_t e) const { return edges_[e].squared > kMost; }
-    // visit(edge) of those that a split of e makes.
+    // Calls visit(edge) for the edges that a split of e creates.
     template <typename Visit>
     void split(std::uint32_t e, Visit visit) {
         const Edge whole = edges_[e];
@@ -83,7 +83,8 @@ class Edges {
         double squared;
         std::uint64_t seed;
     };
-    // In [0, 1), from the upper bits of a product (Knuth's multiplicative hash).
+    // A number in [0, 1) by multiplicative hashing. D. E. Knuth. The Art of Computer Programming,
+    // vol. 3, section 6.4.
     static double fraction(std::uint64_t seed) {
         return static_cast<double>((seed * 0x9e3779b97f4a7c15u) >> 11) * 0x1p-53;
     }

@@ -1,5 +1,6 @@
-// Frames of a drag: against the size of the model, against what is active, and beside memory
-// copies. A frame here is all that the session does between a mouse move and the picture.
+// Measures frames of a drag against the size of the model, against the number of active vertices,
+// and beside memory copies. A frame is everything the session does between a mouse move and the
+// picture.
 #include <benchmark/benchmark.h>
 #include <tbb/global_control.h>
 
@@ -8,8 +9,8 @@
 namespace pectin::bench {
 namespace {
 
-// Degrees: so fine that frames keep splitting and removing as the drag goes to and fro, and as the
-// program has it at start.
+// theta_max in degrees: small enough that frames split and remove while the drag oscillates, and
+// the program's default.
 constexpr double kFine = 2.5, kUsual = 180.0 / 7.0;
 
 void count_frames(benchmark::State& state, BrushScene& scene, double splits, double unsplits) {
@@ -21,7 +22,7 @@ void count_frames(benchmark::State& state, BrushScene& scene, double splits, dou
 
 void run_frames(benchmark::State& state, BrushScene& scene) {
     scene.begin();
-    for (int i = 0; i < 40; ++i) scene.frame();  // until it has all the memory that it needs
+    for (int i = 0; i < 40; ++i) scene.frame();  // until all memory is allocated
     double splits = 0.0, unsplits = 0.0;
     for (auto _ : state) {
         scene.frame();
@@ -32,8 +33,8 @@ void run_frames(benchmark::State& state, BrushScene& scene) {
     scene.cancel();
 }
 
-// 10,000 active vertices of ever larger models. At the usual angle next to nothing is split, so
-// that all do the same work; the counters tell.
+// 10,000 active vertices in models of increasing size. At the default angle almost nothing is
+// split, so that all do the same work, as the counters show.
 void locality(benchmark::State& state) {
     BrushScene& scene = BrushScene::kept(static_cast<int>(state.range(0)), 10'000, kUsual);
     run_frames(state, scene);
@@ -46,7 +47,7 @@ BENCHMARK(locality)
     ->Arg(9)
     ->Unit(benchmark::kMicrosecond);
 
-// Mouse down: the faces in the zone, the solve, the weights. Mouse up as Esc has it.
+// Mouse down: faces in the zone, solve and weights; then a cancel, as by Esc.
 void gesture_start(benchmark::State& state) {
     BrushScene& scene = BrushScene::kept(static_cast<int>(state.range(0)), 10'000, kFine);
     scene.begin();
@@ -65,7 +66,7 @@ BENCHMARK(gesture_start)
     ->UseManualTime()
     ->Unit(benchmark::kMicrosecond);
 
-// Ever more active vertices of one model of 1.3 M faces.
+// Increasing numbers of active vertices in a model of 1.3 M faces.
 void active_sweep(benchmark::State& state) {
     BrushScene& scene = BrushScene::kept(8, static_cast<double>(state.range(0)), kUsual);
     run_frames(state, scene);
@@ -81,7 +82,7 @@ BENCHMARK(active_sweep)
     ->Arg(655'000)
     ->Unit(benchmark::kMicrosecond);
 
-// Steps of a brush as sculpting programs have them.
+// Steps of a brush as in sculpting programs.
 void brush_step(benchmark::State& state) {
     BrushScene& scene = BrushScene::kept(static_cast<int>(state.range(0)),
                                          static_cast<double>(state.range(1)), 10.0);
@@ -93,8 +94,8 @@ BENCHMARK(brush_step)
     ->Args({8, 9'400})
     ->Unit(benchmark::kMicrosecond);
 
-// Everything in the zone of the sphere of 1.3 M faces; and a copy of its vertices (position and
-// normal) and of its triangles' three indices.
+// A frame with the whole sphere of 1.3 M faces in the zone, compared with a copy of its vertices
+// (position and normal) and of the indices of its triangles.
 constexpr int kWhole = 8;
 
 void whole_object_frame(benchmark::State& state) {
@@ -120,9 +121,9 @@ BENCHMARK(whole_object_copy)
     ->UseRealTime()
     ->Unit(benchmark::kMicrosecond);
 
-// Positions and normals of a frame alone. What it moves for each vertex: it reads the rest
-// position, the weight and its gradient and the rest normal, and writes a position, a normal and a
-// mark. Ids run on, so it reads none.
+// Only positions and normals of a frame. The counter is the memory traffic: per vertex the frame
+// reads the rest position, the weight with its gradient and the rest normal, and writes a position,
+// a normal and a mark. Ids are consecutive, so it reads none.
 constexpr std::size_t kDeformReads = sizeof(Vec3) + sizeof(DragWeight) + sizeof(Vec3f);
 constexpr std::size_t kDeformWrites = sizeof(Vec3) + sizeof(Vec3f) + 1;
 
@@ -139,7 +140,7 @@ void deform(benchmark::State& state) {
 }
 BENCHMARK(deform)->ArgName("threads")->Arg(1)->Arg(2)->UseRealTime()->Unit(benchmark::kMicrosecond);
 
-// Reads n bytes and writes n.
+// Reads n bytes and writes n bytes.
 void deform_copy(benchmark::State& state) {
     const std::size_t moved = 655'362 * (kDeformReads + kDeformWrites);
     MemoryCopy copy(moved / 2, static_cast<int>(state.range(0)));

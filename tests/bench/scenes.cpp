@@ -45,8 +45,8 @@ void must(const std::optional<std::string>& refusal) {
     if (refusal) throw std::runtime_error(*refusal);
 }
 
-// Half the side of a box about the north pole that holds so many of the vertices of a sphere with
-// so many in all: they lie evenly.
+// Half the side of a box around the north pole that contains this many of the sphere's vertices,
+// which are evenly distributed.
 double radius_for(const TriMesh& mesh, double influenced) {
     double low = 0.0, high = 4.0;
     for (int i = 0; i < 20; ++i) {

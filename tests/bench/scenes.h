@@ -1,4 +1,4 @@
-// What the benchmarks have in common: objects, drags on them, and memory copies to compare with.
+// Scenes of the benchmarks: objects, drags on them, and memory copies for comparison.
 #pragma once
 
 #include <benchmark/benchmark.h>
@@ -19,7 +19,8 @@
 
 namespace pectin::bench {
 
-// The unit icosphere of 20·4^resolution faces; its vertices are numbered as subdivision makes them.
+// The unit icosphere of 20·4^resolution faces. Vertices have the order in which subdivision creates
+// them.
 TriMesh sphere(int resolution);
 
 template <typename Work>
@@ -29,7 +30,7 @@ double seconds(Work work) {
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
 }
 
-// A mesh with an active set and a drag about to be adapted to.
+// A mesh with an active set and a drag, before adaptation.
 class Scene {
   public:
     Scene(const TriMesh& mesh, const Vec3& grabbed, const Vec3& displacement, double radius);
@@ -41,10 +42,10 @@ class Scene {
     Decimation decimate(const AdaptLimits& limits) {
         return pectin::decimate(active_, criteria(limits));
     }
-    // Back to before the adaptation, with the memory that it took.
+    // Undoes the adaptation but keeps the allocated memory.
     void roll_back();
     TriMesh finish();
-    // The same, for what a step of the history keeps of it.
+    // Finishes the gesture and returns the change that an undo step would keep.
     MeshChange finish_with_change() { return active_.finish(); }
     const ActiveSet& active() const { return active_; }
 
@@ -58,17 +59,18 @@ class Scene {
     std::unique_ptr<Embedding> embedding_;
 };
 
-// The sphere in a session, with a brush about its north pole that influences about so many
-// vertices, and an active drag whose frames go to and fro.
+// The sphere in a session, with a brush at its north pole that influences about this many vertices,
+// and an active drag whose frames oscillate.
 class BrushScene {
   public:
     BrushScene(int resolution, double influenced, double theta_max);
-    // The same scene as last time if asked for it again: a benchmark runs several times, and the
-    // largest model takes seconds to build.
+    // Returns the previous scene again if the arguments are the same, because a benchmark runs
+    // several times and the largest model takes seconds to build.
     static BrushScene& kept(int resolution, double influenced, double theta_max);
 
     void begin();
-    // A frame as the window has it: solve, deform, refine, decimate, and what the picture learns.
+    // A frame as in the window: solve, deform, refine, decimate, and collecting the changes to
+    // upload.
     void frame();
     void cancel() { session_.cancel_drag(); }
 
@@ -81,7 +83,7 @@ class BrushScene {
     int frames_ = 0;
 };
 
-// Copies as many bytes as asked for from one array to another, on so many threads.
+// Copies bytes from one array to another on the given number of threads.
 class MemoryCopy {
   public:
     MemoryCopy(std::size_t bytes, int threads);

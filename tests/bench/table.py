@@ -4,8 +4,8 @@ benchmark's median."""
 import json
 import sys
 
-# What, ours (benchmark, counter), beside (benchmark, counter, or a number), the promise. The ratio
-# is ours to the other; the counter "time" is the time of an iteration.
+# Description, our benchmark with counter, the other benchmark with counter or a number, required ratio
+# of ours to the other. The counter "time" is the time of an iteration.
 FRAME = "frame of 10,000 active vertices, 5.2 M faces : 80 k"
 PROMISES = [
     (FRAME, ("locality/resolution:9", "time"), ("locality/resolution:6", "time"), "<= 1.2"),

@@ -1,4 +1,4 @@
-// What has to hold for every input of a fuzzer.
+// Checks for conditions that must hold for every input of a fuzzer.
 #pragma once
 
 #include <cstdio>
@@ -7,7 +7,7 @@
 
 namespace pectin::fuzz {
 
-// Says what does not hold and ends the process, so that libFuzzer keeps the input.
+// Prints the condition that does not hold and ends the process, so that libFuzzer keeps the input.
 inline void expect(bool holds, const std::string& what) {
     if (holds) return;
     std::fprintf(stderr, "does not hold: %s\n", what.c_str());

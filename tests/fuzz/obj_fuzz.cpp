@@ -1,5 +1,5 @@
-// Any bytes as an OBJ file: they are refused, or they become a valid mesh whose save holds all that
-// was read.
+// Reads arbitrary bytes as an OBJ file. They must be refused or become a valid mesh, whose save
+// contains everything that was read.
 #include <cmath>
 #include <cstdint>
 #include <string>
@@ -29,7 +29,7 @@ bool is_same_color(const Vec3f& x, const Vec3f& y) {
     return x == y || (std::isnan(x.x) && std::isnan(y.x));
 }
 
-// Values, not indices: a save has each value once.
+// Compares values, not indices, because a save contains each value only once.
 void expect_same_corner(const IndexedFaceSet& in, const IndexedFaceSet::Corner& x,
                         const IndexedFaceSet& out, const IndexedFaceSet::Corner& y) {
     expect(x.position == y.position, "a corner keeps its vertex");
@@ -39,7 +39,7 @@ void expect_same_corner(const IndexedFaceSet& in, const IndexedFaceSet::Corner& 
 
 void expect_same_vertices(const IndexedFaceSet& in, const IndexedFaceSet& out) {
     expect(in.positions == out.positions, "vertices keep their positions");
-    // Where no vertex has a colour there are none.
+    // A file in which no vertex has a colour has none.
     for (std::size_t v = 0; v < in.colors.size(); ++v) {
         expect(is_same_color(in.colors[v], out.colors[v]), "vertices keep their colours");
     }

@@ -1,5 +1,5 @@
-// Any bytes as a script: its commands are refused or done on a small mesh, which stays valid; undo
-// gives back what there was. Commands that touch files are read, but not done.
+// Reads arbitrary bytes as a script and executes its commands on a small mesh. The mesh must stay
+// valid and undo must restore it. Commands that access files are only parsed.
 #include <cstdint>
 #include <optional>
 #include <sstream>
@@ -16,26 +16,26 @@ namespace {
 using namespace pectin;
 using fuzz::expect;
 
-// So that one input takes milliseconds.
-constexpr int kMostCommands = 12;
-constexpr int kMostResolution = 3;
+// Limits with which one input takes milliseconds.
+constexpr int kMaxCommands = 12;
+constexpr int kMaxResolution = 3;
 constexpr std::uint64_t kBudget = 1500;  // triangles
-constexpr std::int64_t kMostControlPoints = 1000;
-constexpr std::size_t kMostPoints = 16;
+constexpr std::int64_t kMaxControlPoints = 1000;
+constexpr std::size_t kMaxPoints = 16;
 
-bool is_small(const command::Shape& shape) { return shape.resolution <= kMostResolution; }
+bool is_small(const command::Shape& shape) { return shape.resolution <= kMaxResolution; }
 bool is_small(const command::Brush& brush) { return brush.span.value_or(0) <= 8; }
 bool is_small(const command::Cage& cage) {
     const IVec3 n =
         std::visit([](const auto& lattice) { return lattice.deformable; }, cage.lattice);
-    return std::int64_t{n.x} * n.y * n.z <= kMostControlPoints;
+    return std::int64_t{n.x} * n.y * n.z <= kMaxControlPoints;
 }
 bool is_small(const command::Drag& drag) {
-    return drag.moves.size() + drag.pins.size() <= kMostPoints;
+    return drag.moves.size() + drag.pins.size() <= kMaxPoints;
 }
 template <typename Any>
 bool is_small(const Any&) {
-    return !requires(Any c) { c.path; };  // whatever names a file is not done at all
+    return !requires(Any c) { c.path; };  // commands with a path are not executed
 }
 
 void expect_same_when_read_back(const Command& command) {
@@ -49,7 +49,7 @@ void expect_valid(const Session& session) {
     expect(violations.empty(), "the mesh is valid: " + (violations.empty() ? "" : violations[0]));
 }
 
-// A sculpting session and its object as it was before the first step.
+// A session and its object before the first step.
 class SmallSession {
   public:
     SmallSession() { execute(command::Shape{command::Shape::Kind::sphere, 1}); }
@@ -89,7 +89,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     std::istringstream text(std::string(reinterpret_cast<const char*>(data), size));
     ScriptReader reader(text);
     std::optional<SmallSession> session;
-    for (int i = 0; i < kMostCommands; ++i) {
+    for (int i = 0; i < kMaxCommands; ++i) {
         const auto line = reader.next();
         if (!line) break;
         const auto* command = std::get_if<Command>(&line->command);

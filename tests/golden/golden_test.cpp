@@ -1,9 +1,9 @@
-// Pictures against references that were looked at: NAME.png beside this file.
+// Compares pictures with inspected references: NAME.png in this folder.
 //
-// Another processor or driver rounds differently, so a few pixels may differ; where a driver
-// differs in more, there is a further reference. A picture that is close to none of them is left
-// under pictures/ of the build, and the test says where. After an intended change `scripts/golden`
-// makes the references anew; look at every one.
+// Processors and drivers round differently, so a few pixels may differ. For a driver that differs
+// in more there is another reference. If a picture is close to none of them, the test writes it to
+// the folder pictures/ of the build and prints its path. After an intended change, `scripts/golden`
+// draws the references again; look at every one.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -24,14 +24,15 @@ namespace pectin {
 namespace {
 
 constexpr int kWidth = 320, kHeight = 240;
-constexpr double kMostMeanDifference = 0.75;  // of 255, over all channels
-constexpr int kSmallDifference = 16;          // of 255: soft borders of lines that moved a little
-constexpr double kMostDifferent = 0.005;      // share of pixels that differ by more
+constexpr double kMaxMeanDifference = 0.75;  // of 255, over all channels
+constexpr int kSmallDifference =
+    16;  // of 255; allows for antialiased borders of lines that moved slightly
+constexpr double kMaxDifferent = 0.005;  // fraction of pixels that may differ by more
 const std::string kReferences = PECTIN_SOURCE_DIR "/tests/golden/";
 
 class Golden : public OffscreenTest {
   protected:
-    // As the screenshot command does; `overlay` on top.
+    // Draws like the screenshot command, with a further overlay.
     Image picture(const Session& session, const command::Screenshot::Show& show,
                   std::optional<Camera> camera = {}, const Overlay& overlay = {}) {
         Scene scene =
@@ -47,10 +48,10 @@ class Golden : public OffscreenTest {
 
 struct Difference {
     double mean = 0.0;  // of 255, over all channels
-    int pixels = 0;     // that differ visibly
+    int pixels = 0;     // number of visibly different pixels
 
     bool is_small() const {
-        return mean <= kMostMeanDifference && pixels <= kMostDifferent * kWidth * kHeight;
+        return mean <= kMaxMeanDifference && pixels <= kMaxDifferent * kWidth * kHeight;
     }
 };
 
@@ -68,7 +69,7 @@ Difference difference(const Image& image, const PngPixels& reference) {
     return found;
 }
 
-// NAME.png, and NAME.VARIANT.png for drivers that round the borders of points and lines otherwise.
+// Paths of NAME.png and of NAME.VARIANT.png for drivers that draw borders of lines differently.
 std::vector<std::string> references(const std::string& name) {
     std::vector<std::string> paths;
     for (const auto& entry : std::filesystem::directory_iterator(kReferences)) {
@@ -79,7 +80,7 @@ std::vector<std::string> references(const std::string& name) {
     return paths;
 }
 
-// Whether it is close to a reference; `report` says how far from each.
+// Whether the picture is close to a reference. Adds the differences from all others to `report`.
 bool matches(const std::string& name, const Image& image, std::string& report) {
     for (const std::string& path : references(name)) {
         const PngPixels reference = read_png(path);
@@ -92,8 +93,8 @@ bool matches(const std::string& name, const Image& image, std::string& report) {
     return false;
 }
 
-// With PECTIN_REMAKE_GOLDEN=1 the picture becomes NAME.png; with another value NAME.VALUE.png where
-// no reference is close.
+// With PECTIN_REMAKE_GOLDEN=1 the picture replaces NAME.png. With another value it becomes
+// NAME.VALUE.png if no reference is close.
 void expect_golden(const std::string& name, const Image& image) {
     const char* const variant = std::getenv("PECTIN_REMAKE_GOLDEN");
     std::string report;
@@ -122,7 +123,7 @@ std::string drag(const std::string& from, const std::string& to) {
     return R"({"cmd": "drag", "moves": [{"from": [)" + from + R"(], "to": [)" + to + "]}]}";
 }
 
-// Does what a script of the program's own says, but for its pictures.
+// Executes a script in assets/ except for its screenshots.
 void sculpt(Session& session, const std::string& script) {
     std::ifstream text(std::string(PECTIN_SOURCE_DIR "/assets/") + script);
     ScriptReader reader(text);
@@ -138,19 +139,19 @@ void sculpt(Session& session, const std::string& script) {
     ASSERT_GT(done, 10) << script;
 }
 
-TEST_F(Golden, Sphere) {
+TEST_F(Golden, MatchesForASphere) {
     Session session;
     execute(session, {sphere(5)});
     expect_golden("sphere", picture(session, {}));
 }
 
-TEST_F(Golden, CoarseSphereWithWireframe) {
+TEST_F(Golden, MatchesForACoarseSphereWithWireframe) {
     Session session;
     execute(session, {sphere(3)});
     expect_golden("wireframe", picture(session, {.wireframe = true}));
 }
 
-TEST_F(Golden, Elephant) {
+TEST_F(Golden, MatchesForTheElephant) {
     Session session;
     sculpt(session, "elephant.jsonl");
     const Camera camera{.eye = Vec3(4.6, 1.3, 3.3), .target = Vec3(0.05, -0.16, 0.5), .fov = 31.0};
@@ -159,7 +160,7 @@ TEST_F(Golden, Elephant) {
     expect_golden("elephant_levels", picture(session, {.levels = true}, camera));
 }
 
-TEST_F(Golden, CubeKeepsItsCreases) {
+TEST_F(Golden, MatchesForACubeWithItsCreases) {
     Session session;
     execute(session,
             {R"({"cmd": "shape", "kind": "cube", "resolution": 6})",
@@ -169,7 +170,7 @@ TEST_F(Golden, CubeKeepsItsCreases) {
     expect_golden("cube_wireframe", picture(session, {.wireframe = true}));
 }
 
-TEST_F(Golden, InsideOfAnOpenSurface) {
+TEST_F(Golden, MatchesForTheInsideOfAnOpenSurface) {
     Session session;
     execute(session,
             {R"({"cmd": "shape", "kind": "plane", "resolution": 12})",
@@ -178,7 +179,7 @@ TEST_F(Golden, InsideOfAnOpenSurface) {
     expect_golden("inside", picture(session, {}, below));
 }
 
-TEST_F(Golden, DragInProgressWithItsLattice) {
+TEST_F(Golden, MatchesForADragInProgressWithItsLattice) {
     Session session;
     execute(session, {sphere(4), R"({"cmd": "adapt", "theta_max": 12})", brush(0.85)});
     const std::vector<Vec3> points{Vec3(0, 0, 1)}, pins{glm::normalize(Vec3(0.9, -0.2, 1))},
@@ -200,7 +201,7 @@ TEST_F(Golden, DragInProgressWithItsLattice) {
     session.cancel_drag();
 }
 
-TEST_F(Golden, LatticeOfAScreenshot) {
+TEST_F(Golden, MatchesForAScreenshotWithALattice) {
     Session session;
     execute(session, {sphere(4), brush(0.85), drag("0, 0, 1", "0.1, 0.2, 1.2")});
     expect_golden("lattice", picture(session, {.lattice = true}));

@@ -1,14 +1,14 @@
-// The same script gives the same bytes on every machine, from every compiler, with optimisation
-// and without: what each of a few scripts saves has one digest, which is written here. The build
-// as released (g++ -O3, vectorised where the processor can) and the one with sanitizers (clang,
-// unoptimised) are both held to it.
+// Tests that a script gives the same bytes on every machine, with every compiler, with and without
+// optimisation. The file that each of a few scripts saves must have the digest that is given here.
+// The released build (g++ -O3, vectorised if the processor allows it) and the build with sanitizers
+// (clang, not optimised) must both have it.
 //
-// All arithmetic that positions come from is exactly rounded by IEEE 754, with a few exceptions,
-// where the last digit is the C library's own affair. The scripts go round them as far as they can:
-//   cos, tan of thresholds    decide only what lies within that digit of them
-//   atan2 in corner normals   weighs faces; the sums are rounded to float
-//   cos, sin in shapes        of the torus and the cylinder, which no script here makes
-//   sin, cos, pow of a twist  of right angles and by powers of two, where no digit is in doubt
+// All arithmetic for positions is exactly rounded by IEEE 754, with a few exceptions in which the
+// last digit depends on the C library. The scripts avoid these as far as possible:
+//   cos, tan of thresholds    matter only for values within that digit of a threshold
+//   atan2 in corner normals   gives weights of faces; the sums are rounded to float
+//   cos, sin in shapes        occur in the torus and the cylinder, which no script here makes
+//   sin, cos, pow of a twist  are used for right angles and powers of two, which are exact
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -23,7 +23,8 @@
 namespace pectin {
 namespace {
 
-// FNV-1a, 64 bits: Fowler, Noll, Vo & Eastlake, The FNV Non-Cryptographic Hash Algorithm.
+// FNV-1a with 64 bits. G. Fowler, L. C. Noll, K.-P. Vo, D. Eastlake. The FNV Non-Cryptographic Hash
+// Algorithm. Internet-Draft.
 std::uint64_t digest(const std::string& bytes) {
     std::uint64_t hash = 0xcbf29ce484222325u;
     for (const char byte : bytes) {
@@ -33,13 +34,13 @@ std::uint64_t digest(const std::string& bytes) {
     return hash;
 }
 
-TEST(Digest, IsThatOfTheReferenceImplementation) {
+TEST(Digest, MatchesTheReferenceImplementation) {
     EXPECT_EQ(digest(""), 0xcbf29ce484222325u);
     EXPECT_EQ(digest("a"), 0xaf63dc4c8601ec8cu);
     EXPECT_EQ(digest("foobar"), 0x85944171f73967e8u);
 }
 
-// As C++ writes it.
+// The number as a C++ literal.
 std::string literal(std::uint64_t number) {
     std::ostringstream text;
     text << "0x" << std::hex << std::setw(16) << std::setfill('0') << number << "u";
@@ -48,7 +49,7 @@ std::string literal(std::uint64_t number) {
 
 struct FixedScript {
     const char* name;
-    std::uint64_t digest;  // of the OBJ that is saved at its end
+    std::uint64_t digest;  // of the OBJ file that the script saves at its end
     std::vector<std::string> lines;
 };
 

@@ -1,5 +1,6 @@
-// Real models keep all they bring: untouched they are saved as they were read, and what drags do
-// not reach stays. Far from the origin and very small, objects sculpt as they do at home.
+// Tests that real models keep all their data: untouched models are saved as they were read, and
+// drags change nothing out of their reach. Very small objects and objects far from the origin are
+// sculpted like others.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -28,8 +29,8 @@ const Part& part_of(const IndexedFaceSet& set, std::size_t polygon) {
     return set.parts[set.polygon_part[polygon]];
 }
 
-// The polygons of `saved`, in order, are those of `input`: vertices, texture coordinates, parts
-// and, where the input has them, normals.
+// Checks that `saved` has the polygons of `input` in the same order, with their vertices, texture
+// coordinates, parts and, if the input has them, normals.
 void expect_same_polygons(const IndexedFaceSet& saved, const IndexedFaceSet& input) {
     ASSERT_EQ(saved.polygon_end, input.polygon_end);
     for (std::size_t p = 0; p < input.polygon_count(); ++p) {
@@ -64,14 +65,14 @@ class Model : public testing::TestWithParam<std::string> {
     double size_ = 0.0;
 };
 
-TEST_P(Model, ThatIsUntouchedIsSavedAsItWasRead) {
+TEST_P(Model, IsSavedAsItWasReadIfUntouched) {
     const IndexedFaceSet output = saved(session_);
     EXPECT_EQ(output.positions, input_.positions);
     EXPECT_EQ(output.material_libraries, input_.material_libraries);
     expect_same_polygons(output, input_);
 }
 
-// Which base faces a drag may have changed.
+// The base faces that a drag may have changed.
 class Touched {
   public:
     explicit Touched(const TriMesh& mesh) : is_touched_(mesh.base_face_count(), false) {}
@@ -85,7 +86,7 @@ class Touched {
             }
         }
     }
-    // Refinement spreads to faces beside those of the zone, so what was split counts, too.
+    // Refinement also splits faces next to those in the zone, so all split faces count.
     bool operator()(const TriMesh& mesh, FaceId base) const {
         return is_touched_[index(base)] || split_[index(base)] > 1 || !mesh.is_live(base);
     }
@@ -99,7 +100,7 @@ class Touched {
     std::vector<int> split_;
 };
 
-TEST_P(Model, KeepsWhatFiftyDragsDoNotReach) {
+TEST_P(Model, KeepsEverythingOutOfReachOfFiftyDrags) {
     ASSERT_FALSE(session_.execute(command::Brush{.radius = 0.03 * size_}));
     ASSERT_FALSE(session_.execute(command::Adapt{.budget = 100'000}));
     const TriMesh base = session_.mesh();
@@ -132,7 +133,7 @@ TEST_P(Model, KeepsWhatFiftyDragsDoNotReach) {
     for (std::uint32_t f = 0; f < base.base_face_count(); ++f) {
         if (touched(mesh, FaceId{f})) is_reached[base.polygon(FaceId{f})] = true;
     }
-    // Polygons out of reach come in their order, corner by corner, between those that were.
+    // Polygons out of reach keep their order and corners between the changed ones.
     std::size_t at = 0;
     for (std::size_t p = 0; p < input_.polygon_count(); ++p) {
         if (is_reached[p]) continue;
@@ -161,7 +162,7 @@ TEST_P(Model, KeepsWhatFiftyDragsDoNotReach) {
     EXPECT_TRUE(session_.mesh() == base);
 }
 
-// Of the base face's triangle in the texture, all of its pieces stay inside the bounds.
+// All pieces of a base face stay inside the bounds of its triangle in the texture.
 TEST_P(Model, KeepsTextureCoordinatesInsideTheirCharts) {
     const TriMesh base = session_.mesh();
     if (!base.has_uvs()) GTEST_SKIP() << GetParam() << " has no texture coordinates";
@@ -207,11 +208,12 @@ INSTANTIATE_TEST_SUITE_P(Real, Model,
 
 struct Sculpted {
     std::uint32_t vertices = 0, faces = 0;
-    double farthest = 0.0;  // of a vertex from where it is at home, in sizes of the object
+    double farthest = 0.0;  // largest distance of a vertex from its place in the object at the
+                            // origin, relative to the size
 };
 
-// A sphere scaled and moved, three drags; `home`: positions of the same at the origin, filled the
-// first time.
+// Drags a scaled and translated sphere three times. home: the positions of the same sphere at the
+// origin; filled if empty.
 Sculpted sculpt(double scale, const Vec3& offset, std::vector<Vec3>& home) {
     const std::string path =
         (std::filesystem::temp_directory_path() / "pectin-fidelity-test.obj").string();
@@ -241,7 +243,7 @@ Sculpted sculpt(double scale, const Vec3& offset, std::vector<Vec3>& home) {
     return result;
 }
 
-TEST(AModel, SculptsFarFromTheOriginAndVerySmallAsItDoesAtHome) {
+TEST(AModel, IsSculptedFarFromTheOriginAndVerySmallAsAtTheOrigin) {
     std::vector<Vec3> home;
     const Sculpted there = sculpt(1.0, Vec3{0.0}, home);
     EXPECT_GT(there.faces, 1280u + 200u);
@@ -258,7 +260,7 @@ TEST(AModel, SculptsFarFromTheOriginAndVerySmallAsItDoesAtHome) {
         std::printf("%s: %u faces (%u at home), base vertices off by %.1e\n", c.name, here.faces,
                     there.faces, here.farthest);
         EXPECT_LT(here.farthest, 1e-6);
-        // Angles that differ in the last digits may tip a split or two.
+        // Angles that differ in the last digits may change one or two splits.
         EXPECT_NEAR(here.faces, there.faces, 0.01 * there.faces);
     }
 }

@@ -1,5 +1,5 @@
-// Files of other programs: what they leave out or write in their own way does not keep them from
-// being opened, and what is no OBJ file is told as what it is.
+// Tests that files of other programs open even if they lack attributes or have unusual statements,
+// and that files of other kinds are recognised.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -21,7 +21,7 @@ Outcome open_and_save(const ScratchFolder& folder, const std::string& name) {
                                                    R"({"cmd": "stats", "path": "out.json"})"})});
 }
 
-TEST(ForeignFiles, OpenWithoutTheAttributesThatTheirFacesName) {
+TEST(ForeignFiles, OpenWithoutAttributesThatTheirFacesReferTo) {
     const ScratchFolder folder;
     folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1/1/1 2/2/1 3/3/1\n");
     const Outcome outcome = open_and_save(folder, "t.obj");
@@ -35,7 +35,7 @@ TEST(ForeignFiles, OpenWithoutTheAttributesThatTheirFacesName) {
     EXPECT_NE(folder.read("out.json").find("\"missing_uvs\": 3"), std::string::npos);
 }
 
-// ZBrush writes a cube like this, its colours in a comment.
+// ZBrush writes a cube like this, with its colours in a comment.
 TEST(ForeignFiles, KeepThePolypaintOfZBrushAsVertexColours) {
     const ScratchFolder folder;
     folder.write("cube.obj",
@@ -53,7 +53,7 @@ TEST(ForeignFiles, KeepThePolypaintOfZBrushAsVertexColours) {
         << folder.read("out.obj");
 }
 
-TEST(ForeignFiles, OpenWithColoursThatAreNoNumbers) {
+TEST(ForeignFiles, OpenWithColoursThatAreNotNumbers) {
     const ScratchFolder folder;
     folder.write("t.obj", "v 0 0 0 nan nan nan\nv 1 0 0 1 0 0\nv 0 1 0 inf 0 0\nf 1 2 3\n");
     const Outcome outcome = open_and_save(folder, "t.obj");
@@ -75,7 +75,7 @@ TEST(ForeignFiles, SaveDegeneratePolygonsWithoutZeroNormals) {
         << outcome.err;
 }
 
-TEST(ForeignFiles, ThatAreNoObjFilesAreReportedByTheirKind) {
+TEST(ForeignFiles, AreReportedByTheirKindIfTheyAreNotObj) {
     const std::vector<std::pair<std::string, std::string>> files = {
         {"\x1f\x8b\x08\0\0\0\0\0\0\x03"s, "is a gzip file"},
         {"\xff\xfe"s + "v\0 \0001\0"s, "is text in UTF-16"},
@@ -99,7 +99,7 @@ TEST(Messages, AreNotCutOffByAZeroByteInAFile) {
         << outcome.err;
 }
 
-// A save into another folder names the material files; the system would take "a" for the first.
+// A save in another folder reports the material files. The system would read the first name as "a".
 TEST(Messages, AreNotCutOffByAZeroByteInAName) {
     const ScratchFolder folder;
     folder.write("t.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nmtllib a\0b.mtl\nmtllib c.mtl\n"s);

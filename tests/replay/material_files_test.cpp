@@ -1,4 +1,5 @@
-// Saving a model elsewhere takes its material files along, no others, and says what became of each.
+// Tests that saving a model in another folder copies its material files and no others, and reports
+// what happened to each.
 #include <gtest/gtest.h>
 #include <sys/stat.h>
 
@@ -17,7 +18,7 @@ using Files = std::set<std::string>;
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 const std::string kPicture = "\x89PNG\r\n\x1a\n";
 
-// Opens the model and saves it; both are relative to the folder.
+// Opens the model and saves it; both paths are relative to the folder.
 Outcome open_and_save(const ScratchFolder& folder, const std::string& model,
                       const std::string& saved) {
     return run_program(
@@ -26,7 +27,7 @@ Outcome open_and_save(const ScratchFolder& folder, const std::string& model,
                                                    R"({"cmd": "stats", "path": "s.json"})"})});
 }
 
-TEST(MaterialFiles, OfAModelThatWouldPlantAHiddenFileAreRefused) {
+TEST(MaterialFiles, AreRefusedIfTheyWouldWriteAHiddenFile) {
     const ScratchFolder folder;
     folder.write("from/w.obj", "mtllib w.mtl\n" + kTriangle);
     folder.write("from/w.mtl", "newmtl a\nmap_Kd .config/autostart/x.desktop\n");
@@ -40,7 +41,7 @@ TEST(MaterialFiles, OfAModelThatWouldPlantAHiddenFileAreRefused) {
                                "copied: .config/autostart/x.desktop (is hidden)\n");
 }
 
-TEST(MaterialFiles, DoNotTakeHiddenFilesOfTheHomeFolderAlong) {
+TEST(MaterialFiles, DoNotIncludeHiddenFilesOfTheHomeFolder) {
     const ScratchFolder folder;
     folder.write("home/w.obj", "mtllib .bashrc\nmtllib w.mtl\n" + kTriangle);
     folder.write("home/w.mtl", "newmtl a\nmap_Kd .ssh/id.png\nmap_Ks notes.txt\n");
@@ -59,7 +60,7 @@ TEST(MaterialFiles, DoNotTakeHiddenFilesOfTheHomeFolderAlong) {
         << outcome.err;
 }
 
-TEST(MaterialFiles, OutsideTheFolderOrMissingAreReported) {
+TEST(MaterialFiles, AreReportedIfOutsideTheFolderOrMissing) {
     const ScratchFolder folder;
     folder.write("from/w.obj", "mtllib w.mtl ../up.mtl gone.mtl\n" + kTriangle);
     folder.write("from/w.mtl", "newmtl a\nmap_Kd ../t.png\nmap_Ks lost.png\n");
@@ -75,8 +76,8 @@ TEST(MaterialFiles, OutsideTheFolderOrMissingAreReported) {
         << outcome.err;
 }
 
-// The model is saved and later lines are done, but the script has not done all that it should.
-TEST(MaterialFiles, ThatCannotBeCopiedMakeTheExitStatusOne) {
+// The model is saved and later lines are executed, but the script has not fully succeeded.
+TEST(MaterialFiles, CauseExitStatusOneIfTheyCannotBeCopied) {
     const ScratchFolder folder;
     folder.write("from/w.obj", "mtllib w.mtl\n" + kTriangle);
     folder.write("from/w.mtl", "newmtl a\nmap_Kd t/x.png\n");
@@ -91,7 +92,7 @@ TEST(MaterialFiles, ThatCannotBeCopiedMakeTheExitStatusOne) {
         << outcome.err;
 }
 
-TEST(MaterialFiles, ThatAreThereAndCannotBeReadMakeTheExitStatusOne) {
+TEST(MaterialFiles, CauseExitStatusOneIfTheyCannotBeRead) {
     const ScratchFolder folder;
     folder.write("from/w.obj", "mtllib w.mtl\n" + kTriangle);
     std::filesystem::create_symlink("w.mtl", folder.path("from/w.mtl"));
@@ -103,7 +104,7 @@ TEST(MaterialFiles, ThatAreThereAndCannotBeReadMakeTheExitStatusOne) {
         << outcome.err;
 }
 
-TEST(MaterialFiles, ThatAreScriptsWithALineOfALibraryAreRefused) {
+TEST(MaterialFiles, AreRefusedIfTheyAreScriptsWithALineOfALibrary) {
     const ScratchFolder folder;
     folder.write("from/w.obj", "mtllib evil.desktop\nmtllib autorun.sh\n" + kTriangle);
     folder.write("from/evil.desktop", "[Desktop Entry]\nExec=evil\nnewmtl a\n");
@@ -115,7 +116,7 @@ TEST(MaterialFiles, ThatAreScriptsWithALineOfALibraryAreRefused) {
     EXPECT_FALSE(folder.holds("to/autorun.sh"));
 }
 
-TEST(MaterialFiles, ThatArePipesHoldNobodyUp) {
+TEST(MaterialFiles, DoNotBlockIfTheyArePipes) {
     const ScratchFolder folder;
     folder.write("from/w.obj", "mtllib w.mtl pipe.mtl\n" + kTriangle);
     folder.write("from/w.mtl", "newmtl a\nmap_Kd pipe.png\n");

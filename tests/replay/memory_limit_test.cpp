@@ -1,4 +1,4 @@
-// The program where the system gives it little memory: it does its work or says why not.
+// Tests that the program with little memory either does its work or says why it cannot.
 #include <gtest/gtest.h>
 
 #include <cstdlib>
@@ -9,7 +9,7 @@
 namespace pectin {
 namespace {
 
-TEST(ReplayMemoryLimit, EndsWithASentenceAndNeverByASignal) {
+TEST(ReplayMemoryLimit, EndsWithAMessageAndNeverByASignal) {
     if (std::getenv("PECTIN_TEST_SANITIZED")) {
         GTEST_SKIP() << "a sanitizer needs more memory than there is";
     }
@@ -25,8 +25,8 @@ TEST(ReplayMemoryLimit, EndsWithASentenceAndNeverByASignal) {
     ASSERT_EQ(run_program({"replay", script}).exit_status, 0);
     const std::string whole = folder.read("whole.obj");
     int refusals = 0;
-    // In steps of 3 % and 500 KB, from less than the program needs to be loaded to all that it
-    // takes.
+    // In steps of 3 % plus 500 KB, from less than the program needs to be loaded to all the memory
+    // that it uses.
     for (int kilobytes = 16'000; kilobytes < 2'000'000; kilobytes += 500 + kilobytes / 33) {
         std::filesystem::remove(folder.path("whole.obj"));
         Process shell({"/bin/sh", "-c", "ulimit -v $2; exec \"$0\" replay \"$1\"", PECTIN_BINARY,
@@ -34,7 +34,7 @@ TEST(ReplayMemoryLimit, EndsWithASentenceAndNeverByASignal) {
                       {}, folder.path("err"));
         const int status = shell.wait().value_or(-2);
         const std::string said = folder.read("err");
-        constexpr int kNotLoaded = 127;  // by the system's loader
+        constexpr int kNotLoaded = 127;  // exit status if the system cannot load the program
         ASSERT_TRUE(status == 0 || status == 1 || status == kNotLoaded)
             << kilobytes << " KB: " << status << ' ' << said;
         if (status == 0) {

@@ -1,6 +1,5 @@
-// Real models (the nose of spot, to begin with) and shapes: a point dragged by a tenth of the
-// object's size arrives, the mesh is refined where it must be, and undo gives back the first save
-// to the byte.
+// Tests real models and shapes: a point that is dragged by a tenth of the object's size arrives,
+// the mesh is refined where needed, and undo restores the first save to the byte.
 #include <gtest/gtest.h>
 
 #include <cstdio>
@@ -16,7 +15,7 @@ namespace {
 struct Subject {
     std::string name;
     Command begin;
-    Vec3 direction;  // the extreme vertex that way is dragged that way
+    Vec3 direction;  // the extreme vertex in this direction is dragged in this direction
 };
 
 void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.name; }
@@ -91,7 +90,8 @@ TEST_P(Sculpting, DragsExactlyRefinesAndUndoesToTheByte) {
     EXPECT_EQ(format_obj(session_.mesh()), dragged);
 }
 
-// All thresholds off: whatever drags have refined goes again, and the base faces are as they were.
+// With all thresholds off, everything that drags have refined is decimated, and the base faces are
+// restored.
 TEST_P(Sculpting, DecimatesToTheBaseMeshWithAllThresholdsOff) {
     const TriMesh base = session_.mesh();
     expect_done(command::Adapt{.theta_max = Setting::of(10.0)});
@@ -127,7 +127,7 @@ INSTANTIATE_TEST_SUITE_P(Subjects, Sculpting,
                                          shape("sphere", command::Shape::Kind::sphere, 3)),
                          identifier_of);
 
-TEST(SculptingACube, RefinesWhereItBendsAndNowhereForItsRightAngles) {
+TEST(SculptingACube, RefinesWhereItBendsButNotItsRightAngles) {
     Session session;
     ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::cube, 8}));
     ASSERT_FALSE(

@@ -1,5 +1,5 @@
-// stats and screenshot replace files of their own kind and no others: a slip in a script must not
-// cost a model.
+// Tests that stats and screenshot only replace files of their own kind, so that a mistake in a
+// script does not destroy a model.
 #include <gtest/gtest.h>
 
 #include <string>
@@ -58,7 +58,7 @@ TEST(Stats, ReplacesJsonAndEmptyFiles) {
     }
 }
 
-TEST(Screenshot, ReplacesPicturesInPngAndNothingElse) {
+TEST(Screenshot, ReplacesOnlyPngPictures) {
     const auto draw = [](const ScratchFolder& folder) {
         return run_program(
             {"replay",

@@ -14,7 +14,7 @@ namespace pectin {
 namespace fs = std::filesystem;
 
 ScratchFolder::ScratchFolder() {
-    // A blank in the path, so that every test is one of paths with blanks.
+    // The path has a blank, so that every test also tests paths with blanks.
     std::string name = (fs::temp_directory_path() / "pectin replay XXXXXX").string();
     if (!mkdtemp(name.data())) throw std::runtime_error("no folder for a test: " + name);
     folder_ = name;

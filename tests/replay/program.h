@@ -1,4 +1,4 @@
-// Runs the built program in a folder of its own.
+// Runs the program in its own folder.
 #pragma once
 
 #include <filesystem>
@@ -8,7 +8,7 @@
 
 namespace pectin {
 
-// An empty folder that is gone with this.
+// An empty folder, removed by the destructor.
 class ScratchFolder {
   public:
     ScratchFolder();
@@ -18,18 +18,18 @@ class ScratchFolder {
 
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     void write(const std::string& name, const std::string& contents) const;
-    // A script of these commands behind its first line; returns its path.
+    // Writes a script with the first line and these commands, and returns its path.
     std::string write_script(const std::string& name, const std::vector<std::string>& lines) const;
     std::string read(const std::string& name) const;
     bool holds(const std::string& name) const;
-    std::set<std::string> files() const;  // relative, of all folders in it
+    std::set<std::string> files() const;  // paths relative to the folder, also in subfolders
 
   private:
     std::filesystem::path folder_;
 };
 
 struct Outcome {
-    int exit_status = -1;  // -1 where a signal ended it
+    int exit_status = -1;  // -1 if a signal ended it
     std::string out, err;
 };
 

@@ -1,5 +1,5 @@
-// Every bad input is refused with its place and a reason; the object stays as it was and no
-// half-written file is left.
+// Tests that every invalid input is refused with its line and a reason. The object is unchanged and
+// no incomplete file is left.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -13,10 +13,10 @@ namespace {
 
 struct BadInput {
     std::string name;
-    std::vector<std::string> settings;  // good commands ahead of the bad line
+    std::vector<std::string> settings;  // valid commands before the invalid line
     std::string line;
-    std::string command;  // that the message is headed with
-    std::string said;     // and what it must say
+    std::string command;  // with which the message begins
+    std::string said;     // what it must contain
 };
 
 std::ostream& operator<<(std::ostream& out, const BadInput& bad) { return out << bad.name; }
@@ -134,7 +134,7 @@ class BadInputs : public testing::TestWithParam<BadInput> {
         folder_.write("overflow.obj", "v 0 0 0\nv 1 0 1e400\nv 0 1 0\nf 1 2 3\n");
     }
 
-    // A sphere with a drag behind it, so that there is something to lose.
+    // A sphere after a drag, so that there is an undo step to lose.
     static std::vector<std::string> start() {
         return {R"({"cmd": "shape", "kind": "sphere", "resolution": 3})",
                 R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0.1, 0, 1.3]}]})"};
@@ -143,7 +143,7 @@ class BadInputs : public testing::TestWithParam<BadInput> {
     ScratchFolder folder_;
 };
 
-TEST_P(BadInputs, StopReplayWithTheirPlaceAndAReason) {
+TEST_P(BadInputs, StopReplayWithTheirLineAndAReason) {
     const BadInput& bad = GetParam();
     std::vector<std::string> lines = start();
     lines.insert(lines.end(), bad.settings.begin(), bad.settings.end());
@@ -158,7 +158,7 @@ TEST_P(BadInputs, StopReplayWithTheirPlaceAndAReason) {
     const Outcome outcome = run_program({"replay", script});
     EXPECT_EQ(outcome.exit_status, 1);
     const std::string heading = script + ":" + std::to_string(number) + ": " + bad.command + ": ";
-    // Notes on earlier lines come before it.
+    // Messages about earlier lines come before it.
     const std::size_t at = outcome.err.find(heading);
     ASSERT_NE(at, std::string::npos) << outcome.err << "not\n" << heading;
     const std::string said = outcome.err.substr(at);
@@ -170,7 +170,7 @@ TEST_P(BadInputs, StopReplayWithTheirPlaceAndAReason) {
     EXPECT_EQ(folder_.files(), expected) << "what earlier lines wrote stays, and nothing else";
 }
 
-TEST_P(BadInputs, LeaveObjectSettingsAndHistoryAsTheyWere) {
+TEST_P(BadInputs, LeaveObjectSettingsAndHistoryUnchanged) {
     const BadInput& bad = GetParam();
     Session session;
     const auto execute = [&](const std::string& line) {

@@ -1,4 +1,4 @@
-// The program as a user of scripts meets it: exit status, messages, and the files it leaves.
+// Tests the program with scripts: exit status, messages and the files it writes.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -18,9 +18,9 @@ void expect_done(const Outcome& outcome) {
     EXPECT_EQ(outcome.err, "");
 }
 
-// ---- What works
+// ---- Valid scripts
 
-TEST(Replay, WritesTheDemoAndItsFigures) {
+TEST(Replay, WritesTheDemoAndItsStatistics) {
     const ScratchFolder folder;
     folder.write("build/.keep", "");
     std::filesystem::create_directory(folder.path("assets"));
@@ -74,7 +74,7 @@ TEST(Replay, GivesTheSameBytesEveryTime) {
     EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
 }
 
-TEST(Replay, DragsWithoutFoldsSymmetricallyInPartsAndByControlPoints) {
+TEST(Replay, DragsFoldFreeSymmetricallyConnectedAndByControlPoints) {
     const ScratchFolder folder;
     const std::string undo_all = R"({"cmd": "undo", "count": 4})";
     for (const char* name : {"a", "b"}) {
@@ -109,7 +109,7 @@ TEST(Replay, DragsWithoutFoldsSymmetricallyInPartsAndByControlPoints) {
     EXPECT_NE(figures.find("\"steps\": "), figures.npos) << figures;
 }
 
-TEST(Replay, OpensWhatItSaved) {
+TEST(Replay, OpensItsSavedFiles) {
     const ScratchFolder folder;
     expect_done(run_program(
         {"replay",
@@ -120,7 +120,7 @@ TEST(Replay, OpensWhatItSaved) {
 
 TEST(Replay, ReportsFindingsInTheInputAndContinues) {
     const ScratchFolder folder;
-    // Three faces on the edge 1 2, and a vertex that has none.
+    // Three faces on the edge 1 2, and a vertex without faces.
     folder.write("fan.obj",
                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 9 9 9\n"
                  "f 1 2 3\nf 2 1 4\nf 1 2 5\n");
@@ -147,7 +147,7 @@ TEST(Replay, ReadsTheScriptFromStandardInput) {
     EXPECT_TRUE(folder.holds("a.obj"));
 }
 
-TEST(Replay, LeavesNoFilesButThoseItWasAskedFor) {
+TEST(Replay, WritesOnlyTheRequestedFiles) {
     const ScratchFolder folder;
     expect_done(run_program(
         {"replay", folder.write_script("s.jsonl", {kSphere, kDrag, save("a.obj"), save("a.obj"),
@@ -167,7 +167,7 @@ TEST(CommandLine, ShowsVersionAndHelp) {
         EXPECT_NE(help.out.find(word), std::string::npos) << word;
 }
 
-TEST(CommandLine, RefusesBadUsageAndSaysWhichIsGood) {
+TEST(CommandLine, RefusesBadUsageAndShowsTheUsage) {
     const std::vector<std::vector<std::string>> bad{
         {"replay"},     {"replay", "a", "b"}, {"--frobnicate"},
         {"a.obj", "b"}, {"--record"},         {"--record", "a.jsonl", "replay", "b.jsonl"}};
@@ -188,7 +188,7 @@ TEST(CommandLine, NamesAScriptThatCannotBeRead) {
     }
 }
 
-TEST(CommandLine, RefusesAScriptWithoutItsFirstLine) {
+TEST(CommandLine, RefusesAScriptWithoutTheFirstLine) {
     const ScratchFolder folder;
     folder.write("s.jsonl", kSphere + "\n" + save("a.obj") + "\n");
     const Outcome outcome = run_program({"replay", folder.path("s.jsonl")});

@@ -1,4 +1,4 @@
-// Pictures by the program itself, with no display and no window.
+// Tests pictures that the program draws without a display and a window.
 #include <gtest/gtest.h>
 
 #include "io/png.h"
@@ -50,7 +50,7 @@ TEST(ReplayScreenshot, GivesTheSameBytesEveryTime) {
     EXPECT_EQ(folder.read("a.png"), once);
 }
 
-TEST(ReplayScreenshot, SaysInWhichLineItCouldNotBeWrittenAndLeavesNothing) {
+TEST(ReplayScreenshot, ReportsTheLineOfAPictureThatCannotBeWrittenAndLeavesNoFile) {
     if (!can_draw()) GTEST_SKIP() << "nothing can be drawn here";
     const ScratchFolder folder;
     const std::string script =
@@ -61,8 +61,7 @@ TEST(ReplayScreenshot, SaysInWhichLineItCouldNotBeWrittenAndLeavesNothing) {
     EXPECT_EQ(folder.files(), std::set<std::string>{"s.jsonl"});
 }
 
-// The host can be chosen, and the choice makes no difference to the picture: both draw with the
-// same rasteriser.
+// The host can be chosen. Both draw with the same rasteriser, so the pictures are the same.
 TEST(ReplayScreenshot, GivesTheSamePictureWithEitherHost) {
     ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     const ScratchFolder folder;
@@ -83,7 +82,7 @@ TEST(ReplayScreenshot, GivesTheSamePictureWithEitherHost) {
     EXPECT_TRUE(pictures[0] == pictures[1]);
 }
 
-TEST(ReplayScreenshot, RefusesAHostThatIsNeither) {
+TEST(ReplayScreenshot, RefusesAnUnknownHost) {
     const ScratchFolder folder;
     const std::string script =
         folder.write_script("s.jsonl", {kSphere, R"({"cmd": "screenshot", "path": "a.png"})"});

@@ -1,4 +1,4 @@
-// How a replay ends by a signal, and what does not end it.
+// Tests how signals end a replay, and what does not end it.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <signal.h>
@@ -20,10 +20,10 @@ namespace {
 const std::string kSphere = R"({"cmd": "shape", "kind": "sphere", "resolution": 2})";
 const std::string kBrush = R"({"cmd": "brush", "radius": 0.5})";
 
-// A program that replays what is written to a pipe, and so waits for more.
+// Starts a program that replays a script from a pipe and so waits for more lines.
 class WaitingReplay {
   public:
-    // words: of a program that replays its standard input.
+    // words: the command line of a program that replays its standard input.
     WaitingReplay(const ScratchFolder& folder, const std::vector<std::string>& lines,
                   const std::vector<std::string>& words = {PECTIN_BINARY, "replay", "-"})
         : folder_(&folder) {
@@ -41,7 +41,7 @@ class WaitingReplay {
     std::optional<Process> program_;
 };
 
-TEST(ReplaySignals, EndItWith128AndTheSignalAndSayWhatWasDone) {
+TEST(ReplaySignals, EndItWithStatus128PlusTheSignalAndReportWhatWasDone) {
     for (const auto& [signal, name] : {std::pair{SIGINT, "SIGINT"}, std::pair{SIGTERM, "SIGTERM"},
                                        std::pair{SIGHUP, "SIGHUP"}}) {
         const ScratchFolder folder;
@@ -51,7 +51,7 @@ TEST(ReplaySignals, EndItWith128AndTheSignalAndSayWhatWasDone) {
         ASSERT_TRUE(eventually([&] { return folder.holds("done.obj"); })) << replay.said();
         replay.program().signal(signal);
         EXPECT_EQ(replay.program().wait(), 128 + signal);
-        // The file is there a moment before the command that saves it is done.
+        // The file appears shortly before the command that saves it is finished.
         const std::string ending = std::string("ended by ") + name + "; ";
         EXPECT_TRUE(replay.said() == "pectin: " + ending + "3 commands are done\n" ||
                     replay.said() ==
@@ -60,7 +60,7 @@ TEST(ReplaySignals, EndItWith128AndTheSignalAndSayWhatWasDone) {
     }
 }
 
-TEST(ReplaySignals, DuringASaveLeaveTheOldFileAndNoTemporaryOne) {
+TEST(ReplaySignals, DuringASaveLeaveTheOldFileAndNoTemporaryFile) {
     const ScratchFolder folder;
     folder.write("large.obj", "old\n");
     const std::string script =
@@ -83,7 +83,7 @@ TEST(ReplaySignals, DuringASaveLeaveTheOldFileAndNoTemporaryOne) {
         << folder.read("err");
 }
 
-TEST(ReplaySignals, StayIgnoredWhereTheyWereIgnoredBefore) {
+TEST(ReplaySignals, StayIgnoredIfTheyWereIgnoredBefore) {
     const ScratchFolder folder;
     struct sigaction ignore {
     }, before{};
@@ -97,8 +97,8 @@ TEST(ReplaySignals, StayIgnoredWhereTheyWereIgnoredBefore) {
     EXPECT_EQ(replay.program().wait(), 143);
 }
 
-// Whoever was to read the error output has stopped reading.
-TEST(ReplaySignals, EndItAlsoWhileItsErrorOutputTakesNothing) {
+// The reader of the error output has stopped reading.
+TEST(ReplaySignals, EndItEvenIfItsErrorOutputIsBlocked) {
     const ScratchFolder folder;
     ::mkfifo(folder.path("err").c_str(), 0600);
     const FileDescriptor reader(folder.path("err").c_str(), O_RDWR | O_NONBLOCK);
@@ -113,15 +113,15 @@ TEST(ReplaySignals, EndItAlsoWhileItsErrorOutputTakesNothing) {
     EXPECT_EQ(replay.program().wait(std::chrono::seconds(20)), 143);
 }
 
-TEST(ReplaySignals, TheLastLineShowsControlCharactersOfThePathEscaped) {
+TEST(ReplayStatus, EscapesControlCharactersOfThePath) {
     ReplayStatus status;
     status.begin("a\x1b[31m.jsonl", 3, "save");
     EXPECT_EQ(status.farewell("SIGINT"),
               "a\\x1B[31m.jsonl:3: save: ended by SIGINT; 0 commands before it are done");
 }
 
-// Else the first file that is opened would take the messages.
-TEST(ReplayStandardFiles, AreThereWhicheverWereClosedAtTheStart) {
+// Otherwise the first file that is opened would receive the messages.
+TEST(ReplayStandardFiles, AreOpenEvenIfTheyWereClosedAtTheStart) {
     const ScratchFolder folder;
     const WaitingReplay replay(
         folder, {kSphere, R"({"cmd": "save", "path": ")" + folder.path("done.obj") + R"("})"},
@@ -136,20 +136,20 @@ TEST(ReplayStandardFiles, AreThereWhicheverWereClosedAtTheStart) {
     }
 }
 
-// Writes a script whose second command has something to say, and a last one that writes a file.
+// Writes a script whose second command prints a message and whose last command writes a file.
 std::string talkative_script(const ScratchFolder& folder) {
-    // A face with a vertex twice is kept, and this is said.
+    // A face that contains a vertex twice is kept and reported.
     folder.write("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
     return folder.write_script("s.jsonl", {R"({"cmd": "open", "path": "model.obj"})",
                                            R"({"cmd": "save", "path": "last.obj"})"});
 }
 
-TEST(ReplaySignals, AClosedPipeDoesNotKeepItFromItsLaterCommands) {
+TEST(ReplaySignals, FromAClosedPipeDoNotPreventLaterCommands) {
     const ScratchFolder folder;
     const std::string script = talkative_script(folder);
     ASSERT_NE(run_program({"replay", script}).err, "") << "it has something to say";
     std::filesystem::remove(folder.path("last.obj"));
-    // The pipe's reader has ended before the program says anything.
+    // The reader of the pipe ends before the program prints anything.
     Process shell(
         {"/bin/sh", "-c", "(sleep 0.3; \"$0\" replay \"$1\" 2>&1; echo $? >\"$2\") | true",
          PECTIN_BINARY, script, folder.path("status")},
@@ -160,7 +160,7 @@ TEST(ReplaySignals, AClosedPipeDoesNotKeepItFromItsLaterCommands) {
     EXPECT_TRUE(folder.holds("last.obj"));
 }
 
-TEST(ReplaySignals, ALimitOfTheFilesSizeIsAnErrorOfThatFileAlone) {
+TEST(ReplaySignals, FromAFileSizeLimitAreAnErrorOfThatFileOnly) {
     const ScratchFolder folder;
     const std::string script =
         folder.write_script("s.jsonl", {R"({"cmd": "shape", "kind": "sphere", "resolution": 5})",
@@ -174,7 +174,7 @@ TEST(ReplaySignals, ALimitOfTheFilesSizeIsAnErrorOfThatFileAlone) {
     EXPECT_EQ(folder.files(), (std::set<std::string>{"err", "s.jsonl"}));
 }
 
-TEST(ReplaySignals, AFileOfEndlessZerosIsRefused) {
+TEST(ReplayInput, RefusesAFileOfEndlessZeros) {
     const Outcome outcome = run_program({"replay", "/dev/zero"});
     EXPECT_EQ(outcome.exit_status, 1);
     EXPECT_NE(outcome.err.find("/dev/zero:1: script: the line is longer than 64 MiB"),

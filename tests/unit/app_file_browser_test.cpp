@@ -37,8 +37,9 @@ class FileBrowserTest : public testing::Test {
 TEST_F(FileBrowserTest, ListsFoldersFirstThenModelsWithoutRegardToCase) {
     const std::vector<FileEntry> expected{
         {"Attic", true, 0}, {"models", true, 0}, {"A.OBJ", false, 8}, {"b.obj", false, 8}};
-    EXPECT_EQ(list_folder(path(), ".obj"), expected);
-    EXPECT_THROW(list_folder(path("absent"), ".obj"), FileError);
+    const std::vector<std::string> extensions{".obj"};
+    EXPECT_EQ(list_folder(path(), extensions), expected);
+    EXPECT_THROW(list_folder(path("absent"), extensions), FileError);
 }
 
 TEST_F(FileBrowserTest, StartsInTheFolderOfTheFileAndSavesUnderItsName) {

@@ -76,7 +76,7 @@ class RandomCommand {
     double from(double low, double high) {
         return std::uniform_real_distribution<double>(low, high)(bits_);
     }
-    // Any finite number, whatever its size: most are written with 17 digits.
+    // Any finite number of any magnitude. Most need 17 digits.
     double number() {
         if (below(4) == 0) return below(2001) - 1000;
         const double x = std::bit_cast<double>(bits_());
@@ -150,7 +150,7 @@ class RandomCommand {
     std::mt19937_64 bits_;
 };
 
-TEST(CommandJson, ParsesBackToAnEqualCommandWhatItFormats) {
+TEST(CommandJson, ParsesFormattedCommandsBackToEqualOnes) {
     const std::uint64_t seed = std::random_device{}();
     SCOPED_TRACE("seed " + std::to_string(seed));
     RecordProperty("seed", std::to_string(seed));
@@ -165,7 +165,7 @@ TEST(CommandJson, ParsesBackToAnEqualCommandWhatItFormats) {
     }
 }
 
-TEST(CommandJson, WritesTheShortestNumbersAndLeavesOutWhatIsEmpty) {
+TEST(CommandJson, WritesShortestNumbersAndOmitsEmptyFields) {
     const command::Drag drag{.moves = {{.from = Vec3(0, 0, 1), .to = Vec3(0.1, 0, -1.3)}},
                              .pins = {}};
     EXPECT_EQ(format_command(drag),
@@ -199,14 +199,14 @@ TEST(CommandJson, FillsOmittedFieldsWithTheirDefaults) {
     EXPECT_TRUE(parsed(R"({"cmd": "adapt"})") == Command(command::Adapt{}));
 }
 
-TEST(CommandJson, TakesWholeNumbersHoweverTheyAreWritten) {
+TEST(CommandJson, AcceptsWholeNumbersInAnyNotation) {
     EXPECT_TRUE(parsed(R"({"cmd": "adapt", "budget": 1e6})") ==
                 Command(command::Adapt{.budget = 1'000'000}));
     EXPECT_TRUE(parsed(R"({"cmd": "brush", "span": 5.0, "radius": 1})") ==
                 Command(command::Brush{.radius = 1.0, .span = 5}));
 }
 
-TEST(CommandJson, TellsAutomaticFromOffFromANumber) {
+TEST(CommandJson, DistinguishesAutomaticOffAndNumbers) {
     EXPECT_TRUE(parsed(R"({"cmd": "adapt", "theta_min": null, "l_max": "auto", "flatness": 0})") ==
                 Command(command::Adapt{.theta_min = Setting::off(),
                                        .l_max = Setting::automatic(),
@@ -224,7 +224,7 @@ TEST(CommandJson, TellsAutomaticFromOffFromANumber) {
 
 struct BadLine {
     std::string line, command;
-    std::vector<std::string> said;  // what is wrong and what would be right
+    std::vector<std::string> said;  // parts of the message: what is wrong and what would be right
 };
 
 void expect_error(const BadLine& bad) {
@@ -240,7 +240,7 @@ void expect_error(const BadLine& bad) {
     EXPECT_LT(error.what.size(), 250u);
 }
 
-TEST(CommandErrors, SayWhyALineIsNoCommand) {
+TEST(CommandErrors, SayWhyALineIsNotACommand) {
     for (const BadLine& bad :
          {BadLine{"", "script", {"not valid JSON", "unexpected end of input"}},
           BadLine{"hello", "script", {"not valid JSON at column 1"}},
@@ -270,7 +270,7 @@ TEST(CommandErrors, SayWhyALineIsNoCommand) {
         expect_error(bad);
 }
 
-TEST(CommandErrors, NameTheFieldWhatIsWrongAndWhatWouldBeRight) {
+TEST(CommandErrors, NameTheFieldItsValueAndWhatWouldBeRight) {
     for (const BadLine& bad :
          {BadLine{R"({"cmd": "undo", "times": 2})", "undo", {"unknown field \"times\"", "count"}},
           BadLine{R"({"cmd": "readapt", "count": 2})", "readapt", {"has no fields"}},
@@ -321,7 +321,7 @@ TEST(CommandErrors, KeepSettingsInTheirRanges) {
         expect_error(bad);
 }
 
-TEST(CommandErrors, NameThePlaceInsideLatticesAndPoints) {
+TEST(CommandErrors, NameThePositionInsideLatticesAndPoints) {
     for (
         const BadLine& bad :
         {BadLine{R"({"cmd": "cage"})", "cage", {"no lattice", "either", "fit"}},
@@ -397,7 +397,7 @@ TEST(CommandErrors, NameThePlaceInsideLatticesAndPoints) {
 
 // ---- Header and statistics
 
-TEST(ScriptHeader, IsVersionOneAndNothingElse) {
+TEST(ScriptHeader, MustBeVersionOne) {
     EXPECT_FALSE(check_header(R"({"pectin": 1})"));
     EXPECT_FALSE(check_header(R"(  {"pectin":1}  )"));
     for (const char* line : {"", "{}", "1", R"({"cmd": "undo"})", R"({"pectin": 1, "a": 2})",

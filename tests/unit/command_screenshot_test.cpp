@@ -25,11 +25,11 @@ TEST(ScreenshotCommand, NeedsOnlyAPath) {
     EXPECT_TRUE(screenshot.show == command::Screenshot::Show{});
 }
 
-TEST(ScreenshotCommand, FitsWhereTheCameraSaysSo) {
+TEST(ScreenshotCommand, FitsTheObjectIfTheCameraIsFit) {
     EXPECT_FALSE(parsed(R"("path": "a.png", "camera": "fit")").camera);
 }
 
-TEST(ScreenshotCommand, TakesUpAndAngleOfViewFromCustomWhereTheCameraLeavesThemOut) {
+TEST(ScreenshotCommand, UsesDefaultsForAMissingUpVectorAndFieldOfView) {
     const auto camera =
         parsed(R"("path": "a.png", "camera": {"eye": [1, 2, 3], "target": [0, 0, 0.5]})").camera;
     ASSERT_TRUE(camera);
@@ -39,19 +39,19 @@ TEST(ScreenshotCommand, TakesUpAndAngleOfViewFromCustomWhereTheCameraLeavesThemO
     EXPECT_EQ(camera->fov, 45.0);
 }
 
-TEST(ScreenshotCommand, ShowsWhatIsListed) {
+TEST(ScreenshotCommand, ShowsTheListedParts) {
     const auto show = parsed(R"("path": "a.png", "show": ["levels", "wireframe", "levels"])").show;
     EXPECT_TRUE(show == (command::Screenshot::Show{.wireframe = true, .levels = true}));
     EXPECT_TRUE(parsed(R"("path": "a.png", "show": ["ui", "lattice"])").show ==
                 (command::Screenshot::Show{.lattice = true, .ui = true}));
 }
 
-TEST(ScreenshotCommand, WritesOnlyWhatIsNotImplied) {
+TEST(ScreenshotCommand, FormatsOnlyFieldsThatDifferFromTheirDefaults) {
     EXPECT_EQ(format_command(command::Screenshot{.path = "a.png"}),
               R"({"cmd": "screenshot", "path": "a.png", "size": [1280, 960]})");
 }
 
-TEST(ScreenshotCommand, RefusesWhatCanNeverBeAPicture) {
+TEST(ScreenshotCommand, RefusesInvalidPictures) {
     struct Bad {
         std::string fields, said;
     };

@@ -17,7 +17,7 @@ std::vector<ScriptLine> read(const std::string& text) {
 
 bool is_error(const ScriptLine& line) { return std::holds_alternative<CommandError>(line.command); }
 
-TEST(ScriptReader, PassesOverBlankLinesAndRemarksButCountsThem) {
+TEST(ScriptReader, SkipsBlankLinesAndCommentsButCountsThem) {
     const auto lines = read(
         "{\"pectin\": 1}\n\n# drag something\n{\"cmd\": \"readapt\"}\n   \n{\"cmd\": \"undo\"}\n");
     ASSERT_EQ(lines.size(), 2u);
@@ -26,7 +26,7 @@ TEST(ScriptReader, PassesOverBlankLinesAndRemarksButCountsThem) {
     EXPECT_EQ(lines[1].number, 6u);
 }
 
-TEST(ScriptReader, TakesCarriageReturnsAByteOrderMarkAndAMissingLastNewline) {
+TEST(ScriptReader, AcceptsCarriageReturnsAByteOrderMarkAndAMissingFinalNewline) {
     const auto lines = read(
         "\xEF\xBB\xBF{\"pectin\": 1}\r\n\r\n{\"cmd\": \"undo\"}\r\n# x\r\n{\"cmd\": \"redo\"}");
     ASSERT_EQ(lines.size(), 2u);
@@ -34,7 +34,7 @@ TEST(ScriptReader, TakesCarriageReturnsAByteOrderMarkAndAMissingLastNewline) {
     EXPECT_TRUE(std::get<Command>(lines[1].command) == Command(command::Redo{}));
 }
 
-TEST(ScriptReader, StopsAtABadFirstLine) {
+TEST(ScriptReader, StopsAtAnInvalidFirstLine) {
     for (const char* text : {"", "\n{\"pectin\": 1}\n", "# x\n{\"pectin\": 1}\n",
                              "{\"cmd\": \"undo\"}\n", "{\"pectin\": 2}\n{\"cmd\": \"undo\"}\n"}) {
         const auto lines = read(text);
@@ -47,7 +47,7 @@ TEST(ScriptReader, StopsAtABadFirstLine) {
     }
 }
 
-TEST(ScriptReader, GivesTheCommandsAheadOfABadLineFirst) {
+TEST(ScriptReader, ReturnsTheCommandsBeforeAnInvalidLineFirst) {
     const auto lines = read("{\"pectin\": 1}\n{\"cmd\": \"undo\"}\n{\"cmd\": \n");
     ASSERT_EQ(lines.size(), 2u);
     EXPECT_FALSE(is_error(lines[0]));

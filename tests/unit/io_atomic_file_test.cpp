@@ -18,7 +18,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-// A folder of its own for each test, gone with it.
+// Gives each test its own folder and removes it afterwards.
 class AtomicFileTest : public testing::Test {
   protected:
     AtomicFileTest() {
@@ -53,7 +53,7 @@ std::string refusal(const std::string& path) {
     return {};
 }
 
-TEST(FileError, NamesPathAndLineInFrontOfTheMessage) {
+TEST(FileError, PrecedesItsMessageWithPathAndLine) {
     EXPECT_STREQ(FileError("a.obj", 7, "is wrong").what(), "a.obj:7: is wrong");
     EXPECT_STREQ(FileError("a.obj", "is wrong").what(), "a.obj: is wrong");
 }
@@ -68,7 +68,7 @@ TEST_F(AtomicFileTest, WritesAllBytesAndLeavesNothingElse) {
     EXPECT_EQ(file_count(), 1);
 }
 
-TEST_F(AtomicFileTest, AppendsPieceToPieceAndShowsNothingBeforeCommit) {
+TEST_F(AtomicFileTest, AppendsPiecesAndChangesNothingBeforeCommit) {
     write_file_atomically(path("a"), "old");
     AtomicFile file(path("a"));
     file.write("new ");
@@ -105,7 +105,7 @@ TEST_F(AtomicFileTest, RefusesDevices) {
     EXPECT_TRUE(fs::is_character_file("/dev/null"));
 }
 
-TEST_F(AtomicFileTest, SaysWhatIsWrongWithThePath) {
+TEST_F(AtomicFileTest, ReportsWhatIsWrongWithThePath) {
     EXPECT_NE(refusal(path("missing/a")).find("no folder"), std::string::npos);
     EXPECT_NE(refusal(folder_.string()).find("is a folder"), std::string::npos);
     EXPECT_NE(refusal(path("missing/")).find("names a folder"), std::string::npos);
@@ -142,7 +142,7 @@ TEST_F(AtomicFileTest, GivesNewFilesTheModeOfAnyNewFile) {
     EXPECT_EQ(mode_of(path("a")), 0640u);
 }
 
-TEST_F(AtomicFileTest, ReplacesTheTargetOfALinkNotTheLink) {
+TEST_F(AtomicFileTest, ReplacesTheTargetOfALinkAndKeepsTheLink) {
     fs::create_directory(folder_ / "inner");
     write_file_atomically(path("inner/target"), "old");
     fs::create_symlink("inner/target", path("link"));
@@ -161,14 +161,14 @@ TEST_F(AtomicFileTest, MakesTheTargetOfADanglingLink) {
     EXPECT_EQ(read_whole_file(path("target")), "new");
 }
 
-TEST_F(AtomicFileTest, RefusesLinksThatRunInACircle) {
+TEST_F(AtomicFileTest, RefusesCyclicLinks) {
     fs::create_symlink("b", path("a"));
     fs::create_symlink("a", path("b"));
     EXPECT_FALSE(refusal(path("a")).empty());
     EXPECT_EQ(file_count(), 2);
 }
 
-TEST_F(AtomicFileTest, IsNotStoppedByWhatAKilledProcessLeftBehind) {
+TEST_F(AtomicFileTest, WritesDespiteTemporaryFilesOfKilledProcesses) {
     const std::string left = path(".pectin-" + std::to_string(::getpid()) + "-0.tmp");
     write_file_atomically(left, "left behind");
     write_file_atomically(path("a"), "new");
@@ -176,7 +176,7 @@ TEST_F(AtomicFileTest, IsNotStoppedByWhatAKilledProcessLeftBehind) {
     EXPECT_EQ(read_whole_file(left), "left behind");
 }
 
-TEST_F(AtomicFileTest, ThatHasToBeNewDoesNotReplaceOneThatCameThereMeanwhile) {
+TEST_F(AtomicFileTest, CommittedAsNewDoesNotReplaceAFileThatExistsByThen) {
     AtomicFile file(path("a"));
     file.write("mine");
     write_file_atomically(path("a"), "theirs");
@@ -210,7 +210,7 @@ TEST_F(AtomicFileTest, IsReadBackOrRefusedWithAReason) {
     EXPECT_NE(reason(path("a/b")).find("not a folder"), std::string::npos);
 }
 
-TEST_F(AtomicFileTest, IsReadUpToAGivenSizeOnly) {
+TEST_F(AtomicFileTest, IsReadOnlyUpToTheGivenSize) {
     write_file_atomically(path("a"), std::string(3 << 20, 'x'));
     EXPECT_EQ(read_whole_file(path("a"), {}, 3 << 20).size(), std::size_t{3} << 20);
     try {
@@ -219,7 +219,7 @@ TEST_F(AtomicFileTest, IsReadUpToAGivenSizeOnly) {
     } catch (const FileError& error) {
         EXPECT_EQ(error.message(), "is larger than 2 MB");
     }
-    // Far larger than the memory, but nothing but a hole.
+    // A sparse file far larger than the memory.
     fs::resize_file(path("a"), std::uintmax_t{1} << 42);
     EXPECT_THROW(read_whole_file(path("a"), {}, 4 << 20), FileError);
 }

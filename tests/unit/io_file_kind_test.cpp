@@ -1,4 +1,4 @@
-// Files that are something else: what they are is told, with what to do about it.
+// Tests that files of other kinds are recognised, with advice on how to open them.
 #include "io/file_kind.h"
 
 #include <gtest/gtest.h>
@@ -25,7 +25,7 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
-// A cube's worth of OBJ text in two bytes a character.
+// OBJ text of a cube in UTF-16.
 std::string utf16(bool little_endian, bool with_mark) {
     std::string text = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n", wide;
     if (with_mark) wide += little_endian ? "\xff\xfe"s : "\xfe\xff"s;
@@ -33,7 +33,7 @@ std::string utf16(bool little_endian, bool with_mark) {
     return wide;
 }
 
-TEST(OtherFiles, AreNamedWithWhatToDo) {
+TEST(OtherFiles, AreNamedWithAdvice) {
     std::string stl = std::string(80, 'x') + "\x02\0\0\0"s + std::string(100, '\0');
     const std::vector<std::pair<std::string, std::string>> files = {
         {"\x1f\x8b\x08\0\0\0\0\0"s, "is a gzip file"},
@@ -75,27 +75,27 @@ TEST(OtherFiles, AreNamedWithWhatToDo) {
               "t.obj: is text in UTF-16, not an OBJ model; save it as UTF-8 and open it again");
 }
 
-TEST(OtherFiles, AreNotWhatCanBeReadAsAModel) {
+TEST(OtherFiles, DoNotIncludeReadableModels) {
     for (const char* first : {"solid cube facet", "ply", "OFF", "#usda", "#?RADIANCE", "P3 1 1"}) {
         EXPECT_EQ(refusal(first + "\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n"s), "accepted") << first;
     }
 }
 
-TEST(OtherFiles, AreNoTextsOfObjFilesWhateverIsWrongWithThem) {
+TEST(OtherFiles, DoNotIncludeDamagedObjText) {
     for (const char* text : {"v 0 0 0\nv 1 0 0\nf 1 2 3\n", "# Blender v2.79\nv x\n", "g \n\nv 1\n",
                              "mtllib a.mtl\nf 0\n", "o solid\nf 1 2 3\n"}) {
         EXPECT_FALSE(recognise_file(text, std::string(text).size()).is_known()) << text;
     }
     constexpr std::uint32_t kSeed = 3;
     std::mt19937 random(kSeed);
-    for (int i = 0; i < 2000; ++i) {  // random letters, of which none is a signature
+    for (int i = 0; i < 2000; ++i) {  // random letters, which contain no signature
         std::string text;
         for (int k = 0; k < 200; ++k) text += "vfnt 0123456789./-\n"[random() % 19];
         EXPECT_FALSE(recognise_file(text, text.size()).is_known()) << "seed " << kSeed << text;
     }
 }
 
-TEST(Pictures, AreKnownByTheirContent) {
+TEST(Pictures, AreRecognisedByTheirContent) {
     const std::string bmp = "BM\x3a\0\0\0\0\0\0\0\x36\0\0\0\x28\0\0\0"s + std::string(40, '\0');
     for (const std::string& head :
          {"\x89PNG\r\n\x1a\n"s, "\xff\xd8\xff\xe0"s, "GIF89a"s, "II*\0"s, "MM\0*"s, bmp,
@@ -110,7 +110,7 @@ TEST(Pictures, AreKnownByTheirContent) {
     }
 }
 
-// Width, height and depth of an uncompressed picture in colour, and its pixels.
+// An uncompressed TGA picture of this size and depth.
 std::string tga(int width, int height, int depth) {
     std::string bytes(18, '\0');
     bytes[2] = 2;
@@ -120,14 +120,14 @@ std::string tga(int width, int height, int depth) {
     return bytes + std::string(static_cast<std::size_t>(width * height * depth / 8), '\x7f');
 }
 
-TEST(Pictures, InTgaAreKnownByFieldsThatAgreeWithTheirSize) {
+TEST(Pictures, InTgaFormatAreRecognisedByFieldsThatAgreeWithTheirSize) {
     const auto is = [](const std::string& bytes) { return is_tga(bytes, bytes, bytes.size()); };
     EXPECT_TRUE(is(tga(4, 3, 24)));
     EXPECT_TRUE(is(tga(1, 1, 32)));
     EXPECT_FALSE(is(tga(4, 3, 24).substr(0, 50))) << "too short for its pixels";
     EXPECT_FALSE(is(tga(0, 3, 24)));
     EXPECT_FALSE(is(tga(4, 3, 8))) << "colours of 8 bits without a map";
-    std::string packed = tga(8, 8, 24).substr(0, 18 + 4);  // 64 equal pixels in one run
+    std::string packed = tga(8, 8, 24).substr(0, 18 + 4);  // one run of 64 equal pixels
     packed[2] = 10;
     EXPECT_TRUE(is(packed));
     EXPECT_FALSE(is("[Desktop Entry]\nType=Application\nExec=/bin/true\n"));

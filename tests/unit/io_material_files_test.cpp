@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-// Two folders of their own for each test, gone with it, in a third.
+// Gives each test two folders in a third one and removes them afterwards.
 class MaterialFilesTest : public testing::Test {
   protected:
     MaterialFilesTest() {
@@ -36,12 +36,12 @@ class MaterialFilesTest : public testing::Test {
         fs::create_directories(path.parent_path());
         write_file_atomically(path.string(), text);
     }
-    // A file that begins as a PNG does, so that it is taken for a picture.
+    // Writes a file that begins like a PNG file, so that it is recognised as a picture.
     static std::string picture(const std::string& pixels) { return "\x89PNG\r\n\x1a\n" + pixels; }
     static void write_picture(const fs::path& path, const std::string& pixels = "") {
         write(path, picture(pixels));
     }
-    // The names of those, and why they were refused or failed.
+    // Names of files and why they were refused or failed, as text.
     static Names names(const std::vector<MaterialCopy::Reason>& reasons) {
         Names all;
         for (const MaterialCopy::Reason& reason : reasons) all.push_back(reason.name);
@@ -88,7 +88,7 @@ TEST_F(MaterialFilesTest, CopiesLibrariesAndEveryTextureThatTheyName) {
               read_whole_file((from_ / "a.mtl").string()));
 }
 
-TEST_F(MaterialFilesTest, TellsSeveralNamesFromOneWithBlanks) {
+TEST_F(MaterialFilesTest, DistinguishesSeveralNamesFromOneWithBlanks) {
     for (const char* name : {"a.mtl", "b.mtl", "my first.MTL", "d e.mtl", "x.mtl y.mtl"}) {
         write(from_ / name, "");
     }
@@ -109,13 +109,13 @@ TEST_F(MaterialFilesTest, FindsTexturesBesideTheirLibraryOrBesideTheModel) {
               (Names{"far.png", "mtl/a.mtl", "mtl/near.png", "tex/up.png"}));
 }
 
-TEST_F(MaterialFilesTest, NeverOverwritesWhatIsThere) {
+TEST_F(MaterialFilesTest, NeverOverwritesAFile) {
     write(from_ / "a.mtl", "map_Kd t.png\nmap_Ks link.png\nmap_Ka gone.png\nmap_Ke new.png\n");
     for (const char* name : {"t.png", "link.png", "new.png"}) write_picture(from_ / name);
     write(to_ / "a.mtl", "mine");
     write(to_ / "t.png", "mine");
     write(to_ / "gone.png", "mine");
-    fs::create_symlink(root_ / "elsewhere", to_ / "link.png");  // to a file yet to be made
+    fs::create_symlink(root_ / "elsewhere", to_ / "link.png");  // to a file that does not exist
     const MaterialCopy result = copy({"a.mtl"});
     EXPECT_EQ(result.copied, Names{"new.png"});
     EXPECT_EQ(result.missing, Names{});
@@ -124,7 +124,7 @@ TEST_F(MaterialFilesTest, NeverOverwritesWhatIsThere) {
     EXPECT_FALSE(fs::exists(root_ / "elsewhere"));
 }
 
-TEST_F(MaterialFilesTest, LooksAtNothingOutsideTheFolder) {
+TEST_F(MaterialFilesTest, AccessesNothingOutsideTheFolder) {
     write(root_ / "secret.png", "secret");
     write(root_ / "secret.mtl", "");
     const std::string absolute = (root_ / "secret.png").string();
@@ -145,7 +145,7 @@ TEST_F(MaterialFilesTest, LooksAtNothingOutsideTheFolder) {
     EXPECT_EQ(files(root_).size(), 4u);
 }
 
-TEST_F(MaterialFilesTest, DoesNotMindWhatIsMissingOrNoFile) {
+TEST_F(MaterialFilesTest, ContinuesAfterMissingAndIrregularFiles) {
     EXPECT_EQ(copy({}).copied, Names{});
     EXPECT_EQ(copy({"none.mtl", "none.mtl"}).missing, Names{"none.mtl"});
     write(from_ / "a.mtl",
@@ -163,7 +163,7 @@ TEST_F(MaterialFilesTest, DoesNotMindWhatIsMissingOrNoFile) {
                         "first"}}));
 }
 
-TEST_F(MaterialFilesTest, DoesNothingInOneFolderOrIntoNone) {
+TEST_F(MaterialFilesTest, DoesNothingWithinOneFolderOrWithoutATarget) {
     write(from_ / "a.mtl", "");
     const Names statements = {"a.mtl"};
     fs::create_directory_symlink(from_, root_ / "same");
@@ -176,7 +176,7 @@ TEST_F(MaterialFilesTest, DoesNothingInOneFolderOrIntoNone) {
     EXPECT_FALSE(fs::exists(root_ / "nowhere"));
 }
 
-TEST_F(MaterialFilesTest, SaysWhyItCannotCopy) {
+TEST_F(MaterialFilesTest, ReportsWhyItCannotCopy) {
     write(from_ / "a.mtl", "map_Kd t/x.png\n");
     write_picture(from_ / "t/x.png");
     write(to_ / "t", "a file where the folder has to be");
@@ -188,8 +188,7 @@ TEST_F(MaterialFilesTest, SaysWhyItCannotCopy) {
     EXPECT_EQ(files(to_), (Names{"a.mtl", "t"}));
 }
 
-// While one lives, the process has no more rights than an ordinary user, whom the folder belongs
-// to.
+// While an object exists, the process has only the rights of an ordinary user, who owns the folder.
 class OrdinaryUser {
   public:
     explicit OrdinaryUser(const fs::path& folder) {
@@ -214,7 +213,7 @@ class OrdinaryUser {
     bool is_changed_ = false;
 };
 
-TEST_F(MaterialFilesTest, TellsWhatIsThereAndCannotBeReadFromWhatIsMissing) {
+TEST_F(MaterialFilesTest, DistinguishesUnreadableFromMissingFiles) {
     write(from_ / "a.mtl",
           "newmtl a\nmap_Kd t/x.png\nmap_Ks locked.png\nmap_Ka loop.png\nmap_d good.png\n");
     write(from_ / "locked.mtl", "newmtl b\n");
@@ -242,12 +241,12 @@ TEST_F(MaterialFilesTest, TellsWhatIsThereAndCannotBeReadFromWhatIsMissing) {
                  {"t/x.png", "its path cannot be followed: Permission denied"}}));
 }
 
-TEST_F(MaterialFilesTest, ReportsWhatIsMissingWhereTheWholeFolderIsGone) {
+TEST_F(MaterialFilesTest, ReportsMissingFilesIfTheWholeFolderIsMissing) {
     fs::remove_all(from_);
     EXPECT_EQ(copy({"a.mtl"}).missing, Names{"a.mtl"});
 }
 
-TEST_F(MaterialFilesTest, LooksUpALimitedNumberOfNamesAndSaysSo) {
+TEST_F(MaterialFilesTest, LooksUpALimitedNumberOfNamesAndReportsIt) {
     std::string library = "newmtl a\n";
     for (int i = 0; i < 8; ++i) library += "map_Kd " + std::to_string(i % 4) + ".png\n";
     write(from_ / "a.mtl", library);
@@ -264,7 +263,7 @@ TEST_F(MaterialFilesTest, LooksUpALimitedNumberOfNamesAndSaysSo) {
     EXPECT_EQ(result.refused, Reasons{}) << "a name counts once";
 }
 
-// Each name used to take two or four threads of its own: minutes for these.
+// In an earlier version each name took two or four threads, and this many names took minutes.
 TEST_F(MaterialFilesTest, TakesLittleTimeForManyNames) {
     std::string library = "newmtl a\n";
     for (int i = 0; i < 100'000; ++i) library += "map_Kd " + std::to_string(i) + "\\t.png\n";
@@ -280,7 +279,7 @@ TEST_F(MaterialFilesTest, TakesLittleTimeForManyNames) {
     EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds(40));
 }
 
-TEST_F(MaterialFilesTest, CanBeCancelledWhileItLooksUpNames) {
+TEST_F(MaterialFilesTest, CanBeCancelledWhileLookingUpNames) {
     std::string library = "newmtl a\n";
     for (int i = 0; i < 1000; ++i) library += "map_Kd " + std::to_string(i) + ".png\n";
     write(from_ / "a.mtl", library);
@@ -305,7 +304,7 @@ TEST_F(MaterialFilesTest, FollowsNoLinkOutOfEitherFolder) {
     fs::create_symlink(secret / "s.png", from_ / "link.png");
     fs::create_directory_symlink(secret, from_ / "linked");
     write_picture(from_ / "t.png");
-    fs::create_symlink("t.png", from_ / "near.png");  // stays inside
+    fs::create_symlink("t.png", from_ / "near.png");  // stays inside the folder
     fs::create_directories(from_ / "sub");
     write_picture(from_ / "sub/t.png");
     fs::create_directory_symlink(secret, to_ / "sub");
@@ -317,7 +316,7 @@ TEST_F(MaterialFilesTest, FollowsNoLinkOutOfEitherFolder) {
     fs::remove_all(secret);
 }
 
-// A model from anybody names files so that saving it would plant them, or take them along.
+// The names in an untrusted model are chosen so that a save would write or copy hidden files.
 TEST_F(MaterialFilesTest, RefusesEveryNameWithAHiddenPart) {
     write(from_ / "a.mtl",
           "newmtl a\nmap_Kd .config/autostart/x.desktop\nmap_Ks tex/.hidden.png\n"
@@ -345,7 +344,7 @@ TEST_F(MaterialFilesTest, RefusesToWriteThroughALinkIntoAHiddenFolder) {
     EXPECT_TRUE(fs::is_empty(to_ / ".config"));
 }
 
-TEST_F(MaterialFilesTest, RefusesTexturesThatAreNoPicturesAndLibrariesThatAreNone) {
+TEST_F(MaterialFilesTest, RefusesTexturesAndLibrariesOfAnotherKind) {
     write(from_ / "a.mtl", "newmtl a\nmap_Kd run.png\nmap_Ks empty.png\nmap_Ka ok.tga\n");
     write(from_ / "run.png", "#!/bin/sh\nrm -r ~\n");
     write(from_ / "empty.png", "");
@@ -360,13 +359,14 @@ TEST_F(MaterialFilesTest, RefusesTexturesThatAreNoPicturesAndLibrariesThatAreNon
                                        {"run.png", "is no picture"}}));
 }
 
-// Files that other programs would run or obey, made so that they pass for what a model may bring.
-TEST_F(MaterialFilesTest, RefusesScriptsThatPassForLibrariesOrPictures) {
+// Files that other programs would execute or obey, made to look like libraries or pictures.
+TEST_F(MaterialFilesTest, RefusesScriptsThatLookLikeLibrariesOrPictures) {
     write(from_ / "evil.desktop", "[Desktop Entry]\nExec=evil\nnewmtl a\n");
     write(from_ / "autorun.sh", "#!/bin/sh\nnewmtl a\n");
     write(from_ / "plain.desktop", "newmtl a\n");
     write(from_ / "script.mtl", "#!/bin/sh\nnewmtl a\nmap_Kd a.png\n");
-    // Radiance pictures and desktop files begin with comments, Netpbm pictures with any text.
+    // Radiance pictures and desktop files may begin with comments; Netpbm pictures may contain any
+    // text.
     write(from_ / "start.desktop", "#?RGBE\n[Desktop Entry]\nExec=evil\n");
     write(from_ / "Makefile", "P1 3\nall:\n\tevil\n");
     write_picture(from_ / "a.png");
@@ -383,7 +383,7 @@ TEST_F(MaterialFilesTest, RefusesScriptsThatPassForLibrariesOrPictures) {
     EXPECT_EQ(files(to_), Names{"a.mtl"});
 }
 
-TEST_F(MaterialFilesTest, RefusesWhatIsLargerThanItsLimit) {
+TEST_F(MaterialFilesTest, RefusesFilesLargerThanTheLimits) {
     write(from_ / "a.mtl", "map_Kd large.png\nmap_Ks small.png\n");
     write(from_ / "b.mtl", "newmtl b\n" + std::string(3 << 20, '#'));
     write_picture(from_ / "small.png");

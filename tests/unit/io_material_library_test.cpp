@@ -1,4 +1,4 @@
-// Material libraries as tinyobjloader's parser reads them, and what it alone would lose.
+// Tests the reading of material libraries, including what tinyobjloader's parser alone would lose.
 #include "io/material_library.h"
 
 #include <gtest/gtest.h>
@@ -22,7 +22,7 @@ Names textures(const std::string& text) {
     return names;
 }
 
-TEST(MaterialLibrary, HasNamesAndTexturesOfItsMaterials) {
+TEST(MaterialLibrary, ListsNamesAndTexturesOfMaterials) {
     const std::vector<Material> materials = parse_materials(
         "# c\nnewmtl red metal\nKd 1 0.5 0.25\nmap_Kd red.png\n\nnewmtl plain\n"
         "newmtl white\r\n\tKd 1 1 1\r\n\tmap_Ks shine.png\r\n");
@@ -40,7 +40,7 @@ TEST(MaterialLibrary, NamesEveryTextureOfAMaterial) {
                      "q", "r", "s"}));
 }
 
-// A cube of reflections has six; the parser keeps the last alone.
+// A reflection cube has six textures; the parser alone would keep only the last.
 TEST(MaterialLibrary, NamesAllTexturesOfOneKeyword) {
     EXPECT_EQ(textures("newmtl m\nrefl -type cube_top 1.png\nrefl -type cube_bottom 2.png\n"
                        "refl -type cube_front 3.png\nrefl -type cube_back 4.png\n"
@@ -50,15 +50,15 @@ TEST(MaterialLibrary, NamesAllTexturesOfOneKeyword) {
                      "8.png", "9.png"}));
 }
 
-TEST(MaterialLibrary, DoesNotTakeTheSwitchOfAntialiasingForATexture) {
+TEST(MaterialLibrary, DoesNotMistakeTheAntialiasingSwitchForATexture) {
     EXPECT_EQ(textures("newmtl m\nmap_aat on\nMAP_AAT off\nmap_Kd a.png\n"), Names{"a.png"});
 }
 
-TEST(MaterialLibrary, KeepsWhatStandsBeforeTheFirstMaterial) {
+TEST(MaterialLibrary, KeepsStatementsBeforeTheFirstMaterial) {
     EXPECT_EQ(textures("map_Kd a.png\nnewmtl m\nmap_Kd b.png\n"), (Names{"a.png", "b.png"}));
 }
 
-TEST(MaterialLibrary, TellsNamesFromOptions) {
+TEST(MaterialLibrary, DistinguishesNamesFromOptions) {
     EXPECT_EQ(
         textures("map_Kd -clamp on -o 1 2 -s 1 1 1 my gloss.png \nmap_Ks -s 1 1 t.png\n"
                  "map_Ka -o 1 2.png\nmap_d -texres 512 -t 0.5 7\nbump -bm 0.5 b.png\n"

@@ -1,4 +1,4 @@
-// What a face can do without is dropped where it means nothing, and the rest of the file is read.
+// Tests that invalid optional attributes are dropped and the rest of the file is read.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -37,7 +37,7 @@ std::string refusal(const std::string& text) {
     return "accepted";
 }
 
-TEST(DroppedAttributes, AreThoseThatTheFileDoesNotHaveAtAll) {
+TEST(DroppedAttributes, AreThoseThatTheFileDoesNotHave) {
     const Read r = read(kTriangle + "f 1/1/1 2/2/1 3/3/1\nl 1/1 2\n");
     for (const auto& corner : r.faces.corners) {
         EXPECT_EQ(corner.uv, kNoIndex);
@@ -68,7 +68,7 @@ TEST(DroppedAttributes, AreOnlyThoseOutOfRange) {
     EXPECT_EQ(r.report.missing_normals, (ReadFinding{4, 6}));
 }
 
-TEST(DroppedAttributes, AreThoseThatAreNoNumbersAndTheirIndicesStay) {
+TEST(DroppedAttributes, AreThoseThatAreNotFiniteAndOtherIndicesStayValid) {
     const Read r = read(kTriangle +
                         "vt nan 0\nvt 0.5 0.5\nvt\nvt a b\nvt 1e39 0\nvt 0 0 inf\n"
                         "vn nan nan nan\nvn 0 0 2\nvn 0 0\nvn 0 0 x\nvn 0 0 0\nvn inf 0 0\n"
@@ -83,12 +83,12 @@ TEST(DroppedAttributes, AreThoseThatAreNoNumbersAndTheirIndicesStay) {
     for (const Vec2f& uv : r.faces.uvs) EXPECT_TRUE(std::isfinite(uv.x) && std::isfinite(uv.y));
 }
 
-TEST(DroppedAttributes, AreNotReportedWhereNothingNeedsThem) {
+TEST(DroppedAttributes, AreNotReportedIfNoCornerUsesThem) {
     const Read r = read(kTriangle + "vt nan nan\nvn 0 0 0\nf 1 2 3\n");
     EXPECT_EQ(r.report, ReadReport{});
 }
 
-TEST(DroppedColors, AreThoseThatAreNoFiniteNumbersOfTheseVerticesAlone) {
+TEST(DroppedColors, AreOnlyThoseThatAreNotFinite) {
     const Read r = read(
         "v 0 0 0 1 0 0\nv 1 0 0 nan nan nan\nv 0 1 0 1 inf 0\nv 1 1 0 1 1e39 0\n"
         "v 2 2 2 0 1 0\nv 3 3 3 1 1 x\nv 4 4 4 nan\nv 5 5 5 0 0 1 nan\nf 1 2 3\n");
@@ -101,7 +101,7 @@ TEST(DroppedColors, AreThoseThatAreNoFiniteNumbersOfTheseVerticesAlone) {
     EXPECT_TRUE(read("v 0 0 0 nan nan nan\nv 1 0 0\nv 0 1 0\nf 1 2 3\n").faces.colors.empty());
 }
 
-TEST(DroppedStatements, AreThoseWithoutCornersAndThoseWithUnknownKeywords) {
+TEST(DroppedStatements, HaveNoCornersOrAnUnknownKeyword) {
     const Read r = read(kTriangle + "f\nf 1 2 3\nl\np # 1\nf # 1 2 3\nF 1 2 3\nvp 1 2\nF 3 2 1\n");
     EXPECT_EQ(r.faces.polygon_count(), 1u);
     EXPECT_EQ(r.report.empty_statements, (ReadFinding{4, 4}));
@@ -110,14 +110,14 @@ TEST(DroppedStatements, AreThoseWithoutCornersAndThoseWithUnknownKeywords) {
     EXPECT_EQ(r.report.likely_keyword, "f");
 }
 
-TEST(DroppedStatements, AreNoneOfThoseThatTheFormatHas) {
+TEST(DroppedStatements, HaveNoKeywordOfTheFormat) {
     const Read r = read(kTriangle +
                         "cstype bezier\ndeg 3\nsurf 0 1 0 1 1 2\nparm u 0 1\nend\nmg 0\nlod 1\n"
                         "shadow_obj x\nusemap off\nbevel on\nc_interp on\nf 1 2 3\n");
     EXPECT_EQ(r.report, ReadReport{});
 }
 
-TEST(APositionThatIsWrong, IsStillRefusedWithItsLine) {
+TEST(InvalidPositions, AreRefusedWithTheirLine) {
     EXPECT_EQ(refusal(kTriangle + "f 1/1/1 2/2/2 4/3/3\n"),
               "t.obj:4: vertex 4 does not exist; the file has 3");
     EXPECT_EQ(refusal(kTriangle + "v nan 0 0 1 1 1\nf 1 2 3\n"),
@@ -126,7 +126,7 @@ TEST(APositionThatIsWrong, IsStillRefusedWithItsLine) {
               "t.obj:4: '0/1' has an index 0; they count from 1");
 }
 
-TEST(MisspeltKeywords, AreNamedWhereTheFileHasNoFaces) {
+TEST(MisspeltKeywords, AreReportedIfTheFileHasNoFaces) {
     EXPECT_EQ(refusal("V 0 0 0\nV 1 0 0\nV 0 1 0\nFace 1 2 3\n"),
               "t.obj: holds no faces; 'V' in line 1 should be 'v'; 'Face' in line 4 should be 'f'");
     EXPECT_EQ(refusal("hello world\n"),
@@ -136,9 +136,9 @@ TEST(MisspeltKeywords, AreNamedWhereTheFileHasNoFaces) {
     EXPECT_EQ(refusal(""), "t.obj: holds no faces; it is empty");
 }
 
-// Whatever attributes a file has: it opens as long as its positions are right, and its save opens
-// without a report and is the same once more.
-TEST(DroppedAttributes, LeaveAFileWhoseSaveHasNothingMoreToDrop) {
+// A file with random attributes opens if its positions are valid. The saved file opens without a
+// report and is saved with the same bytes.
+TEST(DroppedAttributes, AreNotReportedAgainAfterSaving) {
     constexpr std::uint32_t kSeed = 17;
     SCOPED_TRACE("seed " + std::to_string(kSeed));
     std::mt19937 random(kSeed);

@@ -1,5 +1,5 @@
-// Our OBJ reader beside that of tinyobjloader: the same polygons, corners, numbers and names, but
-// for the differences that third_party/README.md lists.
+// Compares our OBJ reader with tinyobjloader's: both give the same polygons, corners, numbers and
+// names, except for the differences that third_party/README.md lists.
 #include <gtest/gtest.h>
 #include <tiny_obj_loader.h>
 
@@ -40,7 +40,7 @@ Peer peer_read(const std::string& text) {
     return peer;
 }
 
-// Its numbers are floats that can be off by a few units of the last digit.
+// The peer's numbers are floats with an error of a few units in the last place.
 bool is_near(double ours, double theirs) {
     constexpr double kTolerance = 4.0 * std::numeric_limits<float>::epsilon();
     return std::abs(ours - theirs) <= kTolerance * std::max(std::abs(ours), 1e-30);
@@ -79,7 +79,7 @@ void expect_same_values(const IndexedFaceSet& ours, const tinyobj::attrib_t& the
 
 int signed_index(std::uint32_t index) { return index == kNoIndex ? -1 : static_cast<int>(index); }
 
-// It says of each shape what object or group it is, whichever was named last.
+// The peer gives each shape the name of the object or group that was named last.
 void expect_same_polygons(const IndexedFaceSet& ours, const Peer& peer) {
     std::size_t polygon = 0;
     for (const tinyobj::shape_t& shape : peer.shapes) {
@@ -127,8 +127,8 @@ TEST(ObjReaderAndItsPeer, ReadRealModelsAlike) {
     EXPECT_GT(models, 0);
 }
 
-// A file as exporters write them: any of the kinds of corners, absolute and relative indices,
-// triangles and polygons, groups and smoothing groups.
+// Generates a file like those of exporters, with all kinds of corners, absolute and relative
+// indices, triangles and polygons, groups and smoothing groups.
 class GeneratedFile {
   public:
     explicit GeneratedFile(std::uint32_t seed) : random_(seed) {}
@@ -203,8 +203,8 @@ TEST(ObjReaderAndItsPeer, ReadGeneratedFilesAlike) {
     }
 }
 
-// The differences. Where another version of the peer agrees with us, one of these is skipped, and
-// the list can become shorter once all versions do.
+// The following tests document the differences. A test is skipped if a version of the peer agrees
+// with our reader. It can be removed when all supported versions do.
 constexpr const char* kAgrees = "this version of tinyobjloader agrees with us";
 
 const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\n";
@@ -240,7 +240,7 @@ TEST(ObjReaderAndItsPeer, DifferInFacesOfFewerThanThreeCorners) {
     if (peer_read(text).shapes.at(0).mesh.num_face_vertices.size() != 1) GTEST_SKIP() << kAgrees;
 }
 
-TEST(ObjReaderAndItsPeer, DifferInWhatAGroupDoesToAnObject) {
+TEST(ObjReaderAndItsPeer, DifferInWhetherAGroupEndsAnObject) {
     const std::string text = kTriangle + "o thing\ng side\nusemtl red\nf 1 2 3\n";
     EXPECT_EQ(parse_obj(text, "t.obj").parts[0], (Part{"thing", "side", "red", 0}));
     const Peer peer = peer_read(text);
@@ -248,7 +248,7 @@ TEST(ObjReaderAndItsPeer, DifferInWhatAGroupDoesToAnObject) {
     EXPECT_EQ(peer.shapes.at(0).mesh.material_ids.at(0), -1) << "no library has the material";
 }
 
-TEST(ObjReaderAndItsPeer, DifferInColoursOfSomeVerticesOnly) {
+TEST(ObjReaderAndItsPeer, DifferInFilesWhereOnlySomeVerticesHaveColours) {
     const std::string text = "v 0 0 0 1 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
     const IndexedFaceSet ours = parse_obj(text, "t.obj");
     EXPECT_EQ(ours.colors[0], Vec3f(1, 0, 0));

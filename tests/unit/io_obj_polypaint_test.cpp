@@ -1,4 +1,4 @@
-// Vertex colours in #MRGB comments, as ZBrush writes them.
+// Tests the reading of vertex colours in ZBrush's #MRGB comments.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -17,7 +17,7 @@ IndexedFaceSet parse(const std::string& text, ReadReport& report) {
     return parse_obj(text, "t.obj", {}, {}, &report);
 }
 
-TEST(Polypaint, IsReadAsVertexColoursAndWrittenBackAsThem) {
+TEST(Polypaint, IsReadAndSavedAsVertexColours) {
     ReadReport report;
     const IndexedFaceSet f = parse(kTriangle +
                                        "# The following MRGB block contains ZBrush Vertex Color\n"
@@ -34,14 +34,14 @@ TEST(Polypaint, IsReadAsVertexColoursAndWrittenBackAsThem) {
     EXPECT_EQ(parse(text, report).colors, f.colors);
 }
 
-TEST(Polypaint, LeavesOutTheMaskAndSaysSo) {
+TEST(Polypaint, DropsTheMaskAndReportsIt) {
     ReadReport report;
     const IndexedFaceSet f = parse(kTriangle + "#MRGB 00102030fe102030ff102030\nf 1 2 3\n", report);
     EXPECT_EQ(f.colors[0], f.colors[2]);
     EXPECT_EQ(report.masked_vertices, (ReadFinding{2, 4}));
 }
 
-TEST(Polypaint, OfFewerOrMoreVerticesThanThereAreIsReported) {
+TEST(Polypaint, IsReportedIfTheNumberOfVerticesDiffers) {
     ReadReport report;
     IndexedFaceSet f = parse(kTriangle + "#MRGB ffff0000\nf 1 2 3\n", report);
     ASSERT_EQ(f.colors.size(), 3u);
@@ -54,7 +54,7 @@ TEST(Polypaint, OfFewerOrMoreVerticesThanThereAreIsReported) {
     EXPECT_EQ(report.unpainted_vertices.count, 0u);
 }
 
-TEST(Polypaint, DoesNotReplaceAColourThatTheVertexHasItself) {
+TEST(Polypaint, DoesNotReplaceAColourOfTheVertex) {
     ReadReport report;
     const IndexedFaceSet f =
         parse("v 0 0 0 0 1 0\nv 1 0 0\nv 0 1 0\n#MRGB ffff0000ffff0000ffff0000\nf 1 2 3\n", report);
@@ -62,7 +62,7 @@ TEST(Polypaint, DoesNotReplaceAColourThatTheVertexHasItself) {
     EXPECT_EQ(f.colors[1], Vec3f(1, 0, 0));
 }
 
-TEST(Polypaint, EndsAtALineThatIsMalformedSinceNobodyKnowsWhoseTheNextColoursAre) {
+TEST(Polypaint, EndsAtAMalformedLine) {
     ReadReport report;
     for (const char* line : {"#MRGB ffff0000ffff00", "#MRGB ffff000g", "#MRGB ffff0000 ff",
                              "#MRGB -fff0000", "#MRGB"}) {
@@ -70,13 +70,13 @@ TEST(Polypaint, EndsAtALineThatIsMalformedSinceNobodyKnowsWhoseTheNextColoursAre
             parse(kTriangle + "#MRGB ff00ff00\n" + line + "\n#MRGB ff0000ff\nf 1 2 3\n", report);
         ASSERT_EQ(f.colors.size(), 3u) << line;
         EXPECT_EQ(f.colors[0], Vec3f(0, 1, 0)) << line;
-        if (std::string(line) == "#MRGB") continue;  // a line without colours is none
+        if (std::string(line) == "#MRGB") continue;  // a line without colours is valid
         EXPECT_TRUE(std::isnan(f.colors[1].x)) << line;
         EXPECT_EQ(report.unreadable_paint, (ReadFinding{2, 5})) << line;
     }
 }
 
-TEST(Polypaint, IsNothingThatOtherCommentsAreTakenFor) {
+TEST(Polypaint, IsNotReadFromOtherComments) {
     ReadReport report;
     const IndexedFaceSet f =
         parse(kTriangle + "#MRG ffff0000\n# MRGB ffff0000\n#mrgb ffff0000\n#MRGBfoo bar\n" +

@@ -25,7 +25,7 @@ using Indices = std::vector<std::uint32_t>;
 
 IndexedFaceSet parse(const std::string& text) { return parse_obj(text, "t.obj"); }
 
-// The message of the refusal, with its place in front.
+// The error message, which begins with the path and line.
 std::string refusal(const std::string& text) {
     try {
         parse(text);
@@ -77,7 +77,7 @@ TEST(ReadObj, ReadsEveryKindOfLine) {
     }
 }
 
-TEST(ReadObj, TakesThreeNumbersBehindTheCoordinatesForAColour) {
+TEST(ReadObj, ReadsThreeNumbersAfterTheCoordinatesAsAColour) {
     const IndexedFaceSet f = parse(
         "v 0 0 0 1\nv 1 0 0 0.1 0.2 1e-50\nv 0 1 0\nv 1 1 1 9 9\nv 2 2 2 1 0.5 0 0.25\n"
         "v 3 3 3 7e40\nf 1 2 3\n");
@@ -97,7 +97,7 @@ TEST(ReadObj, IgnoresAThirdTextureCoordinate) {
     EXPECT_EQ(f.uvs, (std::vector<Vec2f>{Vec2f(1, 0), Vec2f(1, 2)}));
 }
 
-TEST(ReadObj, FollowsRelativeAndForwardIndices) {
+TEST(ReadObj, ResolvesRelativeAndForwardIndices) {
     EXPECT_EQ(position_indices(parse(kTriangle + "f -3 -2 -1\nv 5 5 5\nf -1 -4 2")),
               (Indices{0, 1, 2, 3, 0, 1}));
     const IndexedFaceSet f = parse("f 1/1/1 2/1/1 3/1/1\n" + kTriangle + "vt 0 0\nvn 0 0 1");
@@ -122,7 +122,7 @@ TEST(ReadObj, KeepsFacesWithoutSurfaceAndRepeatedVertices) {
     EXPECT_EQ(f.polygon_end, (Indices{1, 3, 6, 10}));
 }
 
-TEST(ReadObj, KeepsLinesAndPointsInTheirPlaces) {
+TEST(ReadObj, KeepsThePositionsOfLinesAndPointsInTheFile) {
     using Kind = IndexedFaceSet::Element::Kind;
     const IndexedFaceSet f = parse(kTriangle +
                                    "vt 0 0\np 3\ng wire\nl 1 2/1 -1\nl\nf 1 2 3\nf 1 2 3\n"
@@ -148,7 +148,7 @@ TEST(ReadObj, KeepsLinesAndPointsInTheirPlaces) {
     EXPECT_EQ(std::count(uvs.begin(), uvs.end(), kNoIndex), 7);
 }
 
-TEST(ReadObj, ChecksTheIndicesOfLinesAndPointsAsThoseOfFaces) {
+TEST(ReadObj, ChecksTheIndicesOfLinesAndPointsLikeThoseOfFaces) {
     EXPECT_EQ(refusal(kTriangle + "l 0 1"), "t.obj:4: '0' has an index 0; they count from 1");
     EXPECT_EQ(refusal(kTriangle + "p x"),
               "t.obj:4: 'x' is no corner; corners look like 1, 1/2, 1//3 or 1/2/3");
@@ -158,7 +158,7 @@ TEST(ReadObj, ChecksTheIndicesOfLinesAndPointsAsThoseOfFaces) {
               "t.obj:5: vertex 4 does not exist; the file has 3");
 }
 
-TEST(ReadObj, KeepsObjectGroupMaterialAndSmoothingGroupApart) {
+TEST(ReadObj, KeepsObjectGroupMaterialAndSmoothingGroupSeparately) {
     const IndexedFaceSet f =
         parse("mtllib my first.mtl\n" + kTriangle +
               "f 1 2 3\no Big Thing\ng  left\tupper \nusemtl red metal # 2\ns 3\nf 1 2 3\n"
@@ -171,7 +171,7 @@ TEST(ReadObj, KeepsObjectGroupMaterialAndSmoothingGroupApart) {
     EXPECT_EQ(f.polygon_part, (Indices{0, 1, 2, 2, 0, 1}));
 }
 
-TEST(ReadObj, TakesAnythingButANumberForNoSmoothing) {
+TEST(ReadObj, ReadsAnythingButANumberAsNoSmoothing) {
     const IndexedFaceSet f = parse(kTriangle +
                                    "s on\nf 1 2 3\ns off\nf 1 2 3\ns 4294967295\nf 1 2 3\n"
                                    "s 0\nf 1 2 3\ns -1\nf 1 2 3\ns 99999999999\nf 1 2 3\n");
@@ -180,7 +180,7 @@ TEST(ReadObj, TakesAnythingButANumberForNoSmoothing) {
     EXPECT_EQ(f.parts[2].smoothing_group, 4294967295u);
 }
 
-TEST(ReadObj, MakesNormalsUnitWhateverTheirLength) {
+TEST(ReadObj, NormalisesNormalsOfAnyLength) {
     const IndexedFaceSet f = parse(kTriangle +
                                    "vn 3 0 4\nvn 0 0 0\nvn 0 1e300 0\nvn 1e-320 0 0\n"
                                    "vn 1e-400 0 0\nf 1 2 3\n");
@@ -261,7 +261,7 @@ TEST(ReadObj, RefusesTextWithoutFaces) {
     EXPECT_THROW(read_obj("/nowhere/at/all.obj"), FileError);
 }
 
-TEST(ReadObj, IgnoresOrRefusesBinaryJunkButNeverFails) {
+TEST(ReadObj, IgnoresOrRefusesBinaryJunk) {
     std::mt19937 random(1);
     const std::string alphabet("v f01/-#\\\n\r\t\0gonst.e\xC3", 22);
     int accepted = 0;
@@ -278,9 +278,9 @@ TEST(ReadObj, IgnoresOrRefusesBinaryJunkButNeverFails) {
     EXPECT_TRUE(refusal(text + " 3").starts_with("t.obj:5: "));
 }
 
-TEST(ReadObj, RefusesNamesThatWouldFillTheMemory) {
+TEST(ReadObj, RefusesCombinationsOfLongNamesThatWouldFillTheMemory) {
     EXPECT_TRUE(refusal("o " + std::string(5000, 'x')).starts_with("t.obj:1: the name is longer"));
-    // A copy of a long name for each of the short lines: 4 KB for 12 bytes.
+    // Each short line of 12 bytes needs a copy of a name of 4 KB.
     std::string text = kTriangle + "o " + std::string(4000, 'x') + "\n";
     for (int i = 1; i <= 1000; ++i) text += "s " + std::to_string(i) + "\nf 1 2 3\n";
     const std::string message = refusal(text);
@@ -296,7 +296,7 @@ TEST(ReadObj, KeepsManyPartsWithNamesOfOrdinaryLength) {
     EXPECT_EQ(f.polygon_part[19999], 19999u);
 }
 
-TEST(ReadObj, RefusesMoreThanTheIdsOfAMeshCanTellApart) {
+TEST(ReadObj, RefusesMoreElementsThanTheIdsOfAMeshAllow) {
     const auto message = [](const std::string& text, const ObjLimits& limits) -> std::string {
         try {
             parse_obj(text, "t.obj", {}, limits);
@@ -315,14 +315,14 @@ TEST(ReadObj, RefusesMoreThanTheIdsOfAMeshCanTellApart) {
     EXPECT_LT(3u * std::uint64_t{ObjLimits{}.triangles}, std::uint64_t{1} << 31);
 }
 
-// Enough for many reports.
+// A text long enough for many reports of progress.
 std::string long_text() {
     std::string text;
     for (int i = 0; i < 100000; ++i) text += "v 1.5 2.5 " + std::to_string(i) + "\n";
     return text + "f 1 2 3\n";
 }
 
-TEST(ReadObj, TellsHowFarItHasCome) {
+TEST(ReadObj, ReportsItsProgress) {
     const std::string text = long_text();
     std::vector<double> reports;
     parse_obj(text, "t.obj", Progress({}, [&](double fraction) { reports.push_back(fraction); }));
@@ -334,7 +334,7 @@ TEST(ReadObj, TellsHowFarItHasCome) {
     EXPECT_LE(reports.back(), 1.0);
 }
 
-TEST(ReadObj, EndsWhereItIsCancelled) {
+TEST(ReadObj, StopsWhenItIsCancelled) {
     std::stop_source stop;
     int reports = 0;
     const Progress progress(stop.get_token(), [&](double) {
@@ -344,7 +344,7 @@ TEST(ReadObj, EndsWhereItIsCancelled) {
     EXPECT_EQ(reports, 3);
 }
 
-TEST(ReadObj, ReadsAFileWithProgressFromBeginToEnd) {
+TEST(ReadObj, ReportsProgressFromZeroToOneForAFile) {
     const std::filesystem::path path =
         std::filesystem::temp_directory_path() / ("pectin-" + std::to_string(::getpid()) + ".obj");
     write_file_atomically(path.string(), long_text());

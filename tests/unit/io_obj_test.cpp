@@ -88,31 +88,31 @@ TEST(WriteObj, WritesDoublesAndFloatsThatReadBackToTheBit) {
     }
 }
 
-TEST(WriteObj, LeavesUvsOutOfCornersThatHaveNone) {
+TEST(WriteObj, WritesNoUvForCornersWithoutOne) {
     const std::string text = format_obj(
         mesh_of(kTriangle + "v 1 1 0\nvt 0.5 0.5\nvn 0 0 1\nf 1/1/1 2//1 3/1/1\nf 2//1 4//1 3//1"));
     EXPECT_NE(text.find("f 1/1/1 2//1 3/1/1\nf 2//1 4//1 3//1\n"), std::string::npos) << text;
     EXPECT_EQ(count_of("vt ", text), 1u);
 }
 
-// A zero vector is no direction; other programs shade such corners black or refuse the file.
+// Other programs shade corners with zero normals black or refuse the file.
 TEST(WriteObj, NeverWritesAZeroNormal) {
-    const std::string text = format_obj(mesh_of(
-        "v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nvt 0 0\nf 1 2 4\n"
-        "f 1/1 2/1 3/1\nf 1/1 2/1\nf 3 3 1\nf 1 2 3 2\n"));  // of which only the first has area
+    const std::string text = format_obj(
+        mesh_of("v 0 0 0\nv 1 0 0\nv 2 0 0\nv 0 1 0\nvt 0 0\nf 1 2 4\n"
+                "f 1/1 2/1 3/1\nf 1/1 2/1\nf 3 3 1\nf 1 2 3 2\n"));  // only the first face has area
     EXPECT_EQ(count_of("vn ", text), 1u) << text;
     EXPECT_EQ(count_of("vn 0 0 0\n", text), 0u) << text;
     EXPECT_EQ(format_obj(mesh_of(text)), text) << "a save of a save is the same bytes";
 }
 
-// The two sides of a doubled face are smooth across their edges, and so their normals cancel out.
-TEST(WriteObj, GivesCornersWhoseNormalsCancelOutThoseOfTheirFaces) {
+// The two sides of a doubled face are smooth across their edges, so their normals cancel out.
+TEST(WriteObj, WritesFaceNormalsForCornersWhoseNormalsCancelOut) {
     const std::string text = format_obj(mesh_of(kTriangle + "s 1\nf 1 2 3\nf 3 2 1\n"));
     EXPECT_EQ(text, kTriangle + "vn 0 0 1\nvn 0 0 -1\ns 1\nf 1//1 2//1 3//1\nf 3//2 2//2 1//2\n");
     EXPECT_EQ(format_obj(mesh_of(text)), text);
 }
 
-TEST(WriteObj, GoesBackToNoObjectGroupMaterialAndSmoothing) {
+TEST(WriteObj, ResetsObjectGroupMaterialAndSmoothing) {
     const std::string faces =
         "f 1//1 2//1 3//1\no a\\ \nf 1//1 2//1 3//1\ng b\nusemtl c\ns 1\nf 1//1 2//1 3//1\n"
         "o\ng\nusemtl\ns off\nf 1//1 2//1 3//1\n";
@@ -121,7 +121,7 @@ TEST(WriteObj, GoesBackToNoObjectGroupMaterialAndSmoothing) {
     EXPECT_EQ(format_obj(mesh_of(text)), text);
 }
 
-TEST(WriteObj, PutsThePiecesOfAFaceInItsPlace) {
+TEST(WriteObj, WritesThePiecesOfAFaceInItsPlace) {
     TriMesh mesh = mesh_of(kTriangle +
                            "v 1 1 1\nv 2 2 0\nvn 0 0 1\nf 1//1 2//1 3//1\n"
                            "o last\nf 3//1 2//1 4//1\n");
@@ -137,24 +137,24 @@ TEST(WriteObj, PutsThePiecesOfAFaceInItsPlace) {
     EXPECT_EQ(format_obj(mesh), before);
 }
 
-TEST(WriteObj, GivesUnsplitPolygonsBackAndOnlyThose) {
+TEST(WriteObj, KeepsExactlyTheUnsplitPolygons) {
     TriMesh cube = build_mesh(make_shape(ShapeKind::cube, 1)).mesh;
     EXPECT_EQ(count_of("f ", format_obj(cube)), 6u);
     const Split split = cube.split(cube.edge(TriMesh::half_edge(FaceId{0}, 0)));
-    EXPECT_EQ(count_of("f ", format_obj(cube)), 4u + 6u);  // the edge of two quads
+    EXPECT_EQ(count_of("f ", format_obj(cube)), 4u + 6u);  // the split edge belongs to two quads
     cube.unsplit(cube.removable(split.m).value());
     EXPECT_EQ(count_of("f ", format_obj(cube)), 6u);
 
-    // A moved quad stays the polygon it was, also where it is no longer flat.
+    // A moved quad stays a polygon even if it is no longer planar.
     cube.set_position(VertexId{0}, 1.25 * cube.position(VertexId{0}));
     EXPECT_EQ(count_of("f ", format_obj(cube)), 6u);
     EXPECT_EQ(build_mesh(parse(format_obj(cube))).mesh.position(VertexId{0}),
               cube.position(VertexId{0}));
 }
 
-TEST(WriteObj, GivesEveryPolygonBackAsItWas) {
-    // Concave ones from each corner, one doubled, one turned, one with corners repeated, some
-    // without surface.
+TEST(WriteObj, KeepsEveryUnsplitPolygonAsItWas) {
+    // Concave polygons that start at each corner, a duplicate, a reversed one, one with repeated
+    // corners and some without area.
     const std::string text =
         "v 0 0 0\nv 4 0 0\nv 4 4 0\nv 2 1 0\nv 0 4 0\nv 9 9 9\nvn 0 0 1\nvn 0 0 -1\n"
         "f 1//1 2//1 3//1 4//1 5//1\nf 2//1 3//1 4//1 5//1 1//1\nf 3//1 4//1 5//1 1//1 2//1\n"
@@ -164,22 +164,23 @@ TEST(WriteObj, GivesEveryPolygonBackAsItWas) {
     EXPECT_EQ(format_obj(mesh_of(text)), text);
 }
 
-TEST(WriteObj, KeepsTheUvsOfCornersThatNoTriangleHas) {
+TEST(WriteObj, KeepsTheUvsOfCornersOutsideAllTriangles) {
     const std::string text =
         "v 0 0 0\nv 1 0 0\nv 0 1 0\nvt 0 0\nvt 1 0\nvt 0.125 1\nvt 0.5 0.25\nvn 0 0 1\n"
         "f 1/1/1 2/2/1 3//1\nf 1/1/1 2/2/1 2/4/1 3/3/1\n";
     EXPECT_EQ(format_obj(mesh_of(text)), text);
 }
 
-TEST(WriteObj, NumbersAttributesInTheOrderOfCornersWhateverDiagonalAPolygonGets) {
-    // An arrowhead, which only the diagonal between its second and fourth corner covers.
+TEST(WriteObj, NumbersAttributesInCornerOrderForAnyTriangulation) {
+    // An arrowhead, which can only be triangulated with the diagonal from its second to its fourth
+    // corner.
     const std::string text =
         "v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nvt 0 0\nvt 1 0\nvt 1 1\nvt 0 1\nvn 0 0 1\n"
         "f 1/1/1 2/2/1 3/3/1 4/4/1\n";
     EXPECT_EQ(format_obj(mesh_of(text)), text);
 }
 
-TEST(WriteObj, ReportsWhatIsWrongWithThePathAndLeavesNothing) {
+TEST(WriteObj, ReportsWhatIsWrongWithThePathAndLeavesNoFile) {
     const TriMesh mesh = mesh_of(kTriangle + "f 1 2 3");
     EXPECT_THROW(write_obj(mesh, "/nowhere/at/all.obj"), FileError);
     const auto path = std::filesystem::temp_directory_path() / "pectin-write-obj-test.obj";
@@ -188,9 +189,9 @@ TEST(WriteObj, ReportsWhatIsWrongWithThePathAndLeavesNothing) {
     std::filesystem::remove(path);
 }
 
-// --- There and back
+// --- Round trip
 
-// Read back, the mesh is the same to the bit, apart from wedge and polygon numbers.
+// Checks that the saved mesh reads back bit for bit, apart from wedge and polygon numbers.
 void expect_same_surface(const TriMesh& a, const TriMesh& b) {
     ASSERT_EQ(a.slot_counts(), b.slot_counts());
     for (std::uint32_t i = 0; i < a.vertex_slots(); ++i) {
@@ -208,7 +209,7 @@ void expect_same_surface(const TriMesh& a, const TriMesh& b) {
     }
 }
 
-TEST(Obj, GivesShapesBack) {
+TEST(Obj, ReadsBackTheSameShapes) {
     for (ShapeKind kind : {ShapeKind::sphere, ShapeKind::cube, ShapeKind::plane, ShapeKind::torus,
                            ShapeKind::cylinder}) {
         const IndexedFaceSet shape = make_shape(kind, 3);
@@ -222,10 +223,10 @@ TEST(Obj, GivesShapesBack) {
     }
 }
 
-// What the fuzzer found.
-TEST(Obj, SavesTheSameBytesOfWhatItSaved) {
+// Cases that the fuzzer found.
+TEST(Obj, SavesTheSameBytesAgain) {
     const std::string texts[] = {
-        // A polygon's corner whose two triangles a cut parts is still one corner.
+        // A corner of a polygon stays one corner if a non-manifold cut separates its two triangles.
         "v -1 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nf 1 2 5\nf 1 2 3 1 4 5\n",
     };
     for (const std::string& text : texts) {
@@ -234,7 +235,7 @@ TEST(Obj, SavesTheSameBytesOfWhatItSaved) {
     }
 }
 
-TEST(Obj, GivesRealModelsBack) {
+TEST(Obj, ReadsBackTheSameRealModels) {
 #ifdef PECTIN_MODELS
     if (!std::filesystem::exists(PECTIN_MODELS)) GTEST_SKIP() << "no models in " PECTIN_MODELS;
     int models = 0;

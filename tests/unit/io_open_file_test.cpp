@@ -1,5 +1,5 @@
-// Nothing hangs: what is no regular file is refused at once, and a file system that does not answer
-// holds nobody up.
+// Tests that opening never blocks: anything but a regular file is refused at once, and a file
+// system that does not answer is given up after a time limit.
 #include "io/open_file.h"
 
 #include <gtest/gtest.h>
@@ -88,19 +88,19 @@ TEST_F(OpenFileTest, OpensARegularFileAndReadsItToItsEnd) {
     EXPECT_EQ(read_bytes(file, path("a.obj"), bytes.data(), 100), 0u);
 }
 
-TEST_F(OpenFileTest, ReadsFilesThatSayTheyAreEmptyAndAreNot) {
+TEST_F(OpenFileTest, ReadsFilesWhoseReportedSizeIsZero) {
     EXPECT_FALSE(read_whole_file("/proc/self/status").empty());
 }
 
-// A system that answers only once it is told to.
+// A stand-in for the system that answers only when it is told to.
 struct DeadMount {
     std::shared_ptr<std::atomic<bool>> is_back = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<std::atomic<bool>> has_answered = std::make_shared<std::atomic<bool>>(false);
 
-    OpenPatience patience(std::chrono::milliseconds longest) const {
-        return {longest, [is_back = is_back, has_answered = has_answered](const std::string& path) {
+    QueryOptions options(std::chrono::milliseconds timeout) const {
+        return {timeout, [is_back = is_back, has_answered = has_answered](const std::string& path) {
                     while (!*is_back) std::this_thread::sleep_for(1ms);
-                    OpenAnswer answer = ask_system(path);
+                    FileAnswer answer = ask_system(path);
                     *has_answered = true;
                     return answer;
                 }};
@@ -111,11 +111,11 @@ struct DeadMount {
     }
 };
 
-TEST_F(OpenFileTest, GivesUpAFileSystemThatDoesNotAnswer) {
+TEST_F(OpenFileTest, GivesUpOnAFileSystemThatDoesNotAnswer) {
     const DeadMount mount;
     const auto begin = Clock::now();
     try {
-        open_file(path("a.obj"), {}, mount.patience(100ms));
+        open_file(path("a.obj"), {}, mount.options(100ms));
         FAIL() << "was opened";
     } catch (const FileError& error) {
         EXPECT_TRUE(error.message().starts_with("does not answer; ")) << error.message();
@@ -131,41 +131,41 @@ TEST_F(OpenFileTest, CanBeCancelledWhileTheFileSystemDoesNotAnswer) {
         stop.request_stop();
     });
     const auto begin = Clock::now();
-    EXPECT_THROW(open_file(path("a.obj"), Progress(stop.get_token(), {}), mount.patience(1h)),
+    EXPECT_THROW(open_file(path("a.obj"), Progress(stop.get_token(), {}), mount.options(1h)),
                  Cancelled);
     EXPECT_LT(Clock::now() - begin, 1s);
 }
 
 TEST_F(OpenFileTest, AsksAboutManyFilesOnOneOtherThread) {
     const auto threads = std::make_shared<std::set<std::thread::id>>();
-    PatientInquiry inquiry({1h, [threads](const std::string& path) {
-                                threads->insert(std::this_thread::get_id());
-                                return ask_system(path);
-                            }});
+    TimedFileQuery query({1h, [threads](const std::string& path) {
+                              threads->insert(std::this_thread::get_id());
+                              return ask_system(path);
+                          }});
     for (int i = 0; i < 100; ++i) {
-        EXPECT_EQ(inquiry.ask(path("a.obj")).error, 0);
-        EXPECT_EQ(inquiry.ask(path("none.obj")).error, ENOENT);
+        EXPECT_EQ(query.ask(path("a.obj")).error, 0);
+        EXPECT_EQ(query.ask(path("none.obj")).error, ENOENT);
     }
     EXPECT_EQ(threads->size(), 1u);
     EXPECT_FALSE(threads->contains(std::this_thread::get_id()));
 }
 
-TEST_F(OpenFileTest, WaitsOnceForAFileSystemThatDoesNotAnswer) {
+TEST_F(OpenFileTest, WaitsOnlyOnceForAFileSystemThatDoesNotAnswer) {
     const DeadMount mount;
-    PatientInquiry inquiry(mount.patience(100ms));
+    TimedFileQuery query(mount.options(100ms));
     const auto begin = Clock::now();
-    for (int i = 0; i < 100; ++i) EXPECT_THROW(inquiry.ask(path("a.obj")), FileError);
+    for (int i = 0; i < 100; ++i) EXPECT_THROW(query.ask(path("a.obj")), FileError);
     EXPECT_LT(Clock::now() - begin, 5s);
 }
 
-TEST_F(OpenFileTest, HandsOnWhatTheOtherThreadThrows) {
+TEST_F(OpenFileTest, RethrowsExceptionsOfTheOtherThread) {
     bool is_first = true;
-    PatientInquiry inquiry({1h, [&is_first](const std::string& path) {
-                                if (std::exchange(is_first, false)) throw std::bad_alloc();
-                                return ask_system(path);
-                            }});
-    EXPECT_THROW(inquiry.ask(path("a.obj")), std::bad_alloc);
-    EXPECT_EQ(inquiry.ask(path("a.obj")).error, 0);
+    TimedFileQuery query({1h, [&is_first](const std::string& path) {
+                              if (std::exchange(is_first, false)) throw std::bad_alloc();
+                              return ask_system(path);
+                          }});
+    EXPECT_THROW(query.ask(path("a.obj")), std::bad_alloc);
+    EXPECT_EQ(query.ask(path("a.obj")).error, 0);
 }
 
 }  // namespace

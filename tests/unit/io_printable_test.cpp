@@ -1,4 +1,4 @@
-// Text of files and paths in messages: one line that no zero byte cuts off.
+// Tests that text from files and paths becomes one line that a zero byte does not truncate.
 #include "io/printable.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@
 namespace pectin {
 namespace {
 
-TEST(Printable, LeavesTextAsItIsAndEscapesWhatATerminalWouldObey) {
+TEST(Printable, KeepsTextAndEscapesControlCharacters) {
     EXPECT_EQ(printable("a b\\c \"d\" \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80"),
               "a b\\c \"d\" \xC3\xA4 \xE2\x82\xAC \xF0\x9F\x98\x80");
     EXPECT_EQ(printable(std::string("a\0b\n\x1b[1m\x7f", 9)), "a\\x00b\\x0A\\x1B[1m\\x7F");
@@ -20,7 +20,7 @@ TEST(Printable, LeavesTextAsItIsAndEscapesWhatATerminalWouldObey) {
     EXPECT_EQ(printable("\xE2\x80\xAE"), "\\xE2\\x80\\xAE") << "turns the text that follows";
 }
 
-TEST(Printable, EscapesWhatIsNotUtf8) {
+TEST(Printable, EscapesInvalidUtf8) {
     EXPECT_EQ(printable("\xFF\x80"), "\\xFF\\x80");
     EXPECT_EQ(printable("\xC3"), "\\xC3") << "cut short";
     EXPECT_EQ(printable("\xC0\xAF"), "\\xC0\\xAF") << "longer than it need be";
@@ -38,7 +38,7 @@ TEST(Printable, QuotesAWordAndShortensALongOne) {
     EXPECT_EQ(quoted_word(std::string(5000, '\x80')).size(), 2 + 4 * 60 + 3u);
 }
 
-// The bytes after it count: they say what is wrong.
+// The text after the zero byte says what is wrong, so it must not be lost.
 TEST(Printable, KeepsTheMessagesOfFilesWithAZeroByteWhole) {
     const std::string text("v 0 0\0x 0\n", 10);
     try {

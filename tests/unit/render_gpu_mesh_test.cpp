@@ -1,4 +1,4 @@
-// What is uploaded, counted, and that pictures of a mesh kept up to date are those of a fresh one.
+// Tests how much is uploaded, and that an updated mesh gives the same picture as a new one.
 #include "render/gpu_mesh.h"
 
 #include <gtest/gtest.h>
@@ -39,7 +39,7 @@ TEST_F(GpuMeshTest, UploadsEveryWedgeAndFaceOnce) {
     EXPECT_TRUE(gpu_mesh.bounds().contains(Box{.min = Vec3(-0.99), .max = Vec3(0.99)}));
 }
 
-TEST_F(GpuMeshTest, JoinsRangesOverSmallGapsOnly) {
+TEST_F(GpuMeshTest, JoinsRangesOnlyOverSmallGaps) {
     const TriMesh mesh = sphere(4);
     GpuMesh gpu_mesh(gl());
     gpu_mesh.upload(mesh);
@@ -55,8 +55,8 @@ TEST_F(GpuMeshTest, JoinsRangesOverSmallGapsOnly) {
     EXPECT_EQ(gpu_mesh.update(mesh, {}, {}).bytes, 0u);
 }
 
-// One split: what is uploaded depends on the split, not on the mesh, though buffers must grow.
-TEST_F(GpuMeshTest, UploadsAsMuchForASplitHoweverLargeTheMesh) {
+// The upload for one split depends on the split and not on the mesh, although buffers must grow.
+TEST_F(GpuMeshTest, UploadsForASplitIndependentlyOfTheSizeOfTheMesh) {
     std::size_t bytes[2] = {};
     for (const int i : {0, 1}) {
         TriMesh mesh = sphere(i == 0 ? 3 : 6);
@@ -73,7 +73,7 @@ TEST_F(GpuMeshTest, UploadsAsMuchForASplitHoweverLargeTheMesh) {
         EXPECT_LT(bytes[i], 5000u);
         expect_same_picture(gpu_mesh, mesh);
     }
-    // Two more triangles lie between face1 and face2 on the larger mesh, or not.
+    // On the larger mesh there may be two more triangles between face1 and face2.
     EXPECT_NEAR(static_cast<double>(bytes[0]), static_cast<double>(bytes[1]), 1100.0);
 }
 
@@ -87,7 +87,7 @@ TEST_F(GpuMeshTest, IsUpdatedByEveryFrameOfADrag) {
     session.take_dirty();
     ASSERT_FALSE(session.begin_drag(std::vector{Vec3(0, 0, 1)}, {}));
     for (int frame = 1; frame <= 5; ++frame) {
-        const double reach = frame < 4 ? 0.1 * frame : 0.5 - 0.08 * frame;  // there and back
+        const double reach = frame < 4 ? 0.1 * frame : 0.5 - 0.08 * frame;  // forth and back
         ASSERT_FALSE(session.drag_to(std::vector{Vec3(0.05, 0, 1.0 + reach)}));
         const DirtyElements dirty = session.take_dirty();
         ASSERT_FALSE(dirty.everything);
@@ -106,11 +106,12 @@ TEST_F(GpuMeshTest, IsUpdatedByEveryFrameOfADrag) {
     expect_same_picture(gpu_mesh, session.mesh());
 }
 
-TEST_F(GpuMeshTest, UploadsPerFrameWhatTheDragTouchesHoweverLargeTheMesh) {
+TEST_F(GpuMeshTest, UploadsPerFrameIndependentlyOfTheSizeOfTheMesh) {
     double bytes[2] = {};
     for (const int i : {0, 1}) {
         Session session;
-        // Four times the triangles, and a brush of half the size, which so holds as many.
+        // Four times as many triangles and half the brush radius, so that the brush has as many
+        // faces.
         execute(session, {R"({"cmd": "shape", "kind": "sphere", "resolution": )" +
                               std::to_string(5 + i) + "}",
                           R"({"cmd": "adapt", "enabled": false})",
@@ -137,7 +138,7 @@ TEST_F(GpuMeshTest, FreesItsBuffers) {
         buffer.reserve(10);
         name = buffer.name();
         EXPECT_TRUE(gl().IsBuffer(name));
-        buffer.reserve(100);  // another buffer; the first is gone
+        buffer.reserve(100);  // replaces the first buffer
         EXPECT_FALSE(gl().IsBuffer(name));
         name = buffer.name();
         kept = std::move(buffer);

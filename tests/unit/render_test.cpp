@@ -1,4 +1,4 @@
-// What pictures show, and what happens where none can be drawn.
+// Tests what pictures show, and the errors if none can be drawn.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -34,7 +34,7 @@ TriMesh sphere(int resolution) {
 
 // ---- Refusals
 
-TEST(RenderErrors, SayWhatToInstallWhereThereIsNoOpenGl) {
+TEST(RenderErrors, SayWhatToInstallIfThereIsNoOpenGl) {
     try {
         load_gl([](const char*) -> GLADapiproc { return nullptr; });
         FAIL() << "was loaded";
@@ -44,7 +44,7 @@ TEST(RenderErrors, SayWhatToInstallWhereThereIsNoOpenGl) {
 }
 
 TEST(RenderErrors, SayWhichVersionIsTooOld) {
-    // The only function that load_gl asks for the version.
+    // The function from which load_gl() gets the version.
     static constexpr auto kGetString = [](GLenum name) -> const GLubyte* {
         return reinterpret_cast<const GLubyte*>(name == GL_VERSION ? "2.1 Mesa" : "a toaster");
     };
@@ -62,7 +62,7 @@ TEST(RenderErrors, SayWhichVersionIsTooOld) {
     }
 }
 
-// What make_offscreen_host() says when it throws; empty if it creates a host.
+// The message of make_offscreen_host() if it throws; empty if it creates a host.
 std::string error_of_host(std::string_view choice, const OffscreenLibraries& libraries = {}) {
     try {
         make_offscreen_host(choice, libraries);
@@ -72,13 +72,13 @@ std::string error_of_host(std::string_view choice, const OffscreenLibraries& lib
     }
 }
 
-TEST(OffscreenHost, UsesEglWhereOsmesaIsAbsent) {
+TEST(OffscreenHost, UsesEglIfOsmesaIsMissing) {
     if (!error_of_host("egl").empty()) GTEST_SKIP() << error_of_host("egl");
     EXPECT_EQ(error_of_host("", {.osmesa = "libNoSuchMesa.so.8"}), "");
     EXPECT_NE(error_of_host("osmesa", {.osmesa = "libNoSuchMesa.so.8"}), "");
 }
 
-TEST(OffscreenHost, NamesThePackagesOfBothHostsWhereNeitherIsUsable) {
+TEST(OffscreenHost, NamesThePackagesOfBothHostsIfNeitherIsUsable) {
     for (const char* library : {"libNoSuchLibrary.so.8", "libm.so.6"}) {
         const std::string error = error_of_host("", {.osmesa = library, .egl = library});
         for (const char* expected : {"libosmesa6", "libegl1", "libgl1-mesa-dri", library}) {
@@ -88,21 +88,21 @@ TEST(OffscreenHost, NamesThePackagesOfBothHostsWhereNeitherIsUsable) {
     }
 }
 
-TEST(OffscreenHost, NamesOnlyThePackageOfTheHostThatWasChosen) {
+TEST(OffscreenHost, NamesOnlyThePackageOfTheChosenHost) {
     const OffscreenLibraries none{.osmesa = "libNoSuchMesa.so.8", .egl = "libNoSuchEgl.so.1"};
     EXPECT_EQ(error_of_host("osmesa", none).find("libegl1"), std::string::npos);
     EXPECT_EQ(error_of_host("egl", none).find("libosmesa6"), std::string::npos);
 }
 
-TEST(OffscreenHost, RefusesAnUnknownChoiceAndNamesThoseThereAre) {
+TEST(OffscreenHost, RefusesAnUnknownHostAndListsTheKnownOnes) {
     const std::string error = error_of_host("glx");
     EXPECT_NE(error.find("PECTIN_OFFSCREEN"), std::string::npos) << error;
     EXPECT_NE(error.find("osmesa or egl"), std::string::npos) << error;
     EXPECT_NE(error.find("\"glx\""), std::string::npos) << error;
 }
 
-// Both hosts in one process: each draws after make_current(), whatever the other did between.
-TEST(OffscreenHost, TwoHostsDrawInTurn) {
+// Both hosts in one process: each can draw after make_current(), even if the other has drawn.
+TEST(OffscreenHost, DrawsInTurnWithASecondHost) {
     std::unique_ptr<OffscreenHost> first, second;
     try {
         first = make_offscreen_host();
@@ -124,7 +124,7 @@ TEST(OffscreenHost, TwoHostsDrawInTurn) {
     first->make_current();
 }
 
-TEST_F(RenderTest, NamesTheShaderThatFailsAndWhatTheDriverSays) {
+TEST_F(RenderTest, ReportsTheFailingShaderWithTheDriversLog) {
     const ShaderSource good{"good.vert", "void main() { gl_Position = vec4(0.0); }"};
     const ShaderSource bad{"bad.frag", "void main() { this is no shader }"};
     try {
@@ -138,7 +138,7 @@ TEST_F(RenderTest, NamesTheShaderThatFailsAndWhatTheDriverSays) {
     }
 }
 
-TEST_F(RenderTest, NamesTheShadersThatDoNotFitTogether) {
+TEST_F(RenderTest, ReportsShadersThatDoNotLink) {
     const ShaderSource vert{"a.vert", "out vec3 v; void main() { v = gl_Position = vec4(0.0); }"};
     const ShaderSource frag{"b.frag", "in vec3 w; out vec4 c; void main() { c = vec4(w, 1.0); }"};
     EXPECT_THROW(ShaderProgram(gl(), {vert, frag}), ShaderError);
@@ -155,7 +155,7 @@ TEST_F(RenderTest, RefusesAPictureBeyondTheDriversLimits) {
 
 // ---- Pictures
 
-TEST_F(RenderTest, HasFewerSamplesWhereMoreWouldTakeGigabytes) {
+TEST_F(RenderTest, ReducesTheSamplesOfHugePictures) {
     EXPECT_GE(Canvas(gl(), {64, 64}).samples(), 4);
     EXPECT_EQ(Canvas(gl(), {64, 64}, 1).samples(), 1);
     EXPECT_EQ(Canvas(gl(), {8192, 8192}).samples(), 1);
@@ -191,7 +191,7 @@ TEST_F(RenderTest, ShadesUndefinedNormalsByTheirFaces) {
             EXPECT_NEAR(pixel(faceted, x, y).luminance(), pixel(smooth, x, y).luminance(), 24);
 }
 
-TEST_F(RenderTest, LooksTheSameFarFromTheOrigin) {
+TEST_F(RenderTest, DrawsTheSamePictureFarFromTheOrigin) {
     const Vec3 far{1e6, -2e6, 3e6};
     TriMesh mesh = sphere(3);
     const Image here = draw(gl(), mesh, {.camera = {.eye = Vec3(1, 2, 3)}}, kSize);
@@ -205,7 +205,7 @@ TEST_F(RenderTest, LooksTheSameFarFromTheOrigin) {
     EXPECT_LT(different, 10);
 }
 
-TEST_F(RenderTest, ShowsWhatIsBehindTheObjectFaintly) {
+TEST_F(RenderTest, ShowsOverlaysBehindTheObjectFaintly) {
     const TriMesh mesh = sphere(3);
     const auto green_at_the_middle = [&](double z) {
         Scene scene{.camera = {.eye = Vec3(0, 0, 3)}};
@@ -220,7 +220,7 @@ TEST_F(RenderTest, ShowsWhatIsBehindTheObjectFaintly) {
     EXPECT_LT(behind, 120);
 }
 
-TEST_F(RenderTest, DrawsLinesThatPassTheEye) {
+TEST_F(RenderTest, DrawsLinesThatPassBesideTheEye) {
     Scene scene{.camera = {.eye = Vec3(0, 0, 3)}};
     scene.overlay.lines.push_back(
         {.from = Vec3(0, -0.2, 9), .to = Vec3(0, 0, 0), .colour = {0, 255, 0, 255}, .width = 3.0f});
@@ -252,16 +252,16 @@ class ScreenshotTest : public OffscreenTest {
             .string();
 };
 
-// A sphere of radius 1 seen from distance d fills a cone of half angle asin(1 / d), which cuts the
-// plane at distance 1 in a circle of radius tan(asin(1 / d)) = 1 / sqrt(d² - 1).
-TEST_F(ScreenshotTest, ShowsTheUnitSphereWithTheRadiusThatTheCameraSays) {
+// A sphere of radius 1 seen from distance d fills a cone of half angle asin(1 / d), which
+// intersects the plane at distance 1 in a circle of radius tan(asin(1 / d)) = 1 / sqrt(d² - 1).
+TEST_F(ScreenshotTest, ShowsTheUnitSphereWithTheRadiusThatFollowsFromTheCamera) {
     execute(session_, {R"({"cmd": "shape", "kind": "sphere", "resolution": 6})"});
     for (const double distance : {1.5, 3.0, 8.0}) {
         for (const double fov : {30.0, 60.0, 100.0}) {
             command::Screenshot screenshot{.width = 500, .height = 400};
             screenshot.camera = Camera{.eye = distance * glm::normalize(Vec3(1, 2, 3)), .fov = fov};
             const PngPixels shown = shoot(screenshot);
-            screenshot.camera->target = 2.0 * screenshot.camera->eye;  // away from it
+            screenshot.camera->target = 2.0 * screenshot.camera->eye;  // looks away from the sphere
             const PngPixels background = shoot(screenshot);
             const double radius =
                 200.0 / std::tan(glm::radians(fov) / 2.0) / std::sqrt(distance * distance - 1.0);
@@ -275,7 +275,7 @@ TEST_F(ScreenshotTest, ShowsTheUnitSphereWithTheRadiusThatTheCameraSays) {
                 area += covered;
                 across += covered && i / 4 / 500 == 200;
             }
-            // Pixels that are covered in part count whole: half a pixel too much on average.
+            // Partly covered pixels are counted as whole ones, half a pixel too much on average.
             EXPECT_NEAR(std::sqrt(area / std::numbers::pi), radius + 0.5, 0.5)
                 << "from " << distance << " at " << fov << " degrees";
             EXPECT_NEAR(0.5 * across, radius, 1.0);
@@ -283,7 +283,7 @@ TEST_F(ScreenshotTest, ShowsTheUnitSphereWithTheRadiusThatTheCameraSays) {
     }
 }
 
-TEST_F(ScreenshotTest, KeepsUndoAndRedo) {
+TEST_F(ScreenshotTest, LeavesUndoAndRedoUnchanged) {
     execute(session_, {R"({"cmd": "shape", "kind": "sphere", "resolution": 2})",
                        R"({"cmd": "drag", "moves": [{"from": [0,0,1], "to": [0,0,1.2]}]})",
                        R"({"cmd": "undo"})"});
@@ -291,7 +291,7 @@ TEST_F(ScreenshotTest, KeepsUndoAndRedo) {
     execute(session_, {R"({"cmd": "redo"})", R"({"cmd": "undo"})"});
 }
 
-TEST_F(ScreenshotTest, IsRefusedWithoutAnObjectAndWithPanelsThatNoWindowHas) {
+TEST_F(ScreenshotTest, IsRefusedWithoutAnObjectAndForPanelsWithoutAWindow) {
     EXPECT_TRUE(session_.execute(command::Screenshot{.path = path_}));
     execute(session_, {R"({"cmd": "shape", "kind": "cube", "resolution": 1})"});
     const auto refusal = session_.execute(command::Screenshot{.path = path_, .show = {.ui = true}});
@@ -300,7 +300,7 @@ TEST_F(ScreenshotTest, IsRefusedWithoutAnObjectAndWithPanelsThatNoWindowHas) {
     EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
-TEST(Screenshot, IsRefusedWhereNothingDraws) {
+TEST(Screenshot, IsRefusedWithoutARenderer) {
     Session session;
     execute(session, {R"({"cmd": "shape", "kind": "cube", "resolution": 1})"});
     const auto refusal = session.execute(command::Screenshot{.path = "a.png"});

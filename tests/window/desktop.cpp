@@ -13,7 +13,7 @@ using namespace std::chrono_literals;
 
 namespace {
 
-// Between two steps of the hand, so that frames are drawn while it moves, as with a person. No test
+// The pause between two steps of the mouse, so that frames are drawn while it moves. No test
 // depends on it.
 constexpr std::chrono::milliseconds kMoment = 50ms;
 
@@ -44,11 +44,11 @@ Desktop::Desktop() {
         const std::string display = ":" + std::to_string(kFirst + (::getpid() + i) % kNumbers);
         server_.emplace(std::vector<std::string>{"Xvfb", display, "-screen", "0", "1280x800x24",
                                                  "-nolisten", "tcp", "-noreset",
-                                                 // no repeated keys where xdotool is held up
+                                                 // no key repetition if xdotool is slow
                                                  "-r"},
                         Environment{});
-        // Mesa's own rasteriser, wherever the test runs. What drivers leak cannot be told by name:
-        // they are unloaded before the leaks are looked for.
+        // Uses Mesa's software rasteriser on every machine. Leaks of other drivers could not be
+        // suppressed by name, because drivers are unloaded before the leak check.
         environment_ = {{"DISPLAY", display},
                         {"WAYLAND_DISPLAY", ""},
                         {"LIBGL_ALWAYS_SOFTWARE", "1"},
@@ -56,7 +56,7 @@ Desktop::Desktop() {
         const auto has_ended = [this] { return server_->wait(0ms).has_value(); };
         const bool answers =
             eventually([&] { return has_ended() || xdotool({"getdisplaygeometry"}) == 0; });
-        if (answers && !has_ended()) return;  // else another's display
+        if (answers && !has_ended()) return;  // otherwise it is another server's display
     }
     environment_.clear();
 }

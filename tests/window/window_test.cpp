@@ -1,4 +1,4 @@
-// The real window, on a display in memory, driven by mouse and keyboard.
+// Tests the real window on a virtual display with mouse and keyboard.
 #include <gtest/gtest.h>
 
 #include <signal.h>
@@ -48,7 +48,7 @@ class WindowTest : public testing::Test {
         ASSERT_TRUE(eventually([&] { return recorded("\"shape\"") + recorded("\"open\"") > 0; }));
         desktop_->move(kMiddleX, kMiddleY);
     }
-    // Through the browser; the path is typed.
+    // Saves through the file browser by typing the path.
     void save_as(const std::string& name) {
         desktop_->key("ctrl+shift+s");
         desktop_->type(path(name));
@@ -60,14 +60,14 @@ class WindowTest : public testing::Test {
         desktop_->key("ctrl+q");
         ASSERT_EQ(program_->wait(), 0);
     }
-    // Until the program has handled all that was done before.
+    // Waits until the program has handled all earlier input.
     void wait_until_handled() {
         desktop_->move(kMiddleX, kMiddleY);
         const std::size_t before = recorded("\"brush\"");
         desktop_->key("bracketleft");
         ASSERT_TRUE(records("\"brush\"", before + 1)) << record();
     }
-    // What the record's replay saves in place of the window's last save.
+    // The file that the replay of the record saves instead of the window's last save.
     std::string replayed() const {
         std::string script = record();
         const std::size_t line = script.rfind("{\"cmd\": \"save\"");
@@ -93,7 +93,7 @@ class WindowTest : public testing::Test {
     Process& program() { return *program_; }
     const Desktop& desktop() const { return *desktop_; }
     const ScratchFolder& folder() const { return folder_; }
-    // What is kept for recovery, if anything.
+    // The number of files that are kept for recovery.
     std::size_t recovery_files() const {
         const std::set<std::string> files = folder_.files();
         return static_cast<std::size_t>(std::count_if(
@@ -107,7 +107,7 @@ class WindowTest : public testing::Test {
     std::unique_ptr<Process> program_;
 };
 
-TEST_F(WindowTest, ReplayOfTheRecordGivesTheBytesThatTheWindowSaved) {
+TEST_F(WindowTest, RecordsAScriptWhoseReplaySavesTheSameBytes) {
     open_window();
     desktop().drag(kMiddleX, kMiddleY, 760, 290);
     ASSERT_TRUE(records("\"drag\"", 1));
@@ -120,7 +120,7 @@ TEST_F(WindowTest, ReplayOfTheRecordGivesTheBytesThatTheWindowSaved) {
     EXPECT_TRUE(folder().read("window.obj") == replayed());
 }
 
-TEST_F(WindowTest, PinsSymmetryAndTheWheelAreInTheRecordAndReplayToTheBytesThatTheWindowSaved) {
+TEST_F(WindowTest, RecordsPinsSymmetryAndTheWheelSoThatReplaySavesTheSameBytes) {
     open_window();
     ASSERT_TRUE(records("\"symmetry\"")) << "the first sphere is symmetric";
     desktop().move(700, 470);
@@ -148,7 +148,7 @@ TEST_F(WindowTest, PinsSymmetryAndTheWheelAreInTheRecordAndReplayToTheBytesThatT
     EXPECT_TRUE(folder().read("window.obj") == replayed());
 }
 
-TEST_F(WindowTest, EscapeDuringADragGivesTheSphereBack) {
+TEST_F(WindowTest, RestoresTheSphereOnEscapeDuringADrag) {
     open_window();
     save_as("before.obj");
     desktop().move(kMiddleX, kMiddleY);
@@ -163,7 +163,7 @@ TEST_F(WindowTest, EscapeDuringADragGivesTheSphereBack) {
     EXPECT_TRUE(folder().read("after.obj") == folder().read("before.obj"));
 }
 
-TEST_F(WindowTest, KeysUndoAndRedoADragToTheByte) {
+TEST_F(WindowTest, UndoesAndRedoesADragToTheByteByKeys) {
     open_window();
     save_as("sphere.obj");
     desktop().drag(kMiddleX, kMiddleY, 760, 290);
@@ -182,7 +182,7 @@ TEST_F(WindowTest, KeysUndoAndRedoADragToTheByte) {
     EXPECT_TRUE(folder().read("redone.obj") == replayed());
 }
 
-TEST_F(WindowTest, AltDragsAlongTheNormal) {
+TEST_F(WindowTest, DragsAlongTheNormalWithAlt) {
     open_window();
     desktop().key("KP_1");
     desktop().move(kMiddleX, kMiddleY);
@@ -193,7 +193,7 @@ TEST_F(WindowTest, AltDragsAlongTheNormal) {
     desktop().release();
     desktop().release_key("alt");
     ASSERT_TRUE(records("\"drag\""));
-    // From the front the sphere's foremost point goes along z and keeps x and y.
+    // In the front view, the foremost point of the sphere moves along z and keeps x and y.
     const std::string text = record();
     const std::string to = text.substr(text.find("\"to\": ["));
     double x = 1, y = 1, z = 0;
@@ -203,8 +203,9 @@ TEST_F(WindowTest, AltDragsAlongTheNormal) {
     EXPECT_GT(z, 1.1);
 }
 
-// Wherever the panel has its slider: a press and a pull on every row, from the top down.
-TEST_F(WindowTest, ReleasingASliderReadaptsTheObject) {
+// Drags on every row of the panel from top to bottom, so that the position of the slider need not
+// be known.
+TEST_F(WindowTest, ReadaptsTheObjectWhenASliderIsReleased) {
     open_window();
     desktop().drag(kMiddleX, kMiddleY, 760, 290);
     ASSERT_TRUE(records("\"drag\""));
@@ -224,12 +225,12 @@ TEST_F(WindowTest, ReleasingASliderReadaptsTheObject) {
     EXPECT_TRUE(folder().read("window.obj") == replayed());
 }
 
-TEST_F(WindowTest, FileBrowserOpensAModel) {
+TEST_F(WindowTest, OpensAModelFromTheFileBrowser) {
     folder().write("models/wedge.obj",
                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     open_window();
     desktop().key("ctrl+o");
-    desktop().type(path("models"));  // a folder: the browser goes there
+    desktop().type(path("models"));  // a folder, which the browser enters
     desktop().key("Return");
     desktop().type("wedge.obj");
     desktop().key("Return");
@@ -240,8 +241,8 @@ TEST_F(WindowTest, FileBrowserOpensAModel) {
     EXPECT_TRUE(folder().read("window.obj") == replayed());
 }
 
-// What is typed while the program is busy, all of it before the next frame.
-TEST_F(WindowTest, NothingThatIsTypedDuringASlowFrameIsLost) {
+// All keys are typed while the program is busy, before the next frame.
+TEST_F(WindowTest, LosesNoKeyTypedDuringASlowFrame) {
     open_window();
     program().pause();
     desktop().key("ctrl+shift+s");
@@ -262,7 +263,7 @@ TEST_F(WindowTest, NothingThatIsTypedDuringASlowFrameIsLost) {
     EXPECT_TRUE(folder().read("second.obj") == replayed());
 }
 
-TEST_F(WindowTest, DroppingAFileOpensItAndOneThatIsNoModelLeavesTheObject) {
+TEST_F(WindowTest, OpensDroppedModelsAndKeepsTheObjectForOtherFiles) {
     folder().write("a wedge.obj",
                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     folder().write("letter.obj", "Dear tetrahedron\n");
@@ -278,16 +279,16 @@ TEST_F(WindowTest, DroppingAFileOpensItAndOneThatIsNoModelLeavesTheObject) {
     EXPECT_NE(folder().read("window.obj").find("v 0 0 1"), std::string::npos);
 }
 
-// Escape gives up a file that is being read; the object is as before.
-TEST_F(WindowTest, ALargeFileIsOpenedInTheBackgroundAndCanBeCancelled) {
-    // With sanitizers a quarter of it takes as long.
+// Escape cancels the reading of a file and keeps the object.
+TEST_F(WindowTest, OpensALargeFileInTheBackgroundAndCanCancelIt) {
+    // With sanitizers a quarter of the size takes as long.
     const int resolution = std::getenv("PECTIN_TEST_SANITIZED") ? 7 : 8;
     const std::string script = folder().write_script(
         "large.jsonl",
         {R"({"cmd": "shape", "kind": "sphere", "resolution": )" + std::to_string(resolution) + "}",
          R"({"cmd": "save", "path": "large.obj"})"});
     ASSERT_EQ(run_program({"replay", script}).exit_status, 0);
-    // What is open is there where saving it once more gives the very same bytes.
+    // The model is open if saving it again gives the same bytes.
     const auto expect_open = [&](const std::string& name, std::size_t saves) {
         const std::string before = folder().read(name);
         std::filesystem::remove(path(name));
@@ -299,7 +300,7 @@ TEST_F(WindowTest, ALargeFileIsOpenedInTheBackgroundAndCanBeCancelled) {
     save_as("ball.obj");
     ASSERT_TRUE(desktop().drop(path("large.obj")));
     desktop().key("Escape");
-    // The dialog takes all keys until it is gone.
+    // The dialog receives all keys until it is closed.
     ASSERT_TRUE(eventually([&] {
         desktop().key("bracketleft");
         return recorded("\"brush\"") > 0;
@@ -313,7 +314,7 @@ TEST_F(WindowTest, ALargeFileIsOpenedInTheBackgroundAndCanBeCancelled) {
     quit();
 }
 
-TEST_F(WindowTest, ModelOfTheCommandLineIsOpenAndOneThatIsNoneLeavesASphere) {
+TEST_F(WindowTest, OpensTheModelOfTheCommandLineOrASphereIfItFails) {
     folder().write("wedge.obj",
                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     open_window({path("wedge.obj")});
@@ -326,7 +327,7 @@ TEST_F(WindowTest, ModelOfTheCommandLineIsOpenAndOneThatIsNoneLeavesASphere) {
     quit();
 }
 
-TEST_F(WindowTest, QuittingWithChangesAsksAndSaves) {
+TEST_F(WindowTest, AsksAndSavesWhenQuittingWithChanges) {
     open_window();
     save_as("ball.obj");
     const std::string before = folder().read("ball.obj");
@@ -334,7 +335,7 @@ TEST_F(WindowTest, QuittingWithChangesAsksAndSaves) {
     ASSERT_TRUE(records("\"drag\""));
     desktop().key("ctrl+q");
     ASSERT_TRUE(eventually([&] {
-        desktop().key("Return");  // the question's first answer: save
+        desktop().key("Return");  // the first button: save
         return recorded("\"save\"") == 2;
     }));
     const std::string after = folder().read("ball.obj");
@@ -342,7 +343,7 @@ TEST_F(WindowTest, QuittingWithChangesAsksAndSaves) {
     EXPECT_TRUE(after == replayed());
 }
 
-TEST_F(WindowTest, WhatACrashLeavesIsOfferedAndRestoredToTheByte) {
+TEST_F(WindowTest, OffersTheSessionAfterACrashAndRestoresItToTheByte) {
     open_window();
     desktop().drag(kMiddleX, kMiddleY, 760, 290);
     ASSERT_TRUE(records("\"drag\""));
@@ -367,7 +368,7 @@ TEST_F(WindowTest, WhatACrashLeavesIsOfferedAndRestoredToTheByte) {
     EXPECT_TRUE(restored == replayed());
 }
 
-TEST_F(WindowTest, ASignalEndsTheWindowAndKeepsTheSession) {
+TEST_F(WindowTest, EndsOnASignalAndKeepsTheSession) {
     open_window();
     desktop().drag(kMiddleX, kMiddleY, 760, 290);
     ASSERT_TRUE(records("\"drag\""));
@@ -375,7 +376,7 @@ TEST_F(WindowTest, ASignalEndsTheWindowAndKeepsTheSession) {
     EXPECT_EQ(program().wait(), 143);
     EXPECT_NE(folder().read("err").find("ended by SIGTERM"), std::string::npos);
     EXPECT_EQ(recovery_files(), 1u);
-    // Not now: it is offered again the next time.
+    // With "not now" it is offered again the next time.
     open_window();
     desktop().key("Escape");
     wait_until_handled();
@@ -383,7 +384,7 @@ TEST_F(WindowTest, ASignalEndsTheWindowAndKeepsTheSession) {
     EXPECT_EQ(recovery_files(), 1u);
 }
 
-TEST_F(WindowTest, ASessionWithoutUnsavedChangesIsNotOffered) {
+TEST_F(WindowTest, DoesNotOfferASessionWithoutUnsavedChanges) {
     open_window();
     desktop().drag(kMiddleX, kMiddleY, 760, 290);
     save_as("saved.obj");
@@ -395,8 +396,8 @@ TEST_F(WindowTest, ASessionWithoutUnsavedChangesIsNotOffered) {
     EXPECT_EQ(recovery_files(), 0u);
 }
 
-// The drags before the save are in the file by then.
-TEST_F(WindowTest, ASessionThatHasSavedOverItsModelIsRestoredToTheByte) {
+// The drags before the save are in the saved file, too.
+TEST_F(WindowTest, RestoresASessionThatHasSavedOverItsModelToTheByte) {
     folder().write("wedge.obj",
                    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     const std::string opened = folder().read("wedge.obj");
@@ -424,12 +425,12 @@ TEST_F(WindowTest, ASessionThatHasSavedOverItsModelIsRestoredToTheByte) {
     const std::string restored = folder().read("wedge.obj");
     folder().write("wedge.obj", opened);
     folder().write("record.jsonl", crashed + "{\"cmd\": \"save\", \"path\": \"at the end\"}\n");
-    // The replay saves over the model in its midst, once it is opened.
+    // The replay also saves over the model after it has opened it.
     EXPECT_TRUE(restored == replayed());
 }
 
-// Messages at the start would be written into the first file that is opened.
-TEST_F(WindowTest, ARecordHoldsNoMessagesWhereTheErrorOutputIsClosed) {
+// Otherwise messages at the start would be written to the first file that is opened.
+TEST_F(WindowTest, WritesNoMessagesIntoTheRecordIfTheErrorOutputIsClosed) {
     folder().write("record.jsonl", "{\"pectin\": 1}\n{\"cmd\": \"shape\"}\n");
     Environment environment = desktop().environment();
     environment.emplace_back("XDG_STATE_HOME", path("state"));
@@ -447,7 +448,7 @@ TEST_F(WindowTest, ARecordHoldsNoMessagesWhereTheErrorOutputIsClosed) {
     EXPECT_EQ(text.find("earlier record"), std::string::npos) << text;
 }
 
-TEST_F(WindowTest, AStateFolderThatCannotBeWrittenIsNotPromised) {
+TEST_F(WindowTest, DoesNotPromiseRecoveryIfTheStateFolderCannotBeWritten) {
     folder().write("state", "a file in place of the folder");
     open_window();
     wait_until_handled();
@@ -456,7 +457,7 @@ TEST_F(WindowTest, AStateFolderThatCannotBeWrittenIsNotPromised) {
     EXPECT_EQ(folder().read("err"), "pectin: ended by SIGTERM\n");
 }
 
-// What the program says and how it ends where there can be no window.
+// Tests the message and the exit status if no window can be opened.
 Outcome open_without(const Environment& environment) {
     const ScratchFolder folder;
     Process program({PECTIN_BINARY}, environment, folder.path("err"));
@@ -464,7 +465,7 @@ Outcome open_without(const Environment& environment) {
     return {.exit_status = status.value_or(-2), .out = "", .err = folder.read("err")};
 }
 
-TEST(NoWindow, WithoutADisplayOneSentenceSaysWhatToDo) {
+TEST(NoWindow, WithoutADisplayIsExplainedInOneSentence) {
     const Outcome outcome = open_without({{"DISPLAY", ""}, {"WAYLAND_DISPLAY", ""}});
     EXPECT_EQ(outcome.exit_status, 1);
     EXPECT_TRUE(outcome.err.starts_with("pectin: there is no display")) << outcome.err;
@@ -472,7 +473,7 @@ TEST(NoWindow, WithoutADisplayOneSentenceSaysWhatToDo) {
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1);
 }
 
-TEST_F(WindowTest, WithoutOpenGl33OneSentenceSaysWhatToInstall) {
+TEST_F(WindowTest, SaysInOneSentenceWhatToInstallWithoutOpenGl33) {
     Environment old = desktop().environment();
     old.emplace_back("MESA_GL_VERSION_OVERRIDE", "2.1");
     const Outcome outcome = open_without(old);
@@ -481,7 +482,7 @@ TEST_F(WindowTest, WithoutOpenGl33OneSentenceSaysWhatToInstall) {
     EXPECT_NE(outcome.err.find("install"), std::string::npos) << outcome.err;
 }
 
-TEST_F(WindowTest, ARecordThatCannotBeWrittenOpensNoWindow) {
+TEST_F(WindowTest, DoesNotOpenIfTheRecordCannotBeWritten) {
     Process program({PECTIN_BINARY, "--record", path("no/such/folder.jsonl")},
                     desktop().environment(), path("err"));
     EXPECT_EQ(program.wait(), 1);

@@ -1,4 +1,4 @@
-// CGAL 5.5: one iteration of isotropic remeshing to half the mean edge.
+// Measures CGAL 5.5: one iteration of isotropic remeshing to half the mean edge length.
 #include <CGAL/Polygon_mesh_processing/remesh.h>
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>

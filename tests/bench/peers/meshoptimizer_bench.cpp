@@ -1,4 +1,4 @@
-// meshoptimizer 0.18: edge collapses of its simplifier, to a quarter of the triangles.
+// Measures meshoptimizer 0.18: edge collapses of its simplifier, to a quarter of the triangles.
 #include <benchmark/benchmark.h>
 #include <meshoptimizer.h>
 
@@ -20,7 +20,7 @@ void meshoptimizer_simplify(benchmark::State& state) {
             meshopt_simplify(result.data(), mesh.triangles.data(), mesh.triangles.size(),
                              &positions.data()->x, positions.size(), sizeof(Vec3f),
                              mesh.triangles.size() / 4, std::numeric_limits<float>::max());
-        // A collapse in a closed mesh takes two triangles.
+        // A collapse in a closed mesh removes two triangles.
         collapses += static_cast<double>(mesh.triangles.size() - left) / 6.0;
     }
     state.counters["M_per_s"] = benchmark::Counter(1e-6 * collapses, benchmark::Counter::kIsRate);

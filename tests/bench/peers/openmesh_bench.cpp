@@ -1,4 +1,5 @@
-// OpenMesh 9: the same refinement with its edge split and a heap, and its quadric decimation.
+// Measures OpenMesh 9: the same refinement with its edge split and a heap, and its quadric
+// decimation.
 #include <benchmark/benchmark.h>
 
 #include <OpenMesh/Core/Mesh/TriMesh_ArrayKernelT.hh>

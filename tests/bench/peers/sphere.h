@@ -1,4 +1,4 @@
-// The benchmarks' sphere as flat arrays, for other libraries.
+// The sphere of the benchmarks as flat arrays for other libraries.
 #pragma once
 
 #include <cmath>
