@@ -10,8 +10,7 @@ class ObjectView {
   public:
     explicit ObjectView(const Gl& gl) : mesh_(gl) {}
 
-    // Uploads what has changed since it was last called, and nothing else; everything if it threw
-    // when it was last called.
+    // Uploads what has changed since the last call. If the last call threw, uploads everything.
     GpuMesh::Upload update(Session& session);
 
     const GpuMesh& mesh() const { return mesh_; }
