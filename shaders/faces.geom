@@ -1,6 +1,6 @@
-// What mesh.frag has to know of a whole face: its level, the highest of its corners, and each
-// corner's barycentric coordinates, so that it can draw the edges into the surface itself, where
-// they have nothing to fight with in depth.
+// Gives mesh.frag the level of the face, which is the highest level of its corners, and the
+// barycentric coordinates of each corner. mesh.frag draws the edges into the surface with them, so
+// that edges and faces do not compete for the same depth.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 

@@ -1,4 +1,4 @@
-// Widens a line to a strip of so many pixels; core OpenGL draws lines of one pixel only.
+// Widens a line to a strip, because core OpenGL draws only lines that are one pixel wide.
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
 
@@ -12,18 +12,18 @@ in End {
 } end[];
 
 out vec4 line_colour;
-out float across;  // pixels from the middle
+out float across;  // distance from the centre line in pixels
 out float half_width;
 
-// The end that lies behind the near plane moves along the line up to it.
+// Moves an end that is behind the near plane along the line to that plane.
 vec4 clipped(vec4 p, vec4 other) {
     float behind = p.z + near;
     if (behind <= 0.0) return p;
     return mix(p, other, behind / (p.z - other.z));
 }
 
-// Divided by w here, as nothing of the line is behind the eye any more: what follows is then linear
-// on the screen, as the strip's width is.
+// Divides by w here, which is possible because no part of the line is behind the eye any more. The
+// interpolation is then linear on the screen, like the strip's width.
 void emit(vec4 clip, vec2 side, float pixels, float width, vec4 colour) {
     line_colour = colour;
     half_width = 0.5 * width;
@@ -40,7 +40,7 @@ void main() {
     if (dot(along, along) < 1e-12) return;
     vec2 side = normalize(vec2(-along.y, along.x));
     float width = end[0].width;
-    float reach = 0.5 * width + 1.0;  // room for the soft border
+    float reach = 0.5 * width + 1.0;  // includes the antialiased border
     emit(p, side, reach, width, end[0].colour);
     emit(p, side, -reach, width, end[0].colour);
     emit(q, side, reach, width, end[1].colour);

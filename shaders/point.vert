@@ -15,7 +15,7 @@ void main() {
     point_colour = colour;
     radius = 0.5 * diameter;
     point_shape = int(shape);
-    gl_PointSize = diameter + 2.0;  // room for the soft border
+    gl_PointSize = diameter + 2.0;  // includes the antialiased border
     vec3 p = (to_camera * vec4(position, 1.0)).xyz * (1.0 - diameter * pixel);
     gl_Position = projection * vec4(p, 1.0);
 }

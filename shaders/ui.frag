@@ -1,4 +1,4 @@
-// The font's texture also has a white place, for what is no letter.
+// The texture of the font also has a white pixel, which is used for everything except text.
 uniform sampler2D font;
 
 in Corner {
