@@ -1,4 +1,5 @@
-// The session's object in graphics memory.
+// The session's object in graphics memory. This class decides what is uploaded before a picture is
+// drawn: the session says which elements have changed (DirtyElements), and GpuMesh writes them.
 #pragma once
 
 #include "render/gpu_mesh.h"

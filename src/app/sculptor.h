@@ -1,4 +1,7 @@
 // Dragging of a surface point with the mouse. The grabbed point stays under the cursor.
+//
+// A movement of the mouse becomes a Move here, and Session::drag_to() turns that into displacements
+// (session/drag.cpp). docs/architecture.md follows it from the mouse to the screen.
 #pragma once
 
 #include <optional>

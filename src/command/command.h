@@ -91,7 +91,7 @@ struct Drag {
     using Move = pectin::Move;
     std::vector<Move> moves{};
     std::vector<Vec3> pins{};
-    bool connected = false;   // only the surface that hangs together with the moved points
+    bool connected = false;   // only the surface that is connected to the moved points
     bool fold_free = false;   // in steps that are proven one to one
     std::vector<Vec3> via{};  // waypoints of the first move
     bool operator==(const Drag&) const = default;
@@ -118,7 +118,7 @@ struct Redo {
     bool operator==(const Redo&) const = default;
 };
 
-// How much memory undo and redo may take before the oldest steps are let go.
+// How much memory undo and redo may take before the oldest steps are dropped.
 struct History {
     std::optional<Setting> megabytes{};  // of 10^6 bytes; number or off: no limit
     bool operator==(const History&) const = default;

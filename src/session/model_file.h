@@ -1,4 +1,5 @@
-// Loads and saves models. This may take long, uses no session, and may run on any thread.
+// Loads and saves models. This may take long, uses no session, and may run on any thread. It calls
+// the readers and writers of io; docs/architecture.md says how to add a format.
 #pragma once
 
 #include <memory>

@@ -26,7 +26,9 @@
 
 namespace pectin {
 
-// The elements that a renderer must update.
+// The elements that a renderer must update. Gestures, undo and redo collect them
+// (Session::State::update_frame, update_faces and mark_dirty), and app/object_view.cpp uploads
+// them.
 struct DirtyElements {
     bool everything = false;  // the object is another one, and the lists below mean nothing
     // Slots of wedges that moved or whose normals changed. Sorted, without duplicates.

@@ -13,7 +13,7 @@ namespace pectin::bench {
 namespace {
 
 // By octaves of the squared length, up to some thousands at a time; within an octave first come,
-// first served in each lane.
+// first served in each partition.
 class Octaves {
   public:
     void push(double squared, std::uint32_t e) {

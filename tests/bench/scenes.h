@@ -59,7 +59,7 @@ class Scene {
 };
 
 // The sphere in a session, with a brush about its north pole that influences about so many
-// vertices, and a drag in hand whose frames go to and fro.
+// vertices, and an active drag whose frames go to and fro.
 class BrushScene {
   public:
     BrushScene(int resolution, double influenced, double theta_max);

@@ -81,7 +81,7 @@ class Refined {
     std::unique_ptr<Embedding> embedding_;
 };
 
-// Refines and thins many at a time, on all threads; false where memory is short.
+// Refines and decimates many at a time, on all threads; false where memory is short.
 bool adapt(Refined& refined) try {
     refined.refine(0.025);
     refined.decimate(0.06);

@@ -14,12 +14,10 @@
 namespace pectin {
 
 //          a
-//         /|\        A split of bc, or the unsplit of m, changes these faces and what refers to
-//         them.
-//        / | \       All of that has one of the corners a, b, c and d. So partitions whose edits
-//        have
-//       b--m--c      no corner in common may edit the mesh at the same time. Corners are claimed
-//        \ | /       before the edits.
+//         /|\        A split of bc, or the unsplit of m, changes these faces and what refers
+//        / | \       to them. All of that has one of the corners a, b, c and d. So partitions
+//       b--m--c      whose edits have no corner in common may edit the mesh at the same time.
+//        \ | /       Corners are claimed before the edits.
 //         \|/
 //          d
 class CornerClaims {
