@@ -1,4 +1,4 @@
-// One triangle that covers the whole picture.
+// Draws one triangle that covers the whole picture.
 out float height;  // 0 at the bottom, 1 at the top
 
 void main() {

@@ -1,6 +1,6 @@
-// Passes to mesh.frag what it needs of a face: its level, which is the highest of its corners, and the
-// barycentric coordinates of each corner. With these the edges are drawn as part of the surface, so
-// that there are no depth conflicts.
+// Gives mesh.frag the level of the face, which is the highest level of its corners, and the
+// barycentric coordinates of each corner. mesh.frag draws the edges into the surface with them, so
+// that edges and faces do not compete for the same depth.
 layout(triangles) in;
 layout(triangle_strip, max_vertices = 3) out;
 

@@ -1,4 +1,4 @@
-// Widens a line to a strip of a given width; core OpenGL draws only lines of one pixel.
+// Widens a line to a strip, because core OpenGL draws only lines that are one pixel wide.
 layout(lines) in;
 layout(triangle_strip, max_vertices = 4) out;
 
@@ -12,18 +12,18 @@ in End {
 } end[];
 
 out vec4 line_colour;
-out float across;  // pixels from the centre line
+out float across;  // distance from the centre line in pixels
 out float half_width;
 
-// Moves an end behind the near plane along the line to that plane.
+// Moves an end that is behind the near plane along the line to that plane.
 vec4 clipped(vec4 p, vec4 other) {
     float behind = p.z + near;
     if (behind <= 0.0) return p;
     return mix(p, other, behind / (p.z - other.z));
 }
 
-// Divides by w here, which is possible because no part of the line is behind the eye any more. All
-// that follows is then linear on the screen, like the width of the strip.
+// Divides by w here, which is possible because no part of the line is behind the eye any more. The
+// interpolation is then linear on the screen, like the strip's width.
 void emit(vec4 clip, vec2 side, float pixels, float width, vec4 colour) {
     line_colour = colour;
     half_width = 0.5 * width;

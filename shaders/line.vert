@@ -13,6 +13,6 @@ out End {
 void main() {
     end.colour = colour;
     end.width = width;
-    // Moved towards the eye by its width, so that the surface does not hide half of a line on it.
+    // Moves the line towards the eye by its width, so that a line on the surface is fully visible.
     gl_Position = vec4((to_camera * vec4(position, 1.0)).xyz * (1.0 - width * pixel), 1.0);
 }

@@ -1,7 +1,5 @@
-// Phong shading of clay under three lights that are fixed to the camera. With FACES it also draws
-// refinement levels and edges, for which faces.geom passes the data.
-//
-// B. T. Phong. Illumination for Computer Generated Pictures. Communications of the ACM 18 (1975).
+// Phong shading of clay under three lights that move with the camera. With FACES, refinement levels
+// and edges are also drawn into the surface, using the outputs of faces.geom.
 uniform bool show_levels;
 uniform float line_width;  // pixels; 0: no edges
 
@@ -16,10 +14,10 @@ in vec3 barycentric;
 #endif
 out vec4 colour;
 
-// Albedos as sRGB colours.
+// Albedos, as they appear on the screen.
 const vec3 kClay = vec3(0.755, 0.625, 0.540);
-const vec3 kInside = vec3(0.300, 0.520, 0.600);  // back faces: cool, so that folds are visible
-const vec3 kBase = vec3(0.800, 0.790, 0.770);    // the base mesh if levels are shown
+const vec3 kInside = vec3(0.300, 0.520, 0.600);  // back faces; a cool colour makes folds visible
+const vec3 kBase = vec3(0.800, 0.790, 0.770);    // levels: the base mesh
 const vec3 kEdge = vec3(0.090, 0.070, 0.070);
 
 const vec3 kKeyDirection = normalize(vec3(-0.50, 0.70, 0.65));
@@ -36,7 +34,7 @@ const float kGloss = 0.13;
 vec3 to_linear(vec3 screen) { return pow(screen, vec3(2.2)); }
 vec3 to_screen(vec3 linear) { return pow(min(linear, 1.0), vec3(1.0 / 2.2)); }
 
-// Colours from light to dark in even steps of lightness, from the base mesh to level 10 and above.
+// Colours from pale to dark in equal steps of lightness, from the base mesh to level 10 and above.
 vec3 level_colour(float level) {
     const vec3 kLevels[6] = vec3[6](kBase, vec3(0.925, 0.850, 0.470), vec3(0.560, 0.770, 0.420),
                                     vec3(0.200, 0.620, 0.560), vec3(0.180, 0.410, 0.640),
@@ -46,8 +44,8 @@ vec3 level_colour(float level) {
     return mix(kLevels[below], kLevels[below + 1], at - float(below));
 }
 
-// Diffuse light that reaches slightly beyond the horizon, as on a soft material, and begins smoothly
-// there, so that no line is visible.
+// Diffuse light that reaches a little beyond the horizon, as on a soft material. It fades in
+// smoothly, so that there is no visible line.
 float wrapped(vec3 n, vec3 light, float wrap) {
     float x = max((dot(n, light) + wrap) / (1.0 + wrap), 0.0);
     return x * x * (1.5 - 0.5 * x);
@@ -59,7 +57,8 @@ vec3 lit(vec3 albedo, vec3 n, vec3 to_eye) {
     diffuse += kFill * wrapped(n, kFillDirection, 0.30);
     float grazing = 1.0 - max(dot(n, to_eye), 0.0);
     vec3 rim = kRim * wrapped(n, kRimDirection, 0.0) * grazing * grazing;
-    // Specular light by the angle between the mirrored light and the eye (Phong 1975).
+    // B. T. Phong. Illumination for computer generated pictures. Communications of the ACM 18(6)
+    // (1975): the angle between the mirrored light direction and the direction to the eye.
     float mirrored = max(dot(reflect(-kKeyDirection, n), to_eye), 0.0);
     vec3 gloss = kKey * kGloss * pow(mirrored, kShininess);
     return albedo * (diffuse + rim) + gloss + 0.15 * rim;
@@ -67,7 +66,7 @@ vec3 lit(vec3 albedo, vec3 n, vec3 to_eye) {
 
 vec3 shading_normal() {
     vec3 n = surface.normal;
-    // An undefined normal is 0. The normal of the face replaces it.
+    // An undefined normal is 0. The face's own normal replaces it.
     if (dot(n, n) < 1e-4) {
         n = cross(dFdx(surface.position), dFdy(surface.position));
         return normalize(n.z < 0.0 ? -n : n);
@@ -76,11 +75,11 @@ vec3 shading_normal() {
 }
 
 #ifdef FACES
-// The fraction of the pixel that edges cover. If triangles are only a few pixels high, edges would
-// cover everything, so they fade.
+// The part of the pixel that an edge covers. Edges of triangles of only a few pixels would cover
+// everything, so they fade to a constant tone.
 float edge_cover() {
     vec3 per_pixel = max(fwidth(barycentric), 1e-6);
-    vec3 distances = barycentric / per_pixel;  // pixels from each edge
+    vec3 distances = barycentric / per_pixel;  // distance from each edge in pixels
     float nearest = min(distances.x, min(distances.y, distances.z));
     float height = 1.0 / max(per_pixel.x, max(per_pixel.y, per_pixel.z));
     float fade = mix(0.22, 1.0, smoothstep(0.8, 5.0, height));

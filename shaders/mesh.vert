@@ -1,4 +1,4 @@
-uniform mat4 to_camera;  // from the object's centre
+uniform mat4 to_camera;  // from coordinates relative to the object's centre
 uniform mat4 to_clip;
 
 layout(location = 0) in vec3 position;
@@ -6,7 +6,7 @@ layout(location = 1) in vec3 normal;
 layout(location = 2) in vec2 level_and_deformed;
 
 out Surface {
-    vec3 position;  // camera space, like the normal
+    vec3 position;  // in camera space, like the normal
     vec3 normal;
     float level;
     float deformed;

@@ -12,7 +12,7 @@ void main() {
     vec2 p = (gl_PointCoord - 0.5) * 2.0 * (radius + 1.0);
     float from_middle = point_shape == kDiamond ? abs(p.x) + abs(p.y) : length(p);
     float cover = clamp(radius + 0.5 - from_middle, 0.0, 1.0);
-    // A dark border of about a pixel, for contrast with any background.
+    // A dark border of about one pixel separates the point from the background.
     float border = clamp(from_middle - (radius - 1.6), 0.0, 1.0) * step(3.0, radius);
     vec3 rgb = mix(point_colour.rgb, kOutline, border);
     if (point_shape == kRing) {

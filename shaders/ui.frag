@@ -1,4 +1,4 @@
-// The font texture also contains white texels, which shapes without text use.
+// The texture of the font also has a white pixel, which is used for everything except text.
 uniform sampler2D font;
 
 in Corner {

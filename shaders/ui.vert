@@ -1,4 +1,4 @@
-// Draws the panels: two-dimensional triangles in window coordinates.
+// Draws the panels, which are two-dimensional triangles in window coordinates.
 uniform mat4 to_clip;
 
 layout(location = 0) in vec2 position;

@@ -1,4 +1,4 @@
-// Work on a thread of its own, so that the window goes on meanwhile.
+// Work on a thread of its own, so that the window stays responsive.
 #pragma once
 
 #include <atomic>
@@ -15,13 +15,14 @@
 
 namespace pectin {
 
-// Begins with its making; its end waits for that of the work, which is asked to stop. Whatever the
-// work looks at must stay as it is until then. All members are for the thread that made it.
+// The work begins in the constructor. The destructor asks it to stop and waits for its end; until
+// then nothing that the work reads may change. All members must be called on the thread that
+// constructed the task.
 template <typename Result>
 class BackgroundTask {
   public:
-    // work: called once, with a Progress that it advances often. Where the system allows no further
-    // thread it is done here, before the constructor returns.
+    // work: called once, with a Progress that it should advance often. If no thread can be created,
+    // the constructor does the work itself.
     explicit BackgroundTask(std::function<Result(const Progress&)> work) {
         auto task = std::make_shared<std::packaged_task<Result(const Progress&)>>(std::move(work));
         result_ = task->get_future();
@@ -37,24 +38,25 @@ class BackgroundTask {
     BackgroundTask(const BackgroundTask&) = delete;
     BackgroundTask& operator=(const BackgroundTask&) = delete;
 
-    // How far the work has come, from 0 to 1.
+    // The part of the work that is done, from 0 to 1.
     double fraction() const { return fraction_; }
 
-    // Asks the work to stop; it does so soon.
+    // Asks the work to stop, which it does soon afterwards.
     void cancel() { thread_.request_stop(); }
     bool is_cancelled() const { return thread_.get_stop_token().stop_requested(); }
 
-    // Whether it has ended, waiting for that as long as this.
+    // Waits for the end of the work for at most this time, and returns whether it has ended.
     bool has_ended(std::chrono::milliseconds longest_wait = {}) const {
         return result_.wait_for(longest_wait) == std::future_status::ready;
     }
-    // What it came to, once; throws what the work threw. Waits for its end.
+    // Waits for the end of the work and returns its result, or throws what the work threw.
+    // Precondition: it has not been called before.
     Result take() { return result_.get(); }
 
   private:
     std::atomic<double> fraction_ = 0.0;
     std::future<Result> result_;
-    std::jthread thread_;  // last: it is joined while the others are still there
+    std::jthread thread_;  // last, so that it is joined before the others are destroyed
 };
 
 }  // namespace pectin

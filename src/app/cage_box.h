@@ -1,12 +1,12 @@
-// A cage as a person sets it: a box with control points in it.
+// A cage as the box from which it was fitted.
 #pragma once
 
 #include "ffd/lattice.h"
 
 namespace pectin {
 
-// From the first to the last control point of each axis without the margins; where there is only
-// one, a cell to both of its sides. fit_lattice() is the inverse.
+// The box from the first to the last control point along each axis, without the margins. Along an
+// axis with one control point, it extends by a cell to both sides. fit_lattice() is the inverse.
 inline Box cage_box(const Lattice& cage) {
     Box box;
     for (int axis = 0; axis < 3; ++axis) {

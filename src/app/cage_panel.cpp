@@ -9,10 +9,11 @@
 namespace pectin {
 namespace {
 
-constexpr int kMostSpan = 9, kMostCount = 16;  // more could hardly be told apart
+constexpr int kMaxSpan = 9, kMaxCount = 16;  // more control points would be too dense to see
 constexpr float kLabelWidth = 66.0f;
-constexpr double kLeastSize = 1e-4;     // of a cage, in diagonals of the object
-constexpr double kSizePerPixel = 5e-3;  // the same, for a pull at a number
+// In diagonals of the object:
+constexpr double kMinSize = 1e-4;       // least size of a cage
+constexpr double kSizePerPixel = 5e-3;  // change when a number is dragged by a pixel
 
 void row(const char* label, float scale) {
     ImGui::AlignTextToFramePadding();
@@ -21,7 +22,7 @@ void row(const char* label, float scale) {
     ImGui::SetNextItemWidth(-1.0f);
 }
 
-// Three numbers that can be pulled at or typed.
+// Three numbers that can be dragged or typed.
 void numbers(const char* id, Vec3& value, double step) {
     ImGui::DragScalarN(id, ImGuiDataType_Double, &value.x, 3, static_cast<float>(step), nullptr,
                        nullptr, "%.3g");
@@ -50,11 +51,11 @@ void CagePanel::draw(Editor& editor, float scale) {
 void CagePanel::draw_brush(Editor& editor, float scale) {
     int span = edited_span_.value_or(editor.session().lattice_settings().span);
     ImGui::SetNextItemWidth(-112.0f * scale);
-    ImGui::SliderInt("control points", &span, 1, kMostSpan, "%d", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SliderInt("control points", &span, 1, kMaxSpan, "%d", ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemHovered()) {
         ImGui::SetTooltip(
-            "Along each axis of the brush's lattice: more of them\n"
-            "make a drag broader and its edge steeper.");
+            "The number of control points along each axis of the brush's\n"
+            "lattice. More of them make a drag broader and its edge steeper.");
     }
     if (ImGui::IsItemActive()) edited_span_ = span;
     if (ImGui::IsItemDeactivatedAfterEdit()) editor.execute(command::Brush{.span = span});
@@ -72,7 +73,7 @@ void CagePanel::draw_cage(Editor& editor, const Lattice& cage, float scale) {
         is_set |= ImGui::IsItemDeactivatedAfterEdit();
     };
     row("Points", scale);
-    ImGui::SliderInt3("##counts", &counts.x, 1, kMostCount, "%d", ImGuiSliderFlags_AlwaysClamp);
+    ImGui::SliderInt3("##counts", &counts.x, 1, kMaxCount, "%d", ImGuiSliderFlags_AlwaysClamp);
     record_edit();
     row("Middle", scale);
     numbers("##middle", middle, kSizePerPixel * diagonal);
@@ -80,7 +81,7 @@ void CagePanel::draw_cage(Editor& editor, const Lattice& cage, float scale) {
     row("Size", scale);
     numbers("##size", size, kSizePerPixel * diagonal);
     record_edit();
-    size = glm::max(size, Vec3{kLeastSize * diagonal});
+    size = glm::max(size, Vec3{kMinSize * diagonal});
     const Box changed{.min = middle - 0.5 * size, .max = middle + 0.5 * size};
     if (is_set) editor.set_cage(changed, counts);
     edited_box_ = is_held ? std::optional(changed) : std::nullopt;
@@ -98,8 +99,8 @@ void CagePanel::draw_cage_actions(Editor& editor) const {
     if (!editor.display.lattice) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped(
-        "Drag a control point; Shift and a click takes more of them, Ctrl and a drag all in a "
-        "box.");
+        "Drag a control point to move it. Shift and a click select more of them, Ctrl and a drag "
+        "all in a box.");
     ImGui::PopStyleColor();
 }
 

@@ -1,4 +1,4 @@
-// The part of the settings that says which lattice drags use: the brush's, or a cage of one's own.
+// The settings that say which lattice drags use: that of the brush, or a cage.
 #pragma once
 
 #include <optional>
@@ -18,10 +18,10 @@ class CagePanel {
     void draw_cage_actions(Editor& editor) const;
 
     std::optional<int> edited_span_;
-    // While a field is held.
+    // Values of fields that are being edited.
     std::optional<Box> edited_box_;
     std::optional<IVec3> edited_counts_;
-    IVec3 counts_{4};  // of the next cage
+    IVec3 counts_{4};  // for the next cage
 };
 
 }  // namespace pectin

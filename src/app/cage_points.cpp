@@ -10,8 +10,8 @@
 namespace pectin {
 namespace {
 
-constexpr double kReach = 9.0;    // of a control point, in pixels
-constexpr double kTremble = 3.0;  // a press that moves less is a click
+constexpr double kPickRadius = 9.0;      // of a control point, in pixels
+constexpr double kClickTolerance = 3.0;  // a press that moves by fewer pixels is a click
 
 template <class Visit>
 void for_each_control(const Lattice& cage, const Visit& visit) {
@@ -24,29 +24,31 @@ void for_each_control(const Lattice& cage, const Visit& visit) {
 
 const Lattice& cage_of(const Session& session) { return *session.lattice_settings().cage; }
 
-IVec3 opposite(const Lattice& cage, int axis, IVec3 index) {
+// The index on the other side of the plane of symmetry across this axis.
+IVec3 mirrored(const Lattice& cage, int axis, IVec3 index) {
     index[axis] = cage.deformable[axis] - 1 - index[axis];
     return index;
 }
 
-// A control point on the plane of symmetry stays on it.
-Vec3 allowed(const Session& session, const IVec3& index, Vec3 d) {
+// Returns d, without its component across the plane of symmetry if the control point lies on that
+// plane.
+Vec3 kept_on_symmetry_plane(const Session& session, const IVec3& index, Vec3 d) {
     const auto& plane = session.symmetry();
-    if (plane && opposite(cage_of(session), plane->axis, index) == index) d[plane->axis] = 0.0;
+    if (plane && mirrored(cage_of(session), plane->axis, index) == index) d[plane->axis] = 0.0;
     return d;
 }
 
 }  // namespace
 
-std::optional<IVec3> CagePoints::under(const Session& session, const View& view, const Vec2& at,
-                                       const std::optional<Pick>& surface) const {
+std::optional<IVec3> CagePoints::find_at(const Session& session, const View& view, const Vec2& at,
+                                         const std::optional<Pick>& surface) const {
     if (!session.lattice_settings().cage) return std::nullopt;
     const Lattice& cage = cage_of(session);
     const double limit =
-        surface ? view.depth(surface->point) + kReach * view.pixel_length(surface->point)
+        surface ? view.depth(surface->point) + kPickRadius * view.pixel_length(surface->point)
                 : std::numeric_limits<double>::infinity();
     std::optional<IVec3> found;
-    double nearest = kReach;
+    double nearest = kPickRadius;
     for_each_control(cage, [&](const IVec3& index) {
         if (!draws_control(cage, index)) return;
         const Vec3 position = cage.rest(index);
@@ -68,7 +70,7 @@ bool CagePoints::press(const Session& session, const View& view, const Vec2& at,
         box_adds_ = modifiers.shift;
         return true;
     }
-    const std::optional<IVec3> index = under(session, view, at, surface);
+    const std::optional<IVec3> index = find_at(session, view, at, surface);
     if (!index) return false;
     const bool was_selected = is_selected(*index);
     if (modifiers.shift) {
@@ -77,64 +79,74 @@ bool CagePoints::press(const Session& session, const View& view, const Vec2& at,
     } else if (!was_selected) {
         selected_ = {*index};
     }
-    held_ = Held{.index = *index,
-                 .pressed_at = at,
-                 .at = at,
-                 .was_selected = was_selected && !modifiers.shift};
+    grabbed_ = Grabbed{.index = *index,
+                       .pressed_at = at,
+                       .at = at,
+                       .was_selected = was_selected && !modifiers.shift};
     return true;
 }
 
 void CagePoints::move_to(const Vec2& at) {
-    if (held_) held_->at = at;
+    if (grabbed_) grabbed_->at = at;
     if (box_) box_->to = at;
 }
 
-std::optional<std::string> CagePoints::update_drag(Session& session, const View& view) {
-    if (!held_) return std::nullopt;
-    if (!held_->has_begun) {
-        if (glm::distance(held_->at, held_->pressed_at) < kTremble) return std::nullopt;
-        held_->moving = moving_with(session, held_->index);
-        std::vector<IVec3> indices;
-        for (const IVec3& control : held_->moving) {
-            indices.push_back(cage_of(session).user_index(control));
-        }
-        if (auto refusal = session.begin_control(indices)) {
-            held_.reset();
-            return refusal;
-        }
-        held_->has_begun = true;
+std::optional<std::string> CagePoints::begin_drag(Session& session) {
+    grabbed_->moving = points_to_move(session, grabbed_->index);
+    std::vector<IVec3> indices;
+    for (const IVec3& control : grabbed_->moving) {
+        indices.push_back(cage_of(session).user_index(control));
     }
-    const std::optional<Vec3> by = motion(session, view);
-    if (!by || *by == held_->by) return std::nullopt;
-    std::vector<Vec3> targets;
-    for (const IVec3& index : held_->moving) {
-        targets.push_back(cage_of(session).rest(index) + allowed(session, index, *by));
+    if (auto refusal = session.begin_control(indices)) {
+        grabbed_.reset();
+        return refusal;
     }
-    if (auto refusal = session.control_to(targets)) return refusal;
-    held_->by = *by;
+    grabbed_->has_begun = true;
     return std::nullopt;
 }
 
-// How far the cursor has gone at the depth of the grabbed one, which all keep their distance to.
-std::optional<Vec3> CagePoints::motion(const Session& session, const View& view) const {
-    const Vec3 rest = cage_of(session).rest(held_->index);
-    const auto from = on_view_plane(view.camera, rest, view.ray_through(held_->pressed_at));
-    const auto to = on_view_plane(view.camera, rest, view.ray_through(held_->at));
-    if (!from || !to) return std::nullopt;
-    return allowed(session, held_->index, *to - *from);
+std::optional<std::string> CagePoints::update_drag(Session& session, const View& view) {
+    if (!grabbed_) return std::nullopt;
+    if (!grabbed_->has_begun) {
+        const double moved_by = glm::distance(grabbed_->at, grabbed_->pressed_at);
+        if (moved_by < kClickTolerance) return std::nullopt;
+        if (auto refusal = begin_drag(session)) return refusal;
+    }
+    const std::optional<Vec3> displacement = cursor_displacement(session, view);
+    if (!displacement || *displacement == grabbed_->displacement) return std::nullopt;
+    std::vector<Vec3> targets;
+    for (const IVec3& index : grabbed_->moving) {
+        targets.push_back(cage_of(session).rest(index) +
+                          kept_on_symmetry_plane(session, index, *displacement));
+    }
+    if (auto refusal = session.control_to(targets)) return refusal;
+    grabbed_->displacement = *displacement;
+    return std::nullopt;
 }
 
-// With symmetry on those of the grabbed one's side, in place of their images.
-std::vector<IVec3> CagePoints::moving_with(const Session& session, const IVec3& grabbed) const {
+// How far the cursor has moved since the press, in the plane parallel to the picture at the depth
+// of the grabbed point. All selected points are displaced by this vector.
+std::optional<Vec3> CagePoints::cursor_displacement(const Session& session,
+                                                    const View& view) const {
+    const Vec3 rest = cage_of(session).rest(grabbed_->index);
+    const auto from = on_view_plane(view.camera, rest, view.ray_through(grabbed_->pressed_at));
+    const auto to = on_view_plane(view.camera, rest, view.ray_through(grabbed_->at));
+    if (!from || !to) return std::nullopt;
+    return kept_on_symmetry_plane(session, grabbed_->index, *to - *from);
+}
+
+// Returns the selected points. With symmetry, points on the other side than the grabbed one are
+// replaced by their images, since the session moves both sides.
+std::vector<IVec3> CagePoints::points_to_move(const Session& session, const IVec3& grabbed) const {
     if (!session.symmetry()) return selected_;
     const Lattice& cage = cage_of(session);
     const int axis = session.symmetry()->axis;
     const auto is_low = [&](const IVec3& index) {
-        return index[axis] <= opposite(cage, axis, index)[axis];
+        return index[axis] <= mirrored(cage, axis, index)[axis];
     };
     std::vector<IVec3> moving;
     for (IVec3 index : selected_) {
-        if (is_low(index) != is_low(grabbed)) index = opposite(cage, axis, index);
+        if (is_low(index) != is_low(grabbed)) index = mirrored(cage, axis, index);
         if (std::find(moving.begin(), moving.end(), index) == moving.end()) moving.push_back(index);
     }
     return moving;
@@ -144,10 +156,10 @@ std::vector<Vec3> CagePoints::displacements(const Session& session) const {
     const Lattice& cage = cage_of(session);
     std::vector<Vec3> all(cage.control_count(), Vec3{0.0});
     const auto& plane = session.symmetry();
-    for (const IVec3& index : held_->moving) {
-        const Vec3 d = allowed(session, index, held_->by);
+    for (const IVec3& index : grabbed_->moving) {
+        const Vec3 d = kept_on_symmetry_plane(session, index, grabbed_->displacement);
         if (plane) {
-            const IVec3 image = opposite(cage, plane->axis, index);
+            const IVec3 image = mirrored(cage, plane->axis, index);
             all[cage.control_index(image)] = plane->image_of_vector(d);
         }
         all[cage.control_index(index)] = d;
@@ -162,28 +174,28 @@ std::optional<command::Control> CagePoints::release(Session& session, const View
         return std::nullopt;
     }
     if (!is_dragging()) {
-        if (held_ && held_->was_selected) selected_ = {held_->index};
-        held_.reset();
+        if (grabbed_ && grabbed_->was_selected) selected_ = {grabbed_->index};
+        grabbed_.reset();
         return std::nullopt;
     }
     try {
         auto done = session.end_control();
-        held_.reset();
+        grabbed_.reset();
         return done;
     } catch (...) {
-        // A drag that goes on is still to be cancelled.
-        if (!session.is_dragging()) held_.reset();
+        // The drag may still be active, and must then be cancelled.
+        if (!session.is_dragging()) grabbed_.reset();
         throw;
     }
 }
 
 void CagePoints::cancel(Session& session) {
     if (is_dragging()) session.cancel_drag();
-    held_.reset();
+    grabbed_.reset();
     box_.reset();
 }
 
-void CagePoints::forget_others(const std::optional<Lattice>& cage) {
+void CagePoints::reset_for(const std::optional<Lattice>& cage) {
     const IVec3 counts = cage ? cage->deformable : IVec3{0};
     if (counts == counts_) return;
     counts_ = counts;

@@ -1,4 +1,4 @@
-// The control points of the cage under the mouse: found, selected, dragged.
+// Selection and dragging of a cage's control points with the mouse.
 #pragma once
 
 #include <optional>
@@ -11,65 +11,68 @@
 
 namespace pectin {
 
-// A press on a control point selects it, with Shift too; moving on takes all that are selected
-// along, in the plane of the picture. Ctrl and a drag anywhere selects what is in a box, with Shift
-// too. With symmetry on, those on the other side go the mirrored way. All indices here are those of
-// Lattice, from 0, margins included.
+// A press on a control point selects it; with Shift it is added to the selection. Moving the mouse
+// then drags all selected points parallel to the view plane. Ctrl and a drag anywhere select the
+// points in a box; with Shift they are added. With symmetry, the mirrored points move as images.
+// All indices are those of Lattice: they begin at 0 and include the margins.
 class CagePoints {
   public:
-    // --- Before a press. surface: what the cursor meets of the object.
-    // The control point under the cursor that is drawn and that the surface does not hide.
-    std::optional<IVec3> under(const Session& session, const View& view, const Vec2& at,
-                               const std::optional<Pick>& surface) const;
+    // --- Before a press. surface: the point of the object under the cursor, if any.
+    // Returns the visible control point under the cursor that is not hidden by the surface.
+    std::optional<IVec3> find_at(const Session& session, const View& view, const Vec2& at,
+                                 const std::optional<Pick>& surface) const;
     void set_hovered(const std::optional<IVec3>& hovered) { hovered_ = hovered; }
-    // Whether it has begun something. Precondition: there is a cage.
+    // Returns whether the press has begun a drag or a box. Precondition: there is a cage.
     bool press(const Session& session, const View& view, const Vec2& at, const Modifiers& modifiers,
                const std::optional<Pick>& surface);
 
     // --- Between press and release.
-    bool is_active() const { return held_ || box_; }
-    bool is_dragging() const { return held_ && held_->has_begun; }
+    bool is_active() const { return grabbed_ || box_; }
+    bool is_dragging() const { return grabbed_ && grabbed_->has_begun; }
     void move_to(const Vec2& at);
-    // Takes the control points to the cursor, once it has gone a little. Whether the object changed
-    // is in the session's dirty elements. A refusal leaves the frame before.
+    // Moves the selected control points with the cursor, once it is farther from the press than a
+    // click allows. The session's dirty elements say whether the object has changed. Returns why
+    // the move is refused; then the points stay where they were in the frame before.
     std::optional<std::string> update_drag(Session& session, const View& view);
-    // What it came to, if anything moved.
+    // Returns the command that does the same as the drag; nothing if no point has moved.
     std::optional<command::Control> release(Session& session, const View& view);
     void cancel(Session& session);
 
-    // Those of another cage mean nothing.
-    void forget_others(const std::optional<Lattice>& cage);
-    void select_none() { selected_.clear(); }
+    // Clears the selection if the cage has other counts than in the last call.
+    void reset_for(const std::optional<Lattice>& cage);
+    void clear_selection() { selected_.clear(); }
 
-    // --- For who shows them.
+    // --- State to display.
     const std::vector<IVec3>& selected() const { return selected_; }
     const std::optional<IVec3>& hovered() const { return hovered_; }
     struct ScreenBox {
         Vec2 from{0.0}, to{0.0};
     };
     const std::optional<ScreenBox>& box() const { return box_; }
-    // Of all control points, as Lattice::control_index has them. Precondition: is_dragging().
+    // The displacements of all control points, in the order of Lattice::control_index().
+    // Precondition: is_dragging().
     std::vector<Vec3> displacements(const Session& session) const;
 
   private:
-    struct Held {
+    struct Grabbed {
         IVec3 index;
         Vec2 pressed_at, at;
         bool was_selected;
         bool has_begun = false;
         std::vector<IVec3> moving{};
-        Vec3 by{0.0};  // of the last frame
+        Vec3 displacement{0.0};  // in the last frame
     };
     bool is_selected(const IVec3& index) const;
     void toggle(const IVec3& index);
     void select_in_box(const Session& session, const View& view);
-    std::optional<Vec3> motion(const Session& session, const View& view) const;
-    std::vector<IVec3> moving_with(const Session& session, const IVec3& grabbed) const;
+    std::optional<std::string> begin_drag(Session& session);
+    std::optional<Vec3> cursor_displacement(const Session& session, const View& view) const;
+    std::vector<IVec3> points_to_move(const Session& session, const IVec3& grabbed) const;
 
-    std::vector<IVec3> selected_;  // each once
+    std::vector<IVec3> selected_;  // without repetition
     std::optional<IVec3> hovered_;
-    IVec3 counts_{0};  // of the cage that they are of
-    std::optional<Held> held_;
+    IVec3 counts_{0};  // of the cage to which the selection belongs
+    std::optional<Grabbed> grabbed_;
     std::optional<ScreenBox> box_;
     bool box_adds_ = false;
 };

@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kUsage =
     "usage: pectin [MODEL.obj]     opens the window, on that model or on a sphere\n"
     "         --record FILE.jsonl  writes every command as it is done, as a script\n"
-    "       pectin replay SCRIPT   does what a script says (- reads it from standard input)\n"
+    "       pectin replay SCRIPT   executes a script (- reads it from standard input)\n"
     "       pectin --help          shows this and the commands of a script\n"
     "       pectin --version       shows the version\n";
 
@@ -22,9 +22,9 @@ std::string script_help() {
         "start with # are ignored; each other line is one command with its fields, as in\n"
         "  {\"cmd\": \"drag\", \"moves\": [{\"from\": [0, 0, 1], \"to\": [0, 0, 1.3]}]}\n"
         "Relative paths are relative to the script. Angles are in degrees, lengths in the\n"
-        "model's units, +y is up. What stands in (brackets) is the value at start. A setting\n"
-        "that is left out stays as it is. Replay stops at the first command that fails; what\n"
-        "earlier lines wrote stays.\n";
+        "model's units, +y is up. The value in (brackets) is the default. A setting that is\n"
+        "left out does not change. Replay stops at the first command that fails; files that\n"
+        "earlier lines wrote are kept.\n";
     for (const CommandReference& command : command_reference()) {
         text += std::string("\n  ") + command.name + "  " + command.meaning + "\n";
         for (const FieldReference& field : command.fields) {
@@ -37,7 +37,9 @@ std::string script_help() {
 }
 
 std::string help() {
-    return std::string("pectin sculpts: it drags points of an object that is set in jelly.\n\n") +
+    return std::string(
+               "pectin is a sculpting program: the space around a dragged point behaves like "
+               "jelly.\n\n") +
            kUsage + "\n" + script_help() +
            "\nExit status: 0 done; 1 a command failed, with SCRIPT:LINE: command: what is wrong\n"
            "and what would be right on standard error; 2 bad usage.\n";
@@ -52,7 +54,7 @@ CommandLine refuse(const std::string& why) {
 
 CommandLine read_command_line(int argc, char** argv) {
     CLI::App parser;
-    parser.set_help_flag();  // this page's own text is shown instead
+    parser.set_help_flag();  // help() is shown instead
     bool wants_help = false, wants_version = false;
     std::string script, model, record;
     parser.add_flag("-h,--help", wants_help);

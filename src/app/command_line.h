@@ -1,4 +1,4 @@
-// What the program was asked to do.
+// Reads the command line.
 #pragma once
 
 #include <string>
@@ -8,10 +8,10 @@ namespace pectin {
 struct CommandLine {
     enum class Action { window, replay, show, refuse };
     Action action = Action::refuse;
-    std::string script{};  // to replay; "-" is standard input
-    std::string text{};    // to show (help, version), or why the usage is bad and what is right
-    std::string model{};   // for the window to open; empty: none
-    std::string record{};  // for the window to write its commands to; empty: none
+    std::string script{};  // path of the script to replay; "-" means standard input
+    std::string text{};    // help or version to show, or why the usage is wrong and what is right
+    std::string model{};   // path of the model that the window opens; empty: none
+    std::string record{};  // path of the file to which the window writes its commands; empty: none
 };
 
 CommandLine read_command_line(int argc, char** argv);

@@ -14,9 +14,9 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
     return glm::distance(p, a + fraction * along);
 }
 
-// Those between places[first] and places[last], both left out.
-void add_bends(const std::vector<Vec2>& positions, std::size_t first, std::size_t last,
-               double tolerance, std::vector<Vec2>& kept) {
+// Adds the points between positions[first] and positions[last] that have to be kept.
+void add_kept_points(const std::vector<Vec2>& positions, std::size_t first, std::size_t last,
+                     double tolerance, std::vector<Vec2>& kept) {
     std::size_t farthest = first;
     double distance = tolerance;
     for (std::size_t i = first + 1; i < last; ++i) {
@@ -26,19 +26,20 @@ void add_bends(const std::vector<Vec2>& positions, std::size_t first, std::size_
         distance = here;
     }
     if (farthest == first) return;
-    add_bends(positions, first, farthest, tolerance, kept);
+    add_kept_points(positions, first, farthest, tolerance, kept);
     kept.push_back(positions[farthest]);
-    add_bends(positions, farthest, last, tolerance, kept);
+    add_kept_points(positions, farthest, last, tolerance, kept);
 }
 
 }  // namespace
 
-std::vector<Vec2> bends(const Vec2& start, const std::vector<Vec2>& path, double tolerance) {
+std::vector<Vec2> simplified_path(const Vec2& start, const std::vector<Vec2>& path,
+                                  double tolerance) {
     if (path.empty()) return {};
     std::vector<Vec2> positions{start};
     positions.insert(positions.end(), path.begin(), path.end());
     std::vector<Vec2> kept;
-    add_bends(positions, 0, positions.size() - 1, tolerance, kept);
+    add_kept_points(positions, 0, positions.size() - 1, tolerance, kept);
     kept.push_back(path.back());
     return kept;
 }

@@ -1,4 +1,7 @@
-// The way of the cursor between two frames.
+// The path of the cursor between two frames.
+//
+// D. H. Douglas, T. K. Peucker. Algorithms for the reduction of the number of points required to
+// represent a digitized line or its caricature. Cartographica 10(2) (1973).
 #pragma once
 
 #include <vector>
@@ -7,11 +10,11 @@
 
 namespace pectin {
 
-// The places of `path` that a line through `start` and them has to pass so that it stays within
-// `tolerance` of all others: where it bends, and the last. Empty where the path is.
-// Cost: O(n²) at worst, O(n log n) as a rule.
-// Source: Douglas & Peucker, Algorithms for the Reduction of the Number of Points Required to
-// Represent a Digitized Line or its Caricature, Cartographica 10(2), 1973.
-std::vector<Vec2> bends(const Vec2& start, const std::vector<Vec2>& path, double tolerance);
+// Returns those points of `path` where it bends, and its last point. The polyline from `start`
+// through them stays within `tolerance` of all other points. An empty path gives an empty result.
+// Cost: O(n²) at worst, usually O(n log n).
+// Source: Douglas & Peucker 1973.
+std::vector<Vec2> simplified_path(const Vec2& start, const std::vector<Vec2>& path,
+                                  double tolerance);
 
 }  // namespace pectin

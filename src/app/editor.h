@@ -1,5 +1,5 @@
-// The window's mind: mouse and keys in; commands, a camera and what there is to show out. Knows no
-// window system and draws nothing.
+// Interaction logic of the window: turns input events into commands and camera changes, and holds
+// the state that panels and overlays display. Independent of the window system and of rendering.
 #pragma once
 
 #include <chrono>
@@ -24,79 +24,84 @@ namespace pectin {
 
 struct Display {
     bool wireframe = false, levels = false;
-    bool lattice = false;  // also while nothing is dragged; a cage can be taken hold of then
+    // Whether the lattice is also shown between drags. The control points of a cage can then be
+    // dragged.
+    bool lattice = false;
     bool symmetry_plane = true;
 };
 
-// The plane that symmetry gets when it is switched on.
+// The plane that is used when symmetry is switched on.
 struct MirrorChoice {
     command::Symmetry::Plane plane = command::Symmetry::Plane::x;
-    bool through_centre = false;  // of the object as it was opened; else through the origin
+    // Whether the plane contains the centre of the object as it was opened, or else the origin.
+    bool through_centre = false;
 };
 
-// Of the last frame that changed the object by a drag.
+// Counts and timings of the most recent frame in which a drag changed the object.
 struct FrameFigures {
     std::uint64_t splits = 0, unsplits = 0;
-    double seconds = 0.0;  // all of the frame but the picture
+    double seconds = 0.0;  // without rendering
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
     bool floor_hit = false, budget_hit = false;
-    std::size_t steps = 1;              // that a fold-free drag is made of
+    std::size_t steps = 1;              // number of steps of a fold-free drag
     double degrees = 0.0, scale = 1.0;  // twist and scale at the grabbed point
-    std::uint64_t folded = 0;           // vertices, once the drag is done
+    std::uint64_t folded = 0;           // number of folded vertices after the drag
 };
 
-// What the user interface keeps for itself of what a person does.
+// The devices whose input belongs to the user interface at the moment.
 struct UiClaims {
     bool mouse = false, keyboard = false;
 };
 
 class Editor {
   public:
+    // max_blocking_time: as for Workspace.
     explicit Editor(std::optional<Recorder> recorder = {},
-                    std::chrono::milliseconds patience = kPatience);
+                    std::chrono::milliseconds max_blocking_time = kMaxBlockingTime);
 
     // --- Input.
     void handle(const InputEvent& event, const UiClaims& claims = {});
-    // Once a frame, after its events: moves the active drag, looks what has become of a file that
-    // is under way, goes on restoring a session, or looks what is under the cursor.
+    // Updates the active drag, the work on a file, a restoration and what is under the cursor. To
+    // be called once per frame, after the frame's events.
     void advance();
 
-    // There is no memory for something, such as "frame": gives up the active drag and says so.
-    void give_up_for_memory(const char* what) noexcept;
+    // Cancels the active drag and shows a message. what: what needed the memory, such as "frame".
+    void handle_out_of_memory(const char* what) noexcept;
 
-    // --- What menus, panels and keys ask for. Nothing happens during a drag, nor while a file is
-    // under way: all there is then is to cancel it.
+    // --- Actions of menus, panels and keys. They do nothing during a drag, and while a file is
+    // being read or written.
     void perform(Action action);
-    bool execute(const Command& command);  // whether it is done already
-    // What the window begins with: the model or, where none is given or it cannot be opened, a
-    // sphere.
+    bool execute(const Command& command);  // returns whether the command is already done
+    // Opens the window's first object: the model, or a sphere if `model` is empty or cannot be
+    // opened.
     void begin(const std::string& model);
-    // Those that would lose changes ask first.
+    // These three ask first if changes would be lost.
     void open(const std::string& path);
     void new_shape(command::Shape::Kind kind, int resolution);
-    void quit();                     // cancels a file that is under way first
-    void set_radius(double radius);  // kept within sensible bounds
-    // As far as the object's size goes.
-    double least_radius() const;
-    double most_radius() const;
+    void quit();  // also cancels the work on a file
+    // Sets the brush's radius, clamped to the range from min_radius() to max_radius(). The range
+    // follows from the object's size.
+    void set_radius(double radius);
+    double min_radius() const;
+    double max_radius() const;
     void set_symmetry(bool is_on);
-    void choose_mirror(const MirrorChoice& choice);  // symmetry that is on follows
-    // As a box with control points in it, whatever has been in use.
+    void choose_mirror(const MirrorChoice& choice);  // also changes the plane of active symmetry
+    // Sets a cage that is fitted to this box. counts: control points per axis.
     void set_cage(const Box& box, const IVec3& counts);
 
-    // --- What there is to show.
+    // --- State to display.
     Workspace& workspace() { return workspace_; }
     const Workspace& workspace() const { return workspace_; }
     const Session& session() const { return workspace_.session(); }
     const Camera& camera() const { return navigation_.camera(); }
     const Sculptor& sculptor() const { return sculptor_; }
     const CagePoints& cage_points() const { return cage_points_; }
-    // The cage, while its control points can be taken hold of.
+    // The cage, if its control points are shown and can be dragged.
     std::optional<Lattice> editable_cage() const;
     const Pins& pins() const { return pins_; }
     const MirrorChoice& mirror_choice() const { return mirror_; }
     const std::optional<Pick>& hover() const { return hover_; }
-    // Reach of the brush, also while it is being set.
+    // The brush's radius, also while it is being set with the mouse.
     double radius() const;
     bool is_setting_radius() const { return radius_drag_.has_value(); }
     FrameFigures figures() const;
@@ -106,24 +111,28 @@ class Editor {
 
     Display display{};
     DragOptions drag_options{.connected = true, .fold_free = true};
-    bool sets_pins = false;  // a click on the surface sets or removes one, in place of a drag
-    // --- Dialogs, while they are open; one more tells of a file that is under way.
+    bool sets_pins = false;  // whether a click on the surface sets or removes a pin
+
+    // --- Dialogs. A dialog that is open takes all input.
     bool has_dialog() const { return browser || question || offered_session() || is_working(); }
-    // Whether a file is under way or a session is being restored.
+
+    // Work on a file, or a restoration, whose progress a dialog shows.
     bool is_working() const { return restoration_ || workspace_.file_task(); }
     const Restoration* restoration() const { return restoration_ ? &*restoration_ : nullptr; }
-    void cancel_work();  // where there is some; it ends soon
+    void cancel_work();  // the work ends soon afterwards; does nothing without any
+
+    // The file browser.
     std::optional<FileBrowser> browser{};
-    // Does with the file named in the browser what it is for and closes it; asks first where a
-    // file would be replaced, and does nothing where no file is named.
+    // Uses the file that is named in the browser and closes the browser. If this would replace
+    // another file, the first call only sets file_to_replace(). Does nothing without a name.
     void accept_file();
-    void close_browser();  // without a choice
-    // The file that accept_file would replace, once it has been asked for.
+    void close_browser();
     const std::string& file_to_replace() const { return file_to_replace_; }
     void keep_file() { file_to_replace_.clear(); }
-    // Whether Enter was pressed since it was last asked, for the dialog that is open.
-    bool take_enter() { return std::exchange(enter_, false); }
-    // A thing to do that would lose changes.
+    // Whether Enter was pressed in the open dialog since the last call.
+    bool take_enter() { return std::exchange(enter_pressed_, false); }
+
+    // The question whether to save the changes that an action would discard.
     struct Question {
         struct Quit {};
         std::variant<Quit, command::Open, command::Shape> then;
@@ -131,38 +140,52 @@ class Editor {
     std::optional<Question> question{};
     enum class Answer { save, discard, cancel };
     void answer(Answer answer);
-    // Asks, for one after the other, whether these are to be restored.
+
+    // Sessions that may be restored.
+    // Offers these, one after the other.
     void offer(std::vector<LostSession> sessions) { lost_sessions_ = std::move(sessions); }
-    // The one being asked for; null if none is, and while a file is under way.
+    // The session that is being offered; null if there is none, and during work on a file.
     const LostSession* offered_session() const {
         return lost_sessions_.empty() || workspace_.file_task() ? nullptr : &lost_sessions_.front();
     }
-    // restore: begins it; advance() goes on with it. later: it is offered again at the next start,
-    // like all that were not asked for.
+    // restore: begins to restore the session, which advance() continues.
+    // later: this session and the remaining ones are offered again at the next start.
     enum class RecoveryAnswer { restore, discard, later };
     void answer_recovery(RecoveryAnswer answer);
 
   private:
-    void on(const event::Press& press, bool is_claimed);
-    void on(const event::Release& release);
-    void on(const event::Move& move, bool is_claimed);
-    void on(const event::Scroll& scroll);
-    void on(const event::KeyDown& key, bool is_claimed);
-    void on(const event::KeyUp& key);
-    void on(const event::Drop& drop);
+    // The object of a new window.
+    static constexpr command::Shape kFirstObject{command::Shape::Kind::sphere, 4};
 
-    View view() const { return {camera(), size_}; }
-    // --- Of points of the surface and of control points (editor_drag.cpp).
+    // --- Input (editor_input.cpp).
+    void on(const event::Press& press, const UiClaims& claims);
+    void on(const event::Release& release, const UiClaims& claims);
+    void on(const event::Move& move, const UiClaims& claims);
+    void on(const event::Leave& leave, const UiClaims& claims);
+    void on(const event::Scroll& scroll, const UiClaims& claims);
+    void on(const event::KeyDown& key, const UiClaims& claims);
+    void on(const event::KeyUp& key, const UiClaims& claims);
+    void on(const event::Character& character, const UiClaims& claims);
+    void on(const event::Drop& drop, const UiClaims& claims);
+    void on(const event::Resize& resize, const UiClaims& claims);
+    void on(const event::Focus& focus, const UiClaims& claims);
+    void on(const event::Close& close, const UiClaims& claims);
+    void escape(bool is_claimed);
+    bool escape_gesture();
+    bool escape_dialog();
+    void escape_state();
+
+    // --- Drags and pins (editor_drag.cpp).
     template <typename Part>
     bool attempt(Part part);
-    void press_left(const Vec2& at, const Pick& pick);
+    void press_on_surface(const Vec2& at, const Pick& pick);
     Pick handle_at(Pick pick, const Vec2& at) const;
-    Pick onto_plane(Pick pick) const;
+    Pick snapped_to_symmetry_plane(Pick pick) const;
     void grab(const Pick& pick, const Ray& ray);
     void drag();
     void update_point_drag();
     void update_control_drag();
-    void begin_figures();
+    void reset_figures();
     void record_frame(std::chrono::duration<double> taken);
     void release_drag();
     void end_drag(const Command& done, std::size_t steps_before);
@@ -170,28 +193,36 @@ class Editor {
     void rotate_or_scale(double notches);
     void toggle_pin();
 
+    // --- Files (editor_files.cpp).
+    bool finish_command(const Command& command, Workspace::Outcome outcome);
+    void update_after(const Command& command);
+    void reset_for_new_object();
+    void execute_keeping_message(const Command& command);
+    void perform_on_file(Action action);
+    void begin_save();
+    void save(const std::string& path, std::optional<Question> next);
+    void use_chosen_file(FileBrowser::Purpose purpose, const std::string& path);
+    void save_picture(const std::string& path);
+    void ask_or_do(Question question);
+    void do_without_asking(const Question& question);
+
+    // --- Restoring (editor_recovery.cpp).
+    void continue_restoring();
+    std::string end_restoring(const Restoration& ended, Restoration::State state);
+
+    // --- Everything else (editor.cpp).
+    View view() const { return {camera(), size_}; }
+    bool has_drag() const { return sculptor_.is_dragging() || cage_points_.is_active(); }
+    bool is_busy() const { return has_drag() || radius_drag_ || is_working(); }
     void update_hover();
     void begin_radius_drag();
     void end_radius_drag(bool keeps);
-    void frame_all(const std::optional<Vec3>& direction = {});
-    bool conclude(const Command& command, Workspace::Outcome outcome);
-    void begin_object();
-    void begin_save();
-    void save(const std::string& path, std::optional<Question> next);
-    bool escape_dialog();
-    void go_on_restoring();
-    void use_file(FileBrowser::Purpose purpose, const std::string& path);
-    void ask_or_do(Question question);
-    void carry_out(const Question& question);
-    bool escape_gesture();
-    void escape_state();
-    void perform_on_file(Action action);
+    command::Symmetry symmetry_command(bool is_on) const;
+    void undo();
     void perform_on_view(Action action);
-    bool is_busy() const {
-        return sculptor_.is_dragging() || cage_points_.is_active() || radius_drag_ || is_working();
-    }
+    void frame_all(const std::optional<Vec3>& direction = {});
 
-    // F and a move of the mouse: the radius doubles over kPixelsPerDoubling.
+    // Setting the radius: F is held, and the radius follows the mouse.
     struct RadiusDrag {
         double start_x, start_radius, radius;
     };
@@ -205,20 +236,20 @@ class Editor {
     IVec2 size_{1280, 800};
     Vec2 cursor_{0.0};
     Modifiers modifiers_{};
-    bool cursor_is_ours_ = false;  // over the window and not over its panels
-    bool moved_ = false;           // the active drag has to follow
-    std::vector<Vec2> path_;       // of the cursor, since it has followed last
-    Vec2 last_cursor_{0.0};        // where the cursor was then
+    bool cursor_in_viewport_ = false;  // over the window and not over its panels
+    bool drag_is_stale_ = false;       // the active drag must be updated in the next frame
+    std::vector<Vec2> cursor_path_;    // of the cursor since the drag was updated
+    Vec2 last_cursor_{0.0};            // the cursor at that update
     std::optional<Pick> hover_;
     std::optional<RadiusDrag> radius_drag_;
     FrameFigures figures_;
-    std::optional<Question> after_save_;  // once the browser has a file for it
-    std::optional<Question> next_;        // once the save that is under way is done
-    bool quits_next_ = false;             // once the file that is under way is gone
+    std::optional<Question> after_save_;  // to be done once a file to save to has been chosen
+    std::optional<Question> next_;        // to be done once the present save is done
+    bool quits_next_ = false;             // to quit once the work on a file has ended
     std::string file_to_replace_;
     std::vector<LostSession> lost_sessions_;
     std::optional<Restoration> restoration_;
-    bool enter_ = false;
+    bool enter_pressed_ = false;
     bool shows_hint_ = true;
     bool wants_to_end_ = false;
 };

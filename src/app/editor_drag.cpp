@@ -1,5 +1,4 @@
-// What an Editor does with the object under the mouse: drags of its points and of the cage's
-// control points, and pins.
+// How an Editor drags points of the object and control points of the cage, and sets pins.
 #include <chrono>
 #include <cmath>
 #include <new>
@@ -15,55 +14,55 @@
 namespace pectin {
 namespace {
 
-// Of the cursor's way: what a hand does not mean to draw.
-constexpr double kBend = 4.0;  // pixels
-// A point this near to the plane of symmetry is meant to be on it. As a pair with its image it
-// could hardly be moved apart: the two are nearly one constraint.
-constexpr double kOnPlane = 8.0;  // pixels
+// Deviations of the cursor's path by fewer pixels are not meant by the user.
+constexpr double kPathTolerance = 4.0;
+// A grabbed point within this many pixels of the plane of symmetry is moved onto it. It could
+// hardly be moved apart from its image otherwise, since the two would be nearly one constraint.
+constexpr double kSnapDistance = 8.0;
 constexpr double kDegreesPerNotch = 5.0;
 
 }  // namespace
 
-// Runs a part of a drag; where it throws (no memory) the object is as before the drag.
+// Runs a part of a drag. If it throws, the drag is cancelled. Returns whether it did not throw.
 template <typename Part>
 bool Editor::attempt(Part part) {
     try {
         part();
         return true;
     } catch (const std::bad_alloc&) {
-        give_up_for_memory("drag");
+        handle_out_of_memory("drag");
     } catch (const std::exception& error) {
         if (session().is_dragging()) cancel_drag();
-        workspace_.set_message(std::string("the drag was given up: ") + error.what());
+        workspace_.set_message(std::string("The drag was cancelled: ") + error.what());
     }
     return false;
 }
 
-void Editor::give_up_for_memory(const char* what) noexcept {
+void Editor::handle_out_of_memory(const char* what) noexcept {
     if (session().is_dragging()) cancel_drag();
     try {
         workspace_.set_message(not_enough_memory(what, session().history()));
     } catch (const std::bad_alloc&) {
-        // Not even for the message.
+        // There is not even enough memory for the message.
     }
 }
 
-void Editor::press_left(const Vec2& at, const Pick& pick) {
+void Editor::press_on_surface(const Vec2& at, const Pick& pick) {
     if (sets_pins) return toggle_pin();
     attempt([&] { grab(handle_at(pick, at), view().ray_through(at)); });
 }
 
-// The point that a press takes hold of: the pin whose marker is there, or the surface.
+// Returns what a press at the cursor grabs: the pin whose marker is there, or the surface point.
 Pick Editor::handle_at(Pick pick, const Vec2& at) const {
     const auto marker = pins_.at(view(), at, pick, session().symmetry());
-    if (!marker) return onto_plane(pick);
+    if (!marker) return snapped_to_symmetry_plane(pick);
     pick.point = marker->position;
     return pick;
 }
 
-Pick Editor::onto_plane(Pick pick) const {
+Pick Editor::snapped_to_symmetry_plane(Pick pick) const {
     const auto& plane = session().symmetry();
-    const double reach = kOnPlane * view().pixel_length(pick.point);
+    const double reach = kSnapDistance * view().pixel_length(pick.point);
     if (plane && std::abs(plane->offset(pick.point)) < reach) pick.point = plane->onto(pick.point);
     return pick;
 }
@@ -76,10 +75,10 @@ void Editor::grab(const Pick& pick, const Ray& ray) {
     workspace_.clear_command_message();
     shows_hint_ = false;
     hover_.reset();
-    moved_ = false;
-    path_.clear();
+    drag_is_stale_ = false;
+    cursor_path_.clear();
     last_cursor_ = cursor_;
-    begin_figures();
+    reset_figures();
 }
 
 void Editor::drag() {
@@ -92,13 +91,15 @@ void Editor::drag() {
     });
 }
 
-// A fold-free drag goes the way of the cursor, as its steps depend on it.
+// The steps of a fold-free drag depend on the path, so such a drag follows the cursor's path.
 void Editor::update_point_drag() {
     const auto start = std::chrono::steady_clock::now();
     const DragPath path = modifiers_.alt ? DragPath::normal : DragPath::view_plane;
     std::vector<Vec2> positions{cursor_};
-    if (drag_options.fold_free && !path_.empty()) positions = bends(last_cursor_, path_, kBend);
-    path_.clear();
+    if (drag_options.fold_free && !cursor_path_.empty()) {
+        positions = simplified_path(last_cursor_, cursor_path_, kPathTolerance);
+    }
+    cursor_path_.clear();
     last_cursor_ = cursor_;
     const command::Drag before = session().active_drag();
     std::optional<std::string> refusal;
@@ -122,13 +123,13 @@ void Editor::update_control_drag() {
         return workspace_.set_message(rounded_numbers(*refusal));
     }
     if (!cage_points_.is_dragging()) return;
-    if (!had_begun) begin_figures();
+    if (!had_begun) reset_figures();
     workspace_.clear_command_message();
     shows_hint_ = false;
     record_frame(std::chrono::steady_clock::now() - start);
 }
 
-void Editor::begin_figures() {
+void Editor::reset_figures() {
     figures_.steps = 1;
     figures_.degrees = 0.0;
     figures_.scale = 1.0;
@@ -148,7 +149,7 @@ void Editor::record_frame(std::chrono::duration<double> taken) {
 }
 
 void Editor::release_drag() {
-    if (std::exchange(moved_, false)) drag();
+    if (std::exchange(drag_is_stale_, false)) drag();
     attempt([&] {
         const std::size_t steps = session().history().step_number();
         if (sculptor_.is_dragging()) {
@@ -165,9 +166,10 @@ void Editor::end_drag(const Command& done, std::size_t steps_before) {
     figures_.folded = session().folded_vertices();
     std::string message;
     if (figures_.folded > 0) {
-        message = "This drag turns space inside out at " + std::to_string(figures_.folded) +
+        message = "This drag turned space inside out at " + std::to_string(figures_.folded) +
                   (figures_.folded == 1 ? " vertex" : " vertices") +
-                  ". Undo takes it back; with Fold-free on, drags of the surface never do that.";
+                  ". Undo it, or switch on Fold-free, which prevents this when the surface is "
+                  "dragged.";
     }
     if (const std::string& remark = session().remark(); !remark.empty()) {
         message += (message.empty() ? "After this drag " : " After it ") + remark + ".";
@@ -187,25 +189,25 @@ FrameFigures Editor::figures() const {
 void Editor::cancel_drag() {
     if (sculptor_.is_dragging()) sculptor_.cancel(workspace_.session());
     if (cage_points_.is_active()) cage_points_.cancel(workspace_.session());
-    begin_figures();
-    moved_ = false;
+    reset_figures();
+    drag_is_stale_ = false;
 }
 
 void Editor::rotate_or_scale(double notches) {
     if (modifiers_.shift) {
-        sculptor_.grow(notches);
+        sculptor_.scale_by_steps(notches);
     } else {
         sculptor_.rotate(kDegreesPerNotch * notches);
     }
-    moved_ = true;
+    drag_is_stale_ = true;
 }
 
 // --- Pins.
 
 void Editor::toggle_pin() {
-    if (!cursor_is_ours_) return;
+    if (!cursor_in_viewport_) return;
     std::optional<Pick> pick = workspace_.session().pick(view().ray_through(cursor_));
-    if (pick) pick = onto_plane(*pick);
+    if (pick) pick = snapped_to_symmetry_plane(*pick);
     if (pins_.toggle(view(), cursor_, pick, session().symmetry()))
         workspace_.clear_command_message();
 }

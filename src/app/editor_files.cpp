@@ -1,16 +1,15 @@
-// What an Editor does with files: the dialogs about them, and what follows once one is done.
+// What an Editor does with files: the dialogs about them, and what follows once a command is done.
+
 #include <algorithm>
 #include <filesystem>
 #include <utility>
 
+#include "app/command_kind.h"
 #include "app/editor.h"
-#include "app/picture.h"
 #include "io/model_format.h"
 
 namespace pectin {
 namespace {
-
-constexpr command::Shape kFirstObject{command::Shape::Kind::sphere, 4};
 
 std::string absolute(const std::string& path) {
     std::error_code error;
@@ -20,43 +19,49 @@ std::string absolute(const std::string& path) {
 
 }  // namespace
 
-// What follows a command once it is no longer under way. Returns whether it is done.
-bool Editor::conclude(const Command& command, Workspace::Outcome outcome) {
-    if (outcome == Workspace::Outcome::under_way) return false;
+// --- After a command.
+
+// Does what follows a command that has ended. Returns whether the command was done.
+bool Editor::finish_command(const Command& command, Workspace::Outcome outcome) {
+    if (outcome == Workspace::Outcome::in_progress) return false;
     const bool is_done = outcome == Workspace::Outcome::done;
     const std::optional<Question> next = std::exchange(next_, std::nullopt);
-    if (is_done) hover_.reset();
-    if (is_done && (std::holds_alternative<command::Open>(command) ||
-                    std::holds_alternative<command::Shape>(command))) {
-        begin_object();
-    }
-    const bool was_taken_back = std::holds_alternative<command::Undo>(command) ||
-                                std::holds_alternative<command::Redo>(command);
-    if (is_done && was_taken_back) figures_.folded = 0;
+    const bool opens = std::holds_alternative<command::Open>(command);
+    if (is_done) update_after(command);
     if (std::exchange(quits_next_, false)) {
         quit();
     } else if (is_done && next) {
-        carry_out(*next);
-    } else if (std::holds_alternative<command::Open>(command) &&
-               session().mesh().face_slots() == 0) {
-        // Whatever is told of the model stays to be read.
-        const std::string message = workspace_.command_message();
-        execute(kFirstObject);
-        workspace_.set_message(message);
+        do_without_asking(*next);
+    } else if (opens && session().mesh().face_slots() == 0) {
+        execute_keeping_message(kFirstObject);
     }
     return is_done;
 }
 
-// Another object: what was set for the one before means nothing.
-void Editor::begin_object() {
+void Editor::update_after(const Command& command) {
+    hover_.reset();
+    if (makes_object(command)) reset_for_new_object();
+    if (is_any_of<command::Undo, command::Redo>(command)) figures_.folded = 0;
+}
+
+// Discards what belonged to the object before.
+void Editor::reset_for_new_object() {
     figures_ = {};
     pins_.clear();
     frame_all(kFitDirection);
-    if (!session().symmetry() || !mirror_.through_centre) return;
+    // The plane follows the centre of the new object.
+    if (session().symmetry() && mirror_.through_centre) {
+        execute_keeping_message(symmetry_command(true));
+    }
+}
+
+void Editor::execute_keeping_message(const Command& command) {
     const std::string message = workspace_.command_message();
-    set_symmetry(true);
+    execute(command);
     workspace_.set_message(message);
 }
+
+// --- Opening and saving.
 
 void Editor::begin(const std::string& model) {
     if (model.empty()) {
@@ -106,11 +111,32 @@ void Editor::begin_save() {
     }
 }
 
+// next: to be done once the save is done.
 void Editor::save(const std::string& path, std::optional<Question> next) {
     if (is_busy()) return;
     next_ = std::move(next);
     execute(command::Save{path});
 }
+
+void Editor::save_picture(const std::string& path) {
+    execute(command::Screenshot{
+        .path = path,
+        .width = std::clamp(size_.x, 16, 8192),
+        .height = std::clamp(size_.y, 16, 8192),
+        .camera = camera(),
+        .show = {
+            .wireframe = display.wireframe, .lattice = display.lattice, .levels = display.levels}});
+}
+
+void Editor::cancel_work() {
+    if (restoration_) {
+        restoration_->cancel(workspace_);
+    } else if (workspace_.file_task()) {
+        workspace_.cancel_file_task();
+    }
+}
+
+// --- The file browser.
 
 void Editor::accept_file() {
     const std::string path = browser->choose();
@@ -121,10 +147,10 @@ void Editor::accept_file() {
         file_to_replace_ = path;
         return;
     }
-    use_file(browser->purpose(), path);
+    use_chosen_file(browser->purpose(), path);
 }
 
-void Editor::use_file(FileBrowser::Purpose purpose, const std::string& path) {
+void Editor::use_chosen_file(FileBrowser::Purpose purpose, const std::string& path) {
     const std::optional<Question> next = std::exchange(after_save_, std::nullopt);
     close_browser();
     switch (purpose) {
@@ -135,23 +161,19 @@ void Editor::use_file(FileBrowser::Purpose purpose, const std::string& path) {
             save(path, next);
             break;
         case FileBrowser::Purpose::save_picture:
-            execute(command::Screenshot{.path = path,
-                                        .width = std::clamp(size_.x, 16, 8192),
-                                        .height = std::clamp(size_.y, 16, 8192),
-                                        .camera = camera(),
-                                        .show = {.wireframe = display.wireframe,
-                                                 .lattice = display.lattice,
-                                                 .levels = display.levels}});
+            save_picture(path);
             break;
     }
 }
 
 void Editor::close_browser() {
     browser.reset();
-    enter_ = false;
+    enter_pressed_ = false;
     file_to_replace_.clear();
     after_save_.reset();
 }
+
+// --- The question whether to save changes.
 
 void Editor::ask_or_do(Question asked) {
     if (is_busy()) return;
@@ -159,12 +181,12 @@ void Editor::ask_or_do(Question asked) {
         close_browser();
         question = std::move(asked);
     } else {
-        carry_out(asked);
+        do_without_asking(asked);
     }
 }
 
-void Editor::carry_out(const Question& asked) {
-    close_browser();  // one dialog at a time
+void Editor::do_without_asking(const Question& asked) {
+    close_browser();  // only one dialog may be open
     if (const auto* open = std::get_if<command::Open>(&asked.then)) {
         execute(*open);
     } else if (const auto* shape = std::get_if<command::Shape>(&asked.then)) {
@@ -176,62 +198,14 @@ void Editor::carry_out(const Question& asked) {
 
 void Editor::answer(Answer answer) {
     const Question asked = *std::exchange(question, std::nullopt);
-    enter_ = false;
-    if (answer == Answer::discard) carry_out(asked);
+    enter_pressed_ = false;
+    if (answer == Answer::discard) do_without_asking(asked);
     if (answer != Answer::save) return;
     if (workspace_.path().empty()) {
         perform(Action::save_as);
         after_save_ = asked;
     } else {
         save(workspace_.path(), asked);
-    }
-}
-
-void Editor::answer_recovery(RecoveryAnswer answer) {
-    enter_ = false;
-    if (answer == RecoveryAnswer::discard) {
-        remove_lost_session(lost_sessions_.front());
-        lost_sessions_.erase(lost_sessions_.begin());
-        return;  // to the next one
-    }
-    std::vector<LostSession> sessions = std::exchange(lost_sessions_, {});
-    if (answer == RecoveryAnswer::restore) restoration_.emplace(std::move(sessions.front()));
-}
-
-void Editor::go_on_restoring() {
-    const Restoration::State state = restoration_->advance(workspace_);
-    if (state == Restoration::State::under_way) return;
-    const Restoration ended = std::move(*restoration_);
-    restoration_.reset();
-    const bool has_object = session().mesh().face_slots() > 0;
-    std::string message;
-    if (state == Restoration::State::done) {
-        remove_lost_session(ended.session());
-        message = "Restored. Save the object to keep it.";
-    } else if (state == Restoration::State::failed && has_object) {
-        // A part of the session must not take the place of the whole in the model's file.
-        workspace_.forget_path();
-        message = "Restored up to command " + std::to_string(ended.done()) + " of " +
-                  std::to_string(ended.count()) + ": " + workspace_.command_message() +
-                  ". The whole script is in " + set_aside(ended.session().path) + ".";
-    } else {
-        const std::string why =
-            state == Restoration::State::failed ? ": " + workspace_.command_message() : "";
-        execute(kFirstObject);
-        message = "The session was not restored" + why + ". It is offered again at the next start.";
-    }
-    figures_ = {};
-    pins_.clear();
-    frame_all(kFitDirection);
-    workspace_.set_message(message);
-    if (std::exchange(quits_next_, false)) quit();
-}
-
-void Editor::cancel_work() {
-    if (restoration_) {
-        restoration_->cancel(workspace_);
-    } else if (workspace_.file_task()) {
-        workspace_.cancel_file_task();
     }
 }
 

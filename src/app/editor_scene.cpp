@@ -11,10 +11,10 @@ constexpr Colour kCircle{255, 255, 255, 190};
 constexpr Colour kCircleBeingSet{255, 214, 64, 255};
 constexpr Colour kCircleImage{255, 255, 255, 80};
 constexpr int kCircleSides = 96;
-// Of the object's box diagonal, between it and the border of the plane that is drawn.
+// Distance from the object to the border of the drawn plane, in diagonals of the object's box.
 constexpr double kPlaneMargin = 0.03;
 
-// The surface's normal where the pick is: that of its corners, weighed, so that the circle glides
+// The normals of the face's corners, interpolated at the pick, so that the circle moves smoothly
 // from face to face.
 Vec3 smooth_normal(const TriMesh& mesh, const Pick& pick) {
     const std::array<HalfEdgeId, 3> corners{TriMesh::half_edge(pick.face, 0),
@@ -31,7 +31,7 @@ Vec3 smooth_normal(const TriMesh& mesh, const Pick& pick) {
     return length > 0.0 ? sum / length : pick.normal;
 }
 
-// About a point of the surface, in its tangent plane.
+// Adds a circle about a point of the surface, in the tangent plane.
 void add_circle(Overlay& overlay, const Vec3& centre, const Vec3& normal, double radius,
                 const Colour& colour) {
     const Vec3 axis = std::abs(normal.x) < 0.6 ? Vec3{1.0, 0.0, 0.0} : Vec3{0.0, 1.0, 0.0};
@@ -48,7 +48,7 @@ void add_circle(Overlay& overlay, const Vec3& centre, const Vec3& normal, double
 
 void add_active_drag(Overlay& overlay, const Editor& editor) {
     const Sculptor& sculptor = editor.sculptor();
-    // Of a drag in several steps the last one's.
+    // After several steps, these are the lattices of the last step.
     for (const LatticeField& field : editor.session().active_lattices()) {
         add_lattice(overlay, field.lattice(), field.displacements());
     }
@@ -67,7 +67,7 @@ void add_pins(Overlay& overlay, const Editor& editor) {
     }
 }
 
-// Around the object, with some room.
+// The drawn part of the plane is a little larger than the object.
 void add_symmetry_plane(Overlay& overlay, const Editor& editor) {
     const auto& plane = editor.session().symmetry();
     if (!plane || !editor.display.symmetry_plane) return;
@@ -93,7 +93,7 @@ void add_cage(Overlay& overlay, const Editor& editor, const Lattice& cage) {
     }
 }
 
-// What reaches as far as the brush, where the cursor is and on the other side.
+// Adds the circle of the brush at the cursor, and with symmetry also its image.
 void add_brush(Overlay& overlay, const Editor& editor, const Pick& hover) {
     const Vec3 normal = smooth_normal(editor.session().mesh(), hover);
     const Colour& colour = editor.is_setting_radius() ? kCircleBeingSet : kCircle;
@@ -104,7 +104,8 @@ void add_brush(Overlay& overlay, const Editor& editor, const Pick& hover) {
                kCircleImage);
 }
 
-// The lattice that a drag would use, as far as that is known; else the last one's.
+// Returns the lattice that a drag from here would use; without a point under the cursor, the one
+// that was used last.
 std::optional<Lattice> preview_lattice(const Editor& editor) {
     const int span = editor.session().lattice_settings().span;
     if (editor.hover()) return brush_lattice(editor.hover()->point, editor.radius(), span);

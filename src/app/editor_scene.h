@@ -1,4 +1,4 @@
-// What the window shows of the object: the scene an Editor's state comes to.
+// The scene that shows an Editor's object and overlays.
 #pragma once
 
 #include "app/editor.h"
@@ -6,7 +6,7 @@
 
 namespace pectin {
 
-// pixel_scale: pixels a unit of window coordinates, times the screen's scale.
+// pixel_scale: pixels per unit of window coordinates, times the screen's content scale.
 Scene editor_scene(const Editor& editor, float pixel_scale);
 
 }  // namespace pectin

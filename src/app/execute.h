@@ -1,4 +1,4 @@
-// A command done for a person: whatever goes wrong becomes a sentence.
+// Executes commands so that every exception becomes an error message.
 #pragma once
 
 #include <cmath>
@@ -11,18 +11,18 @@
 
 namespace pectin {
 
-// What to say where there is no memory for something, such as "drag".
+// The message for a lack of memory. what: what needed it, such as "drag".
 inline std::string not_enough_memory(const std::string& what, const History& history) {
     const double megabytes = 1e-6 * static_cast<double>(history.memory_bytes());
-    return "not enough memory for this " + what + "; undo history takes " +
+    return "not enough memory for this " + what + "; the undo history uses " +
            std::to_string(std::llround(megabytes)) +
-           " MB; lower its limit, or use a lower resolution, budget or model";
+           " MB; lower its limit, or use a lower resolution or budget or a smaller model";
 }
 
-// What `work`, which does the command, answers is wrong, or what it throws.
+// Calls `work`, which executes the command and returns what is wrong, if anything. Returns the
+// same, or the message of the exception that it throws.
 template <typename Work>
-std::optional<std::string> complaint_about(const Command& command, const Session& session,
-                                           Work work) {
+std::optional<std::string> try_command(const Command& command, const Session& session, Work work) {
     try {
         return work();
     } catch (const std::bad_alloc&) {
@@ -32,9 +32,9 @@ std::optional<std::string> complaint_about(const Command& command, const Session
     }
 }
 
-// What is wrong with the command; nothing if it was done.
+// Returns what is wrong with the command; nothing if it was executed.
 inline std::optional<std::string> execute(Session& session, const Command& command) {
-    return complaint_about(command, session, [&] { return session.execute(command); });
+    return try_command(command, session, [&] { return session.execute(command); });
 }
 
 }  // namespace pectin

@@ -81,9 +81,9 @@ FileBrowser::FileBrowser(Purpose purpose, const std::string& path)
     : purpose_(purpose), extensions_(extensions_for(purpose)) {
     if (purpose != Purpose::open) name = fs::path(path).filename().string();
     const std::string folder = fs::path(path).parent_path().string();
-    enter(folder.empty() ? "." : folder);
-    if (!complaint_.empty()) enter(home());
-    if (!complaint_.empty()) enter("/");
+    open_folder(folder.empty() ? "." : folder);
+    if (!error_.empty()) open_folder(home());
+    if (!error_.empty()) open_folder("/");
 }
 
 const char* FileBrowser::title() const {
@@ -98,33 +98,35 @@ const char* FileBrowser::title() const {
     return "";
 }
 
-const char* FileBrowser::verb() const { return purpose_ == Purpose::open ? "Open" : "Save"; }
+const char* FileBrowser::accept_label() const {
+    return purpose_ == Purpose::open ? "Open" : "Save";
+}
 
-std::vector<FileBrowser::Step> FileBrowser::steps() const {
-    std::vector<Step> steps;
+std::vector<FileBrowser::Breadcrumb> FileBrowser::breadcrumbs() const {
+    std::vector<Breadcrumb> breadcrumbs;
     fs::path whole;
     for (const fs::path& part : fs::path(folder_)) {
         if (part.empty()) continue;
         whole /= part;
-        steps.push_back({part.string(), whole.string()});
+        breadcrumbs.push_back({part.string(), whole.string()});
     }
-    return steps;
+    return breadcrumbs;
 }
 
-void FileBrowser::enter(const std::string& folder) {
+void FileBrowser::open_folder(const std::string& folder) {
     std::string whole = absolute_path(folder);
     if (whole.size() > 1 && whole.ends_with('/')) whole.pop_back();
     try {
         entries_ = list_folder(whole, extensions_);
         folder_ = whole;
-        complaint_.clear();
-        takes_typing = true;
+        error_.clear();
+        wants_focus = true;
     } catch (const FileError& error) {
-        complaint_ = error.what();
+        error_ = error.what();
     }
 }
 
-void FileBrowser::enter_parent() { enter(fs::path(folder_).parent_path().string()); }
+void FileBrowser::open_parent_folder() { open_folder(fs::path(folder_).parent_path().string()); }
 
 std::string FileBrowser::choose() {
     if (name.empty()) return {};
@@ -133,8 +135,8 @@ std::string FileBrowser::choose() {
     std::string whole = absolute_path(fs::path(folder_) / path);
     std::error_code ignored;
     if (fs::is_directory(whole, ignored)) {
-        enter(whole);
-        if (complaint_.empty()) name.clear();
+        open_folder(whole);
+        if (error_.empty()) name.clear();
         return {};
     }
     if (purpose_ != Purpose::open && !has_one_of(whole, extensions_)) whole += extensions_.front();

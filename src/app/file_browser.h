@@ -1,4 +1,4 @@
-// Choosing a file to open or to save, on std::filesystem; file_panel draws it.
+// The state of a dialog that chooses a file to open or to save. file_panel.h draws it.
 #pragma once
 
 #include <cstdint>
@@ -11,13 +11,13 @@ namespace pectin {
 struct FileEntry {
     std::string name;
     bool is_folder = false;
-    std::uintmax_t bytes = 0;  // of a file
+    std::uintmax_t bytes = 0;  // size of a file
     bool operator==(const FileEntry&) const = default;
 };
 
-// What a folder holds of interest: folders first, each sorted without regard to case; hidden ones
-// left out; of files only those that end in one of `extensions` (".obj"), in any case.
-// Throws FileError where it cannot be read.
+// Lists a folder: folders first, then the files whose names end in one of `extensions` (such as
+// ".obj"), each sorted without regard to case. Case is also ignored in the extensions. Hidden
+// entries are left out. Throws FileError if the folder cannot be read.
 std::vector<FileEntry> list_folder(const std::string& folder,
                                    std::span<const std::string> extensions);
 
@@ -25,37 +25,39 @@ class FileBrowser {
   public:
     enum class Purpose { open, save, save_picture };
 
-    // Starts in the folder of `path`, or in the working folder where it is empty, with its name.
+    // Begins in the folder of `path` with the file's name, or in the working folder if `path` is
+    // empty.
     FileBrowser(Purpose purpose, const std::string& path);
 
     Purpose purpose() const { return purpose_; }
     const char* title() const;
-    const char* verb() const;  // of the button
-    // The extensions of the files that are listed (".obj"). The first is added when saving.
+    const char* accept_label() const;  // label of the button that accepts the file
+    // The extensions of the files that are listed (such as ".obj"). The first is added when saving.
     std::span<const std::string> extensions() const { return extensions_; }
 
     const std::string& folder() const { return folder_; }
     const std::vector<FileEntry>& entries() const { return entries_; }
-    // Why the folder is not shown; empty where it is.
-    const std::string& complaint() const { return complaint_; }
-    // The path's folders from the root, each with its own path.
-    struct Step {
+    // Why the last folder could not be opened; empty if it was.
+    const std::string& error() const { return error_; }
+    // The folders from the root to this folder.
+    struct Breadcrumb {
         std::string name, path;
     };
-    std::vector<Step> steps() const;
+    std::vector<Breadcrumb> breadcrumbs() const;
 
-    // Goes there; where it cannot be read, stays and complains.
-    void enter(const std::string& folder);
-    void enter_parent();
+    // Opens a folder. If it cannot be read, sets error() and stays in this one.
+    void open_folder(const std::string& folder);
+    void open_parent_folder();
 
-    // What stands in the name's field.
+    // The text of the name field.
     std::string name{};
-    // Whether typing is to go there; set at the start and in each folder entered.
-    bool takes_typing = true;
+    // Whether the name field should get the keyboard focus. Set at the start and by open_folder().
+    bool wants_focus = true;
 
-    // The file that the name means, absolute: a name with a folder counts from this one, and ~ is
-    // the home folder. When saving, the first extension is added where all are missing. Empty where
-    // there is no name. Where the name is that of a folder, goes there and answers empty.
+    // Returns the absolute path of the file that the name means; empty if there is none. A relative
+    // name belongs to this folder, and ~ means the home folder. When saving, the first extension is
+    // added if the name has none of them. If the name is that of a folder, that folder is opened
+    // and the result is empty.
     std::string choose();
     static bool exists(const std::string& path);
 
@@ -64,7 +66,7 @@ class FileBrowser {
     std::vector<std::string> extensions_;
     std::string folder_;
     std::vector<FileEntry> entries_;
-    std::string complaint_;
+    std::string error_;
 };
 
 }  // namespace pectin

@@ -26,23 +26,23 @@ std::string size_text(std::uintmax_t bytes) {
     return text.data();
 }
 
-// The folders above, each a button that leads there.
-void draw_steps(FileBrowser& browser) {
+// A row of buttons that lead to the folders above.
+void draw_breadcrumbs(FileBrowser& browser) {
     std::optional<std::string> target;
     const float right = ImGui::GetWindowPos().x + ImGui::GetWindowContentRegionMax().x;
-    const auto steps = browser.steps();
-    for (std::size_t i = 0; i < steps.size(); ++i) {
+    const auto crumbs = browser.breadcrumbs();
+    for (std::size_t i = 0; i < crumbs.size(); ++i) {
         const float width =
-            ImGui::CalcTextSize(steps[i].name.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
+            ImGui::CalcTextSize(crumbs[i].name.c_str()).x + 2.0f * ImGui::GetStyle().FramePadding.x;
         if (i > 0) {
             ImGui::SameLine(0.0f, 3.0f);
             if (ImGui::GetCursorScreenPos().x + width > right) ImGui::NewLine();
         }
         ImGui::PushID(static_cast<int>(i));
-        if (ImGui::Button(steps[i].name.c_str())) target = steps[i].path;
+        if (ImGui::Button(crumbs[i].name.c_str())) target = crumbs[i].path;
         ImGui::PopID();
     }
-    if (target) browser.enter(*target);
+    if (target) browser.open_folder(*target);
 }
 
 // Returns whether a file was chosen by a double click.
@@ -54,7 +54,7 @@ bool draw_entries(FileBrowser& browser) {
         for (const std::string& extension : browser.extensions()) {
             types += (types.empty() ? "" : " or ") + extension;
         }
-        ImGui::TextDisabled("No folder and no %s file here.", types.c_str());
+        ImGui::TextDisabled("There are no folders and no %s files here.", types.c_str());
     }
     for (const FileEntry& entry : browser.entries()) {
         const bool is_selected = !entry.is_folder && entry.name == browser.name;
@@ -72,14 +72,14 @@ bool draw_entries(FileBrowser& browser) {
         ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(size.c_str()).x);
         ImGui::TextDisabled("%s", size.c_str());
     }
-    if (folder) browser.enter(*folder);
+    if (folder) browser.open_folder(*folder);
     return chosen;
 }
 
 void draw_replace_question(Editor& editor, float scale) {
     const bool is_wanted = !editor.file_to_replace().empty();
     if (!begin_dialog(is_wanted, "Replace the file?", 420.0f * scale, 0.0f)) return;
-    ImGui::TextWrapped("%s is there already.", editor.file_to_replace().c_str());
+    ImGui::TextWrapped("%s already exists.", editor.file_to_replace().c_str());
     ImGui::Spacing();
     const ImVec2 size(110.0f * scale, 0.0f);
     const bool replaces = ImGui::Button("Replace", size);
@@ -94,7 +94,7 @@ void draw_replace_question(Editor& editor, float scale) {
 bool begin_dialog(bool is_wanted, const char* title, float width, float height) {
     if (!is_wanted) {
         if (!ImGui::IsPopupOpen(title)) return false;
-        // Its last frame, in which it is told to close, is not to be seen; at 0 it would not begin.
+        // In its last frame a closing dialog must be invisible. With alpha 0 it would not begin.
         ImGui::PushStyleVar(ImGuiStyleVar_Alpha, 1e-3f);
         if (ImGui::BeginPopupModal(title, nullptr, kDialog)) {
             ImGui::CloseCurrentPopup();
@@ -113,23 +113,23 @@ bool begin_dialog(bool is_wanted, const char* title, float width, float height) 
 }
 
 void draw_file_panel(Editor& editor, float scale) {
-    // One dialog, whatever stands over it.
+    // The part after ### identifies the dialog, which stays the same when its title changes.
     const std::string title =
         (editor.browser ? editor.browser->title() : std::string()) + "###files";
     if (!begin_dialog(editor.browser.has_value(), title.c_str(), 640.0f * scale, 520.0f * scale)) {
         return;
     }
     FileBrowser& browser = *editor.browser;
-    draw_steps(browser);
-    if (!browser.complaint().empty()) ImGui::TextWrapped("%s", browser.complaint().c_str());
+    draw_breadcrumbs(browser);
+    if (!browser.error().empty()) ImGui::TextWrapped("%s", browser.error().c_str());
     const float below = 2.0f * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
     ImGui::BeginChild("entries", ImVec2(0.0f, -below), true);
     bool accepts = draw_entries(browser);
     ImGui::EndChild();
     const bool has_enter = editor.file_to_replace().empty() && editor.take_enter();
-    // A field of its own for each folder: one being typed into keeps its text whatever is set.
+    // Each folder has its own field, since a field that has the focus ignores changes of its text.
     ImGui::PushID(browser.folder().c_str());
-    if (std::exchange(browser.takes_typing, false)) ImGui::SetKeyboardFocusHere();
+    if (std::exchange(browser.wants_focus, false)) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputTextWithHint("##name", "Name or path", &browser.name,
                              ImGuiInputTextFlags_AutoSelectAll);
@@ -139,10 +139,10 @@ void draw_file_panel(Editor& editor, float scale) {
                          ImGui::GetStyle().ItemSpacing.x);
     const bool cancels = ImGui::Button("Cancel", size);
     ImGui::SameLine();
-    accepts |= ImGui::Button(browser.verb(), size) || has_enter;
+    accepts |= ImGui::Button(browser.accept_label(), size) || has_enter;
     draw_replace_question(editor, scale);
     ImGui::EndPopup();
-    // What follows may close the browser.
+    // These may close the browser.
     if (editor.browser && accepts) editor.accept_file();
     if (editor.browser && cancels) editor.close_browser();
 }

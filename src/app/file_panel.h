@@ -1,15 +1,17 @@
-// The file browser as a dialog.
+// The dialog of the file browser.
 #pragma once
 
 #include "app/editor.h"
 
 namespace pectin {
 
-// While the editor has a browser open; also asks before a file is replaced. scale: of the screen.
+// Draws the browser while the editor has one open, and the question whether to replace a file.
+// scale: of the screen.
 void draw_file_panel(Editor& editor, float scale);
 
-// Begins a dialog in the middle of the window and over all else, opening it first; closes it where
-// it is not wanted. To be called every frame; where it answers true, ImGui::EndPopup ends it.
+// Begins a modal dialog in the middle of the window, opening it first if need be. If it is not
+// wanted, closes it. To be called in every frame. If it returns true, ImGui::EndPopup() must
+// follow.
 bool begin_dialog(bool is_wanted, const char* title, float width, float height);
 
 }  // namespace pectin

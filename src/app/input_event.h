@@ -1,7 +1,7 @@
-// What a person does with mouse and keyboard, apart from any window system.
+// Events of mouse, keyboard and window, independent of any window system.
 //
-// Places are in window coordinates: from the top left corner, in the units that the window's size
-// is given in (pixels, or larger than pixels on screens of small ones).
+// Positions are in window coordinates: from the top left corner, in the units of the window's size.
+// On screens with small pixels these may be larger than pixels.
 #pragma once
 
 #include <string>
@@ -19,8 +19,8 @@ struct Modifiers {
 
 enum class MouseButton { left, middle, right };
 
-// Keys by what is written on them in the present layout: letters and digits are their ASCII
-// capitals, as in Key{'Z'}.
+// Keys by their label in the present keyboard layout. Letters and digits are their ASCII capitals,
+// such as Key{'Z'}.
 enum class Key : int {
     none = 0,
     escape = 256,
@@ -43,7 +43,7 @@ enum class Key : int {
     keypad_7
 };
 
-// The shape of the cursor over what lies under it.
+// The shape of the mouse cursor.
 enum class CursorShape { arrow, text, hand, resize_horizontally, resize_vertically };
 
 namespace event {
@@ -58,12 +58,12 @@ struct Release {
     Vec2 at{0.0};
     Modifiers modifiers{};
 };
-// Also sent where the cursor stays and a modifier is pressed or released.
+// Also sent when a modifier is pressed or released while the cursor stays.
 struct Move {
     Vec2 at{0.0};
     Modifiers modifiers{};
 };
-struct Leave {};  // the cursor is over the window no more
+struct Leave {};  // the cursor has left the window
 struct Scroll {
     double amount = 0.0;  // notches, up is positive
     Vec2 at{0.0};
@@ -77,7 +77,7 @@ struct KeyUp {
     Key key = Key::none;
 };
 struct Character {
-    unsigned int code = 0;  // Unicode
+    unsigned int code = 0;  // Unicode code point
 };
 struct Drop {
     std::vector<std::string> paths{};
@@ -86,7 +86,7 @@ struct Resize {
     IVec2 size{0};
 };
 struct Focus {
-    bool gained = false;  // else lost: keys are released without a KeyUp from now on
+    bool gained = false;  // if false, it was lost: keys are then released without a KeyUp
 };
 struct Close {};
 

@@ -14,8 +14,8 @@ namespace {
 
 enum ExitStatus { kDone = 0, kFailed = 1, kBadUsage = 2 };
 
-// A file that is opened later must not get the number of a standard one that was closed when the
-// program started: messages would be written into it. Opening takes the lowest number.
+// Opens /dev/null for each standard file that was closed when the program started. A file that is
+// opened gets the lowest free number. Without this, messages could be written into a model.
 void open_missing_standard_files() {
     for (int number = 0; number <= 2; ++number) {
         if (::fcntl(number, F_GETFD) < 0 && ::open("/dev/null", O_RDWR) != number) return;
@@ -24,9 +24,10 @@ void open_missing_standard_files() {
 
 bool replay(const std::string& script, pectin::TerminationWatch& termination) {
     pectin::ReplayStatus status;
-    termination.set_farewell([&status](const char* signal) { return status.farewell(signal); });
+    termination.set_exit_message(
+        [&status](const char* signal) { return status.exit_message(signal); });
     const bool is_done = pectin::replay(script, std::cerr, status);
-    termination.set_farewell({});  // before the status is gone
+    termination.set_exit_message({});  // before the status is destroyed
     return is_done;
 }
 

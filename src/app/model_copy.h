@@ -1,5 +1,5 @@
-// Copies of opened models for recovery: a session can be restored only from the very model that it
-// has opened, and a save may replace that.
+// Copies of opened models for recovery. A session can be restored only from the very model that it
+// opened, and a save may replace that model.
 #pragma once
 
 #include <string>
@@ -10,24 +10,20 @@
 
 namespace pectin {
 
-// Tells the contents of a file from others by their size and a 64-bit hash. A plain word. Not made
-// to withstand an attacker. Throws FileError, Cancelled. Cost: O(size), a gigabyte a second or
-// more.
-std::string fingerprint(const std::string& path, const Progress& progress = {});
-
 struct ModelCopy {
     std::string from, to;
-    std::string fingerprint;  // of what `from` held when it was opened
+    std::string fingerprint;  // of the contents that `from` had when it was opened
 };
 
-// Makes the copy, whole and flushed to the disk or not at all. Throws FileError, also where the
-// file has other contents by now; Cancelled.
+// Makes the copy and flushes it to the disk. If it fails, no copy is left.
+// Throws FileError, also if the file's contents do not match the fingerprint, and Cancelled.
 void make_copy(const ModelCopy& copy, const Progress& progress = {});
 
-// Loads what `open` has loaded in an earlier session: from the copy, where that exists, or else
-// from the file itself. The result is the same, whichever it comes from; material files are looked
-// for beside the original. Throws FileError where neither holds the contents of that time, and what
-// load_model() throws.
+// Loads the model that `open` loaded in an earlier session. It is read from copy.from if that file
+// exists, or else from open.path; the result is the same. Material files are looked for beside
+// open.path. If the model is read from the copy and copy.to is not empty, copy.to becomes another
+// copy.
+// Throws FileError if neither file has the contents of that time, and whatever load_model() throws.
 LoadedModel load_original(const command::Open& open, const ModelCopy& copy,
                           const Progress& progress = {});
 

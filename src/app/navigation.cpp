@@ -7,18 +7,19 @@
 namespace pectin {
 namespace {
 
-// Across the height of the window the camera turns half round.
+// The camera turns by half a turn when the mouse moves over the window's height.
 constexpr double kTurnPerHeight = std::numbers::pi;
 constexpr double kZoomPerNotch = 0.88;
-// Dragging over the height of the window nears the camera by this much.
+// Moving the mouse over the window's height zooms by this factor.
 constexpr double kZoomPerHeight = 8.0;
-// Nearer or farther than this against the size of the object's fit, numbers of the camera fail.
-constexpr double kNearest = 1e-9, kFarthest = 1e12;
+// Limits of the camera's distance, relative to the distance of the target from the origin. Beyond
+// them the camera loses its precision.
+constexpr double kMinDistance = 1e-9, kMaxDistance = 1e12;
 
-Camera zoomed_within_reason(const Camera& camera, double factor) {
+Camera zoomed_within_limits(const Camera& camera, double factor) {
     const double distance = camera.distance() * factor;
     const double size = 1.0 + glm::length(camera.target);
-    if (!(distance > kNearest * size && distance < kFarthest * size)) return camera;
+    if (!(distance > kMinDistance * size && distance < kMaxDistance * size)) return camera;
     return zoomed(camera, factor);
 }
 
@@ -58,7 +59,7 @@ void Navigation::move_to(const Vec2& at, const IVec2& size) {
             camera_ = panned(camera_, by, size);
             break;
         case NavigationMode::zoom:
-            camera_ = zoomed_within_reason(camera_, std::pow(kZoomPerHeight, by.y / height));
+            camera_ = zoomed_within_limits(camera_, std::pow(kZoomPerHeight, by.y / height));
             break;
     }
 }
@@ -70,7 +71,7 @@ std::optional<MouseButton> Navigation::button() const {
 
 void Navigation::scroll(double amount, const Vec2& at, const IVec2& size) {
     const Camera nearer =
-        zoomed_within_reason(camera_, std::pow(kZoomPerNotch, std::clamp(amount, -10.0, 10.0)));
+        zoomed_within_limits(camera_, std::pow(kZoomPerNotch, std::clamp(amount, -10.0, 10.0)));
     const double factor = nearer.distance() / camera_.distance();
     const Vec2 from_centre = at - 0.5 * Vec2(size);
     camera_ = panned(nearer, (1.0 - 1.0 / factor) * from_centre, size);

@@ -1,4 +1,4 @@
-// Looking around: which mouse gesture turns, moves or nears the camera, and by how much.
+// Orbiting, panning and zooming of the camera with the mouse.
 #pragma once
 
 #include <optional>
@@ -11,7 +11,7 @@ namespace pectin {
 
 enum class NavigationMode { orbit, pan, zoom };
 
-// What a press means; nothing where it drags the surface.
+// Returns the mode that a press begins; nothing if the press drags the surface.
 std::optional<NavigationMode> navigation_mode(MouseButton button, const Modifiers& modifiers,
                                               bool on_surface);
 
@@ -19,7 +19,7 @@ class Navigation {
   public:
     const Camera& camera() const { return camera_; }
 
-    // --- A gesture of the mouse: from press to release.
+    // --- A gesture of the mouse, from press to release.
     void begin(NavigationMode mode, MouseButton button, const Vec2& at);
     void move_to(const Vec2& at, const IVec2& size);
     void end() { gesture_.reset(); }
@@ -27,11 +27,11 @@ class Navigation {
     // The button that began the gesture.
     std::optional<MouseButton> button() const;
 
-    // Up is nearer; what is under the cursor stays there.
+    // Zooms in for a positive amount. The point under the cursor stays there.
     void scroll(double amount, const Vec2& at, const IVec2& size);
 
-    // Shows all of the points from where the camera looks now, or from `direction`. aspect: of the
-    // part of the window that they are to be seen in, which has its middle in the window's.
+    // Moves the camera so that all points are visible, from `direction` or else from its present
+    // direction. aspect: of the part of the window that shows them, which is centred in the window.
     void frame(std::span<const Vec3> points, double aspect, double fraction_of_height,
                const std::optional<Vec3>& direction = {});
 
@@ -46,9 +46,9 @@ class Navigation {
     std::optional<Gesture> gesture_;
 };
 
-// Target to eye.
+// Directions from the target to the eye.
 inline constexpr Vec3 kFrontView{0.0, 0.0, 1.0};
 inline constexpr Vec3 kRightView{1.0, 0.0, 0.0};
-inline constexpr Vec3 kTopView{0.0, 1.0, 1e-4};  // a little to the front: up stays +y
+inline constexpr Vec3 kTopView{0.0, 1.0, 1e-4};  // a little to the front, so that +y is up
 
 }  // namespace pectin

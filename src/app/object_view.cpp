@@ -5,7 +5,7 @@
 namespace pectin {
 
 GpuMesh::Upload ObjectView::update(Session& session) {
-    // Until it is done: what throws in between leaves a picture of something else.
+    // Until the upload is complete, graphics memory may hold a part of it.
     const bool was_stale = std::exchange(is_stale_, true);
     const DirtyElements dirty = session.take_dirty();
     GpuMesh::Upload upload;

@@ -1,5 +1,5 @@
-// The session's object in graphics memory. Here it is decided what is uploaded before a picture:
-// the session says which elements have changed (DirtyElements), and GpuMesh writes them.
+// The session's object in graphics memory. This class decides what is uploaded before a picture is
+// drawn: the session says which elements have changed (DirtyElements), and GpuMesh writes them.
 #pragma once
 
 #include "render/gpu_mesh.h"
@@ -11,8 +11,7 @@ class ObjectView {
   public:
     explicit ObjectView(const Gl& gl) : mesh_(gl) {}
 
-    // Uploads what has changed since it was last called, and nothing else; everything if it threw
-    // when it was last called.
+    // Uploads what has changed since the last call. If the last call threw, uploads everything.
     GpuMesh::Upload update(Session& session);
 
     const GpuMesh& mesh() const { return mesh_; }

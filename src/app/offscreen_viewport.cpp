@@ -5,7 +5,7 @@
 
 namespace pectin {
 
-struct OffscreenViewport::Studio {
+struct OffscreenViewport::Context {
     std::unique_ptr<OffscreenHost> host = make_offscreen_host();
     Renderer renderer{host->gl()};
     GpuMesh mesh{host->gl()};
@@ -17,14 +17,12 @@ OffscreenViewport::~OffscreenViewport() = default;
 std::optional<std::string> OffscreenViewport::screenshot(const TriMesh& mesh,
                                                          const std::optional<Lattice>& lattice,
                                                          const command::Screenshot& screenshot) {
-    if (screenshot.show.ui) {
-        return "the panels cannot be in the picture; leave \"ui\" out of show";
-    }
-    if (!studio_) studio_ = std::make_unique<Studio>();
-    studio_->host->make_current();
-    studio_->mesh.upload(mesh);
-    const Canvas canvas(studio_->host->gl(), {screenshot.width, screenshot.height});
-    studio_->renderer.draw(studio_->mesh, make_scene(screenshot, mesh, lattice), canvas);
+    if (auto refusal = refuse_panels(screenshot)) return refusal;
+    if (!context_) context_ = std::make_unique<Context>();
+    context_->host->make_current();
+    context_->mesh.upload(mesh);
+    const Canvas canvas(context_->host->gl(), {screenshot.width, screenshot.height});
+    context_->renderer.draw(context_->mesh, make_scene(screenshot, mesh, lattice), canvas);
     canvas.resolve();
     write_image(canvas.read(), screenshot.path);
     return std::nullopt;

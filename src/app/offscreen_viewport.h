@@ -14,14 +14,15 @@ class OffscreenViewport : public Viewport {
     OffscreenViewport(const OffscreenViewport&) = delete;
     OffscreenViewport& operator=(const OffscreenViewport&) = delete;
 
-    // Makes its context at the first one. Refuses to show the user interface, which is a window's.
+    // Creates the OpenGL context in the first call. Refuses to show the user interface, which only
+    // a window has.
     std::optional<std::string> screenshot(const TriMesh& mesh,
                                           const std::optional<Lattice>& lattice,
                                           const command::Screenshot& screenshot) override;
 
   private:
-    struct Studio;  // context, renderer and mesh
-    std::unique_ptr<Studio> studio_;
+    struct Context;  // OpenGL context, renderer and mesh
+    std::unique_ptr<Context> context_;
 };
 
 }  // namespace pectin

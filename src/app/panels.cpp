@@ -21,18 +21,18 @@ constexpr ImGuiWindowFlags kBare = kFixed | ImGuiWindowFlags_NoTitleBar |
 constexpr float kMargin = 12.0f;  // between panels and the window's edge
 constexpr float kSettingsWidth = 310.0f;
 
-constexpr float kMessageGap = 12.0f;  // between a message and the button that takes it away
+constexpr float kMessageGap = 12.0f;  // between a message and its close button
 
-// To choose from, in bytes.
+// The limits that the menu offers, in bytes.
 constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, History::kDefaultLimit,
                                                  3'000'000'000, 10'000'000'000};
 
 const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
 
 constexpr std::array kHint{
-    "Drag a point of the surface: what is round it follows.",
-    "Drag beside the object to turn it, with Shift to move it; the wheel zooms.",
-    "[ and ] set how far a drag reaches, X switches symmetry; Ctrl+Z takes a drag back.",
+    "Drag a point of the surface. Its surroundings follow.",
+    "Drag beside the object to orbit, with Shift to pan. The wheel zooms.",
+    "[ and ] change the brush radius, X toggles symmetry, Ctrl+Z undoes a drag.",
 };
 
 void item(Editor& editor, const char* label, Action action, bool enabled = true) {
@@ -56,7 +56,7 @@ void draw_new_menu(Editor& editor) {
     ImGui::EndMenu();
 }
 
-// 1234567 as 1,234,567.
+// Formats 1234567 as 1,234,567.
 std::string grouped(std::uint64_t number) {
     std::string digits = std::to_string(number);
     for (std::size_t i = digits.size(); i > 3;) digits.insert(i -= 3, ",");
@@ -73,7 +73,7 @@ std::string formatted(const char* format, double value) {
     return text.data();
 }
 
-// As is worth telling of so many bytes.
+// Formats a number of bytes with as many digits as are useful.
 std::string megabytes(std::size_t bytes) {
     const double number = 1e-6 * static_cast<double>(bytes);
     if (number < 10.0) return formatted("%.1f MB", number);
@@ -106,7 +106,7 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     const bool had_dialog = editor.has_dialog();
     areas_.clear();
     draw_selection(editor);
-    draw_hint(editor);  // first, so that in a small window the panels lie over it
+    draw_hint(editor);  // first, so that the panels cover it in a small window
     draw_menus(editor);
     draw_status(editor, figures);
     draw_tools(editor);
@@ -116,7 +116,7 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     draw_recovery_question(editor);
     draw_file_panel(editor, scale_);
     draw_progress_panel(editor, scale_);
-    // A dialog that has just been closed claims nothing more, though Dear ImGui knows it yet.
+    // A dialog that was closed in this frame claims no input, though Dear ImGui still counts it.
     has_popup_ = editor.has_dialog() ||
                  (!had_dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
                                                             ImGuiPopupFlags_AnyPopupLevel));
@@ -250,7 +250,7 @@ void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
     ImGui::PopStyleVar(3);
 }
 
-// Above the line, which stays to be read.
+// Begins a tooltip above the status bar, so that the bar stays visible.
 void Panels::begin_status_tooltip(const char* title) const {
     const float left = ImGui::GetItemRectMin().x - ImGui::GetStyle().WindowPadding.x;
     const float bottom = ImGui::GetIO().DisplaySize.y - status_height_ - scaled(4.0f);
@@ -267,7 +267,7 @@ void Panels::tooltip_row(const char* what, const std::string& figure) const {
 
 void Panels::draw_frame_tooltip(const FrameFigures& frame, const PictureFigures& figures) const {
     begin_status_tooltip("Last frame of a drag");
-    tooltip_row("moving", formatted("%.1f ms", 1e3 * frame.deform_seconds));
+    tooltip_row("deforming", formatted("%.1f ms", 1e3 * frame.deform_seconds));
     tooltip_row("refining", formatted("%.1f ms", 1e3 * frame.refine_seconds));
     tooltip_row("decimating", formatted("%.1f ms", 1e3 * frame.decimate_seconds));
     tooltip_row("uploaded", counted(figures.uploaded_bytes, "byte", "bytes") + " in " +
@@ -287,32 +287,32 @@ void Panels::draw_memory_tooltip(const History& history, const PictureFigures& f
     ImGui::EndTooltip();
 }
 
-// One after the other, what there is of it.
+// Draws those figures of the drag that are worth showing, one beside the other.
 void Panels::draw_drag_figures(const Editor& editor) const {
     const FrameFigures frame = editor.figures();
     float left = scaled(520.0f);
-    const auto tell = [&](const std::string& text, const ImVec4& colour) {
+    const auto add_text = [&](const std::string& text, const ImVec4& colour) {
         ImGui::SameLine(left);
         ImGui::TextColored(colour, "%s", text.c_str());
         left += ImGui::CalcTextSize(text.c_str()).x + scaled(24.0f);
     };
     if (editor.sculptor().is_dragging()) {
         const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
-        if (frame.steps > 1) tell(std::to_string(frame.steps) + " steps", plain);
-        if (frame.degrees != 0.0) tell(formatted("twist %.0f°", frame.degrees), plain);
-        if (frame.scale != 1.0) tell(formatted("scale %.2f", frame.scale), plain);
+        if (frame.steps > 1) add_text(std::to_string(frame.steps) + " steps", plain);
+        if (frame.degrees != 0.0) add_text(formatted("twist %.0f°", frame.degrees), plain);
+        if (frame.scale != 1.0) add_text(formatted("scale %.2f", frame.scale), plain);
     }
     if (frame.folded > 0) {
-        tell(counted(frame.folded, "vertex folded", "vertices folded"), kWarning);
+        add_text(counted(frame.folded, "vertex folded", "vertices folded"), kWarning);
     }
     if (frame.budget_hit) {
-        tell("the triangle budget is used up", kWarning);
+        add_text("the triangle budget is used up", kWarning);
     } else if (frame.floor_hit) {
-        tell("edges are as short as they may be", kWarning);
+        add_text("edges have reached the least length", kWarning);
     }
 }
 
-// The box that control points are being selected with.
+// Draws the box with which control points are being selected.
 void Panels::draw_selection(const Editor& editor) const {
     const auto& box = editor.cage_points().box();
     if (!box) return;
@@ -330,11 +330,11 @@ void Panels::draw_message(Editor& editor) {
     if (message.empty()) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float close = ImGui::GetFrameHeight();
-    // Between the panels, in the middle of the window; over them where that is too narrow.
+    // The message is between the panels. In a narrow window it covers them.
     const float frame = close + scaled(kMessageGap) + 2.0f * ImGui::GetStyle().WindowPadding.x;
-    const float beside = display.x - 2.0f * scaled(kSettingsWidth + 2.0f * kMargin) - frame;
-    const float most = std::max(beside, 0.4f * display.x);
-    const float text = std::min(most, ImGui::CalcTextSize(message.c_str()).x + scaled(2.0f));
+    const float between_panels = display.x - 2.0f * scaled(kSettingsWidth + 2.0f * kMargin) - frame;
+    const float longest = std::max(between_panels, 0.4f * display.x);
+    const float text = std::min(longest, ImGui::CalcTextSize(message.c_str()).x + scaled(2.0f));
     ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, menu_height_ + scaled(kMargin)),
                             ImGuiCond_Always, ImVec2(0.5f, 0.0f));
     ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0.86f, 0.62f, 0.34f, 0.8f));
@@ -367,8 +367,7 @@ void Panels::draw_question(Editor& editor) {
     if (!begin_dialog(editor.question.has_value(), "Save the changes?", scaled(440.0f), 0.0f)) {
         return;
     }
-    ImGui::TextWrapped("%s has changes that are not saved.",
-                       editor.workspace().object_name().c_str());
+    ImGui::TextWrapped("%s has unsaved changes.", editor.workspace().object_name().c_str());
     ImGui::Spacing();
     const ImVec2 size(scaled(120.0f), 0.0f);
     std::optional<Editor::Answer> answer;
@@ -386,7 +385,7 @@ void Panels::draw_recovery_question(Editor& editor) {
     if (!begin_dialog(session != nullptr, "Restore the last session?", scaled(460.0f), 0.0f)) {
         return;
     }
-    ImGui::TextWrapped("pectin ended unexpectedly, with changes to \"%s\" that were not saved.",
+    ImGui::TextWrapped("pectin ended unexpectedly, with unsaved changes to \"%s\".",
                        session->object.c_str());
     ImGui::Spacing();
     const ImVec2 size(scaled(120.0f), 0.0f);

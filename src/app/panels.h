@@ -1,4 +1,4 @@
-// The window's menus, panels, dialogs and lines of text, drawn with Dear ImGui.
+// Menus, panels, dialogs and lines of text of the window, drawn with Dear ImGui.
 #pragma once
 
 #include <cstddef>
@@ -12,29 +12,29 @@
 
 namespace pectin {
 
-// What only the one who draws the frames knows.
+// Figures that only the renderer of the frames knows.
 struct PictureFigures {
-    std::size_t uploaded_bytes = 0, uploaded_ranges = 0;  // of the last frame that uploaded any
-    std::size_t memory_bytes = 0;                         // of the whole program
+    std::size_t uploaded_bytes = 0, uploaded_ranges = 0;  // in the last frame with an upload
+    std::size_t memory_bytes = 0;                         // used by the whole program
 };
 
 class Panels {
   public:
-    // scale: of the screen, 1 on an ordinary one. Precondition: a context of Dear ImGui is current,
-    // here and in all that follows.
+    // scale: of the screen, 1 on an ordinary one.
+    // Precondition of all members: a context of Dear ImGui is current.
     explicit Panels(float scale) : scale_(scale) {}
 
-    // Between ImGui::NewFrame and ImGui::Render.
+    // To be called between ImGui::NewFrame and ImGui::Render.
     void draw(Editor& editor, const PictureFigures& figures);
 
-    // What of the input belongs to the panels, by the last frame's places.
+    // Which input belongs to the panels, by their positions in the last frame. at: the cursor.
     UiClaims claims(const Vec2& at) const;
 
   private:
     struct Area {
         Vec2 min, max;
     };
-    // Of the window being drawn: the mouse over it is the panels'.
+    // Claims the mouse over the ImGui window that is being drawn.
     void claim_window();
 
     void draw_menus(Editor& editor);
@@ -57,8 +57,8 @@ class Panels {
     float scale_;
     float menu_height_ = 0.0f, status_height_ = 0.0f;
     std::vector<Area> areas_;
-    bool has_popup_ = false;       // a menu or a dialog is open
-    bool has_text_field_ = false;  // one is being typed into
+    bool has_popup_ = false;       // whether a menu or a dialog is open
+    bool has_text_field_ = false;  // whether a text field has the keyboard focus
     ToolPanel tools_;
     RefinePanel refine_;
     CagePanel cage_;

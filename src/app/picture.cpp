@@ -7,11 +7,16 @@
 namespace pectin {
 namespace {
 
-constexpr float kUsualHeight = 960.0f;  // pixels
+constexpr float kReferenceHeight = 960.0f;  // pixels
 
 }  // namespace
 
-std::vector<Vec3> seen_positions(const TriMesh& mesh) {
+std::optional<std::string> refuse_panels(const command::Screenshot& screenshot) {
+    if (!screenshot.show.ui) return std::nullopt;
+    return "a screenshot cannot show the panels; leave \"ui\" out of show";
+}
+
+std::vector<Vec3> referenced_positions(const TriMesh& mesh) {
     std::vector<Vec3> positions;
     positions.reserve(mesh.vertex_slots());
     for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
@@ -23,15 +28,15 @@ std::vector<Vec3> seen_positions(const TriMesh& mesh) {
 Scene make_scene(const command::Screenshot& screenshot, const TriMesh& mesh,
                  const std::optional<Lattice>& lattice) {
     Scene scene{.wireframe = screenshot.show.wireframe, .levels = screenshot.show.levels};
-    // As thick to the eye in a large picture as in one of the usual size.
-    scene.pixel_scale = std::max(1.0f, static_cast<float>(screenshot.height) / kUsualHeight);
+    // In larger pictures, lines are as thick relative to the picture as at the reference height.
+    scene.pixel_scale = std::max(1.0f, static_cast<float>(screenshot.height) / kReferenceHeight);
     const bool shows_lattice = screenshot.show.lattice && lattice;
     if (shows_lattice) add_lattice(scene.overlay, *lattice, {});
     if (screenshot.camera) {
         scene.camera = *screenshot.camera;
         return scene;
     }
-    std::vector<Vec3> positions = seen_positions(mesh);
+    std::vector<Vec3> positions = referenced_positions(mesh);
     if (shows_lattice) {
         for (const Overlay::Line& line : scene.overlay.lines) positions.push_back(line.from);
     }

@@ -1,4 +1,4 @@
-// The scene that a screenshot asks for, and its file.
+// The scene and the file of a screenshot.
 #pragma once
 
 #include <optional>
@@ -12,15 +12,19 @@
 
 namespace pectin {
 
-// lattice: drawn, if asked for and there is one. A camera that fits takes in what is shown of it.
-// O(mesh) where the camera fits.
+// lattice: drawn if the screenshot shows it. A camera that fits the object then also fits the
+// lattice. Cost: O(mesh) if the camera fits, else O(1).
 Scene make_scene(const command::Screenshot& screenshot, const TriMesh& mesh,
                  const std::optional<Lattice>& lattice);
 
-// The positions of all live vertices that have faces, for a camera to fit. O(n).
-std::vector<Vec3> seen_positions(const TriMesh& mesh);
+// The positions of all live vertices that have faces, for a camera to fit. Cost: O(n).
+std::vector<Vec3> referenced_positions(const TriMesh& mesh);
 
-// Throws FileError.
+// Why a screenshot that shows the panels is refused; nothing if it does not show them. A replay has
+// no panels, so a window does not show them either.
+std::optional<std::string> refuse_panels(const command::Screenshot& screenshot);
+
+// Writes a PNG file. Throws FileError.
 void write_image(const Image& image, const std::string& path);
 
 }  // namespace pectin

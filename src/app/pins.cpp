@@ -3,14 +3,15 @@
 namespace pectin {
 namespace {
 
-constexpr double kReach = 9.0;  // of a marker, in pixels
-// How far behind the surface under the cursor a pin in it may lie, in pixels: the surface beside
-// the pin slopes.
-constexpr double kSlack = 30.0;
+constexpr double kPickRadius = 9.0;  // of a marker, in pixels
+// A pin may lie behind the surface under the cursor by this many pixels, because the surface beside
+// the pin may slope.
+constexpr double kDepthTolerance = 30.0;
 
 bool is_behind(const View& view, const Vec3& point, const std::optional<Pick>& surface) {
-    return surface && view.depth(point) >
-                          view.depth(surface->point) + kSlack * view.pixel_length(surface->point);
+    if (!surface) return false;
+    const double tolerance = kDepthTolerance * view.pixel_length(surface->point);
+    return view.depth(point) > view.depth(surface->point) + tolerance;
 }
 
 }  // namespace
@@ -19,7 +20,7 @@ std::optional<Pins::Marker> Pins::at(const View& view, const Vec2& cursor,
                                      const std::optional<Pick>& surface,
                                      const std::optional<MirrorPlane>& symmetry) const {
     std::optional<Marker> found;
-    double nearest = kReach;
+    double nearest = kPickRadius;
     const auto consider = [&](std::size_t i, const Vec3& point) {
         const std::optional<Vec2> seen = view.project(point);
         if (!seen || is_behind(view, point, surface)) return;

@@ -1,4 +1,4 @@
-// Points that drags hold where they are, as they are set in the window.
+// Points of the surface that drags leave where they are.
 #pragma once
 
 #include <cstddef>
@@ -12,7 +12,7 @@
 
 namespace pectin {
 
-// With symmetry a pin's image is held and shown as well, and stands for its pin.
+// With symmetry, the image of each pin is also held and shown, and can be used in its place.
 class Pins {
   public:
     std::span<const Vec3> points() const { return points_; }
@@ -21,15 +21,15 @@ class Pins {
 
     struct Marker {
         std::size_t pin;
-        Vec3 position;  // of the pin or of its image
+        Vec3 position;  // of the pin or its image
     };
-    // The marker under the cursor. surface: what the cursor meets of the object; a pin behind it is
-    // not meant.
+    // Returns the marker under the cursor. surface: the point of the object under the cursor, if
+    // any; pins behind it are ignored.
     std::optional<Marker> at(const View& view, const Vec2& cursor,
                              const std::optional<Pick>& surface,
                              const std::optional<MirrorPlane>& symmetry) const;
-    // Takes the pin under the cursor away, or else sets one where the cursor meets the surface.
-    // Returns whether there was either.
+    // Removes the pin under the cursor. If there is none, sets one on the surface. Returns whether
+    // either was possible.
     bool toggle(const View& view, const Vec2& cursor, const std::optional<Pick>& surface,
                 const std::optional<MirrorPlane>& symmetry);
 

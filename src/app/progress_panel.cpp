@@ -13,7 +13,7 @@
 namespace pectin {
 namespace {
 
-// `text` as far as there is room, its middle left out where it is longer. UTF-8 stays whole.
+// Shortens the text to the available width by leaving out its middle. No UTF-8 character is split.
 std::string fitted(const std::string& text, float available) {
     const auto width = [](const std::string& part) { return ImGui::CalcTextSize(part.c_str()).x; };
     const auto is_inside = [&text](std::size_t at) {
@@ -37,7 +37,7 @@ void draw_bar(double fraction, float height) {
     const ImVec2 at = ImGui::GetCursorPos();
     ImGui::SetCursorPosY(at.y + 0.5f * (line - height));
     ImGui::ProgressBar(static_cast<float>(fraction), ImVec2(-available, height), "");
-    // The percentage ends where the button does.
+    // Aligns the percentage with the right edge of the button.
     ImGui::SetCursorPos(
         ImVec2(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(percent.data()).x, at.y));
     ImGui::TextUnformatted(percent.data());
@@ -46,12 +46,12 @@ void draw_bar(double fraction, float height) {
 }  // namespace
 
 void draw_progress_panel(Editor& editor, float scale) {
-    const Workspace::FileTask* const task = editor.workspace().file_task();
+    const FileTask* const task = editor.workspace().file_task();
     const Restoration* const restoration = editor.restoration();
     const auto* open = task ? std::get_if<command::Open>(&task->command) : nullptr;
     const auto* save = task ? std::get_if<command::Save>(&task->command) : nullptr;
     const char* const doing = restoration ? "Restoring" : save ? "Saving" : "Opening";
-    // One dialog, whatever stands over it.
+    // The part after ### identifies the dialog, which stays the same when its title changes.
     const std::string title = std::string(doing) + "###progress";
     if (!begin_dialog(editor.is_working(), title.c_str(), 420.0f * scale, 0.0f)) return;
     const std::filesystem::path path = save ? save->path : open ? open->path : "";

@@ -1,11 +1,12 @@
-// A file that is under way, or a session that is being restored, as a dialog.
+// The dialog that shows the progress of work on a file or of a restoration.
 #pragma once
 
 #include "app/editor.h"
 
 namespace pectin {
 
-// While the editor has one; it can be cancelled there. scale: of the screen.
+// Draws the dialog while the editor is working. The work can be cancelled there. scale: of the
+// screen.
 void draw_progress_panel(Editor& editor, float scale);
 
 }  // namespace pectin

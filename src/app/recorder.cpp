@@ -14,31 +14,35 @@ namespace pectin {
 
 namespace {
 
-constexpr const char* kHeader = "{\"pectin\": 1}";
-
-// Throws FileError unless the file holds a record: a slip of the hand must not change a model.
+// Throws FileError unless the file holds a record. A mistyped path must not destroy a model.
 void check_is_record(const std::string& path) {
     std::ifstream file(path);
     std::string line;
     if (file && std::getline(file, line) && line.starts_with("{\"pectin\"")) return;
-    throw FileError(path, "is there already and is no record; record to a new file");
+    throw FileError(path, "already exists and is no record; record to a new file");
 }
 
-// Opens the file at the path, or the first beside it that is free, and makes the path its name.
+// Opens the file for writing. Throws FileError unless it is an ordinary file.
+FileDescriptor open_ordinary_file(const std::string& path, struct stat& status) {
+    // O_NONBLOCK: opening a pipe that nobody reads would wait.
+    FileDescriptor file(path.c_str(), O_WRONLY | O_CREAT | O_NONBLOCK, 0666);
+    const bool is_pipe = !file.is_open() && errno == ENXIO;
+    if (!is_pipe && (!file.is_open() || ::fstat(file.get(), &status) != 0)) {
+        throw FileError(path, std::string("cannot be written: ") + std::strerror(errno) +
+                                  "; record to a file in a folder where you may write");
+    }
+    if (is_pipe || !S_ISREG(status.st_mode)) {
+        throw FileError(path, "is a device or a pipe; record to an ordinary file");
+    }
+    return file;
+}
+
+// Opens the file at the path, or the first free one beside it, and changes the path to its name.
 FileDescriptor begin_file(std::string& path) {
     const std::filesystem::path wanted = path;
     for (int number = 2;; ++number) {
-        // O_NONBLOCK: a pipe that nobody reads would be waited for.
-        FileDescriptor file(path.c_str(), O_WRONLY | O_CREAT | O_NONBLOCK, 0666);
         struct stat status {};
-        const bool is_pipe = !file.is_open() && errno == ENXIO;
-        if (!is_pipe && (!file.is_open() || ::fstat(file.get(), &status) != 0)) {
-            throw FileError(path, std::string("cannot be written: ") + std::strerror(errno) +
-                                      "; record to a file in a folder of yours");
-        }
-        if (is_pipe || !S_ISREG(status.st_mode)) {
-            throw FileError(path, "is a device or a pipe; record to a file");
-        }
+        FileDescriptor file = open_ordinary_file(path, status);
         if (status.st_size == 0) return file;
         check_is_record(path);
         path = wanted.parent_path() / (wanted.stem().string() + "-" + std::to_string(number) +
@@ -49,17 +53,19 @@ FileDescriptor begin_file(std::string& path) {
 }  // namespace
 
 Recorder::Recorder(const std::string& path) : path_(path), file_(begin_file(path_)) {
-    write_line(kHeader);
+    write_line(kScriptHeader);
 }
 
 Recorder::Recorder(std::string path, FileDescriptor file)
     : path_(std::move(path)), file_(std::move(file)) {
-    write_line(kHeader);
+    write_line(kScriptHeader);
 }
 
 void Recorder::record(const Command& command) {
-    // Until the line is there: nothing may follow one that is missing.
-    if (std::exchange(has_ended_, true)) return;
+    if (has_ended_) return;
+    // The record counts as ended until the line is written. If an exception leaves this function,
+    // no later command may follow the missing one.
+    has_ended_ = true;
     const std::string line = format_command(command);
     const auto parsed = parse_command(line);
     const auto* same = std::get_if<Command>(&parsed);
@@ -69,12 +75,13 @@ void Recorder::record(const Command& command) {
         return;
     }
     has_ended_ = std::holds_alternative<command::Open>(command);
-    throw FileError(
-        path_, std::string("cannot hold this ") + name(command) + ", whose path is not UTF-8; " +
-                   (has_ended_ ? "the record ends here" : "its replay will do without"));
+    throw FileError(path_,
+                    std::string("cannot hold this ") + name(command) +
+                        " command, because its path is not UTF-8; " +
+                        (has_ended_ ? "the record ends here" : "a replay will leave it out"));
 }
 
-void Recorder::remark(const std::string& text) {
+void Recorder::write_comment(const std::string& text) {
     if (!has_ended_) write_line("# " + text);
 }
 
@@ -86,9 +93,9 @@ void Recorder::write_line(const std::string& line) {
         if (written >= 0 || errno == EINTR) continue;
         const int error = errno;
         has_ended_ = true;
-        // A part of a line would make the whole script unreadable.
+        // An incomplete line would make the whole script unreadable.
         if (::ftruncate(file_.get(), size_) != 0) errno = 0;
-        throw FileError(path_, std::string("cannot be written on: ") + std::strerror(error) +
+        throw FileError(path_, std::string("cannot be written any more: ") + std::strerror(error) +
                                    "; the record ends here");
     }
     size_ += static_cast<off_t>(bytes.size());

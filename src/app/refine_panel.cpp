@@ -10,19 +10,21 @@
 namespace pectin {
 namespace {
 
-constexpr float kLeastThetaMax = 2.0f, kMostThetaMax = 90.0f;  // degrees
-constexpr float kLeastThetaMin = 0.5f;
-constexpr double kThetaMinFraction = 0.97;             // of theta_max, at most
-constexpr double kLeastLMax = 0.002, kMostLMax = 0.5;  // of the object's box diagonal
+constexpr float kMinThetaMax = 2.0f, kMaxThetaMax = 90.0f;  // degrees
+constexpr float kMinThetaMin = 0.5f;                        // degrees
+constexpr double kThetaMinFraction = 0.97;                  // upper limit of theta_min / theta_max
+constexpr double kMinLMax = 0.002, kMaxLMax = 0.5;          // in diagonals of the object's box
 
 constexpr const char* kThetaMaxHelp =
-    "Edges whose ends' normals diverge by more are split.\nOff: none is split for its angle.";
+    "Edges whose end normals diverge by more than this angle are\n"
+    "split. Off: no edge is split because of its angle.";
 constexpr const char* kThetaMinHelp =
-    "Vertices are removed again where the normals along their edges diverge by\nless. auto: 7/9 of "
-    "θ max. Off: none is removed.";
+    "Refined edges whose end normals diverge by less than this\n"
+    "angle may be merged again. auto: 7/9 of θ max. Off: nothing\n"
+    "is decimated.";
 constexpr const char* kLMaxHelp =
-    "Longer edges are split where the lattice reaches.\nauto: the smallest cell of the lattice in "
-    "use.";
+    "Longer edges are split where the lattice reaches.\n"
+    "auto: the smallest cell size of the lattice in use.";
 
 void apply(Editor& editor, const command::Adapt& change) {
     if (editor.execute(change) && editor.session().adapt_settings().enabled) {
@@ -30,7 +32,7 @@ void apply(Editor& editor, const command::Adapt& change) {
     }
 }
 
-// The smallest cell of the lattice that the next drag gets.
+// The smallest cell size of the lattice that the next drag will use.
 double next_cell(const Editor& editor) {
     return editor.session()
         .lattice_settings()
@@ -38,7 +40,7 @@ double next_cell(const Editor& editor) {
         .smallest_cell_extent();
 }
 
-// A slider's value as its text has it: what is set is what is read.
+// Rounds a value as its text on the slider, so that the setting is the number on screen.
 double shown(float value) {
     std::array<char, 32> text{};
     std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(value));
@@ -56,7 +58,7 @@ struct RefinePanel::Row {
     const char* help;
     bool is_on, is_automatic, may_be_automatic;
     double value;
-    float least, most;
+    float min, max;
     const char* format;
     Setting when_on, when_off;
 };
@@ -72,9 +74,9 @@ std::optional<Setting> RefinePanel::draw_row(const Row& row, std::optional<float
 
     ImGui::TableNextColumn();
     ImGui::BeginDisabled(!row.is_on);
-    float value = edited.value_or(std::clamp(static_cast<float>(row.value), row.least, row.most));
+    float value = edited.value_or(std::clamp(static_cast<float>(row.value), row.min, row.max));
     ImGui::SetNextItemWidth(-1.0f);
-    ImGui::SliderFloat("##value", &value, row.least, row.most, row.is_on ? row.format : "off",
+    ImGui::SliderFloat("##value", &value, row.min, row.max, row.is_on ? row.format : "off",
                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
     if (ImGui::IsItemActive()) edited = value;
     if (ImGui::IsItemDeactivatedAfterEdit()) set = Setting::of(shown(edited.value_or(value)));
@@ -94,7 +96,7 @@ std::optional<Setting> RefinePanel::draw_row(const Row& row, std::optional<float
 
 void RefinePanel::draw(Editor& editor) {
     bool enabled = editor.session().adapt_settings().enabled;
-    if (ImGui::Checkbox("Refine and thin while dragging", &enabled)) {
+    if (ImGui::Checkbox("Refine and decimate while dragging", &enabled)) {
         apply(editor, {.enabled = enabled});
     }
     ImGui::BeginDisabled(!enabled);
@@ -111,8 +113,8 @@ void RefinePanel::draw(Editor& editor) {
     if (l_max.is_off() || value_of(l_max, 0.0) > next_cell(editor)) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(0.93f, 0.74f, 0.45f, 1.0f));
         ImGui::TextWrapped(
-            "Edges may be longer than a cell of the lattice: what happens inside "
-            "large faces is missed.");
+            "Edges may be longer than a lattice cell, so that bends inside large faces are missed. "
+            "Set L max to auto to avoid this.");
         ImGui::PopStyleColor();
     }
     ImGui::EndDisabled();
@@ -127,8 +129,8 @@ void RefinePanel::draw_angles(Editor& editor) {
                       .is_automatic = false,
                       .may_be_automatic = false,
                       .value = theta_max,
-                      .least = kLeastThetaMax,
-                      .most = kMostThetaMax,
+                      .min = kMinThetaMax,
+                      .max = kMaxThetaMax,
                       .format = "%.1f°",
                       .when_on = Setting::of(kDefaultThetaMax),
                       .when_off = Setting::off()};
@@ -139,7 +141,7 @@ void RefinePanel::draw_angles(Editor& editor) {
         if (overtaken) change.theta_min = Setting::automatic();
         apply(editor, change);
     }
-    // Below 0 degrees there is no edge: nothing is decimated.
+    // No angle is below 0 degrees, so nothing is decimated.
     const Setting never = Setting::of(0.0);
     const Row min_row{.label = "θ min",
                       .help = kThetaMinHelp,
@@ -147,8 +149,8 @@ void RefinePanel::draw_angles(Editor& editor) {
                       .is_automatic = settings.theta_min.is_automatic(),
                       .may_be_automatic = true,
                       .value = value_of(settings.theta_min, theta_max * kDefaultThetaMinFraction),
-                      .least = kLeastThetaMin,
-                      .most = static_cast<float>(theta_max * kThetaMinFraction),
+                      .min = kMinThetaMin,
+                      .max = static_cast<float>(theta_max * kThetaMinFraction),
                       .format = "%.1f°",
                       .when_on = Setting::automatic(),
                       .when_off = never};
@@ -164,8 +166,8 @@ void RefinePanel::draw_length(Editor& editor) {
                   .is_automatic = l_max.is_automatic(),
                   .may_be_automatic = true,
                   .value = value_of(l_max, next_cell(editor)),
-                  .least = static_cast<float>(kLeastLMax * diagonal),
-                  .most = static_cast<float>(kMostLMax * diagonal),
+                  .min = static_cast<float>(kMinLMax * diagonal),
+                  .max = static_cast<float>(kMaxLMax * diagonal),
                   .format = "%.3g",
                   .when_on = Setting::automatic(),
                   .when_off = Setting::off()};

@@ -1,4 +1,4 @@
-// The part of the settings that says when the mesh is refined and decimated.
+// The settings that say when the mesh is refined and decimated.
 #pragma once
 
 #include <optional>
@@ -9,17 +9,17 @@ namespace pectin {
 
 class RefinePanel {
   public:
-    // A changed setting re-adapts the object at once; a slider does so when it is released.
+    // A changed setting readapts the object at once, or, with a slider, when it is released.
     void draw(Editor& editor);
 
   private:
     struct Row;
-    // What the row was set to, if it was.
+    // Returns the new setting if the user has changed it.
     std::optional<Setting> draw_row(const Row& row, std::optional<float>& edited) const;
     void draw_angles(Editor& editor);
     void draw_length(Editor& editor);
 
-    // While a slider is held.
+    // Values of sliders that are being dragged.
     std::optional<float> theta_max_, theta_min_, l_max_;
 };
 

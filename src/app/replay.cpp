@@ -25,12 +25,12 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
     ScriptReader reader(text);
     bool is_all_done = true;
     while (std::optional<ScriptLine> line = reader.next()) {
-        const auto tell = [&](const std::string& command, const std::string& what) {
+        const auto report = [&](const std::string& command, const std::string& what) {
             errors << printable(title) << ':' << line->number << ": " << printable(command) << ": "
                    << printable(what) << '\n';
         };
         const auto refuse = [&](const std::string& command, const std::string& what) {
-            tell(command, what);
+            report(command, what);
             return false;
         };
         if (const auto* error = std::get_if<CommandError>(&line->command))
@@ -40,7 +40,7 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
         status.begin(title, line->number, name(command));
         if (const auto what = execute(session, command)) return refuse(name(command), *what);
         status.finish();
-        if (!session.remark().empty()) tell(name(command), session.remark());
+        if (!session.remark().empty()) report(name(command), session.remark());
         if (session.has_failed_partly()) is_all_done = false;
     }
     return is_all_done;
@@ -61,7 +61,7 @@ void ReplayStatus::finish() {
     ++done_;
 }
 
-std::string ReplayStatus::farewell(const std::string& signal) const {
+std::string ReplayStatus::exit_message(const std::string& signal) const {
     const std::lock_guard lock(mutex_);
     const std::string commands = done_ == 1 ? "1 command" : std::to_string(done_) + " commands";
     const std::string are_done = done_ == 1 ? " is done" : " are done";

@@ -5,23 +5,18 @@
 #include <utility>
 #include <variant>
 
+#include "app/command_kind.h"
+#include "app/recovery_file.h"
+
 namespace pectin {
 namespace {
 
-// How long a window may stand still.
-constexpr std::chrono::milliseconds kMoment{50};
-
-bool makes_object(const Command& command) {
-    return std::holds_alternative<command::Open>(command) ||
-           std::holds_alternative<command::Shape>(command);
-}
+// The longest time for which a window may do nothing else.
+constexpr std::chrono::milliseconds kTimePerFrame{50};
 
 bool is_setting(const Command& command) {
-    return std::holds_alternative<command::Adapt>(command) ||
-           std::holds_alternative<command::Brush>(command) ||
-           std::holds_alternative<command::Cage>(command) ||
-           std::holds_alternative<command::Symmetry>(command) ||
-           std::holds_alternative<command::History>(command);
+    return is_any_of<command::Adapt, command::Brush, command::Cage, command::Symmetry,
+                     command::History>(command);
 }
 
 bool is_fitted_cage(const Command& command) {
@@ -29,9 +24,9 @@ bool is_fitted_cage(const Command& command) {
     return cage && std::holds_alternative<command::Cage::Fit>(cage->lattice);
 }
 
-// The commands that the last object depends on. Of what was done before it only settings remain,
-// so models that were opened earlier need not be there any more; but a cage may have been fitted to
-// an earlier object, and then all of them are needed.
+// Returns the indices of the commands on which the last object depends. Of the commands before it
+// only the settings still matter, so models that were opened earlier need not exist any more. But
+// if a cage was fitted to an earlier object, all commands are needed.
 std::vector<std::size_t> needed_commands(const std::vector<Command>& commands) {
     const auto last = std::find_if(commands.rbegin(), commands.rend(), makes_object);
     const auto object = static_cast<std::size_t>(commands.rend() - last);
@@ -50,12 +45,12 @@ Restoration::Restoration(LostSession session)
     : session_(std::move(session)), steps_(needed_commands(session_.commands)) {}
 
 Restoration::State Restoration::advance(Workspace& workspace) {
-    if (!std::exchange(has_begun_, true)) workspace.begin_anew();
-    const auto end = std::chrono::steady_clock::now() + kMoment;
-    State state = State::under_way;
+    if (!std::exchange(has_begun_, true)) workspace.reset_session();
+    const auto end = std::chrono::steady_clock::now() + kTimePerFrame;
+    State state = State::in_progress;
     do {
         state = advance_once(workspace);
-    } while (state == State::under_way && !workspace.file_task() &&
+    } while (state == State::in_progress && !workspace.file_task() &&
              std::chrono::steady_clock::now() < end);
     return state;
 }
@@ -64,19 +59,20 @@ Restoration::State Restoration::advance_once(Workspace& workspace) {
     if (is_cancelled_ && !workspace.file_task()) return State::cancelled;
     if (next_ == steps_.size()) return State::done;
     const Workspace::Outcome outcome =
-        workspace.file_task() ? workspace.poll() : redo(steps_[next_], workspace);
+        workspace.file_task() ? workspace.poll() : execute_step(steps_[next_], workspace);
     if (outcome == Workspace::Outcome::failed) {
         return is_cancelled_ ? State::cancelled : State::failed;
     }
     if (outcome == Workspace::Outcome::done) ++next_;
-    return next_ == steps_.size() ? State::done : State::under_way;
+    return next_ == steps_.size() ? State::done : State::in_progress;
 }
 
-Workspace::Outcome Restoration::redo(std::size_t step, Workspace& workspace) const {
-    const Command& command = session_.commands[step];
-    const std::string& fingerprint = session_.fingerprints[step];
+Workspace::Outcome Restoration::execute_step(std::size_t command_index,
+                                             Workspace& workspace) const {
+    const Command& command = session_.commands[command_index];
+    const std::string& fingerprint = session_.fingerprints[command_index];
     if (const auto* save = std::get_if<command::Save>(&command)) {
-        workspace.pass_over(*save);
+        workspace.skip_save(*save);
         return Workspace::Outcome::done;
     }
     if (!is_restored(command)) return Workspace::Outcome::done;

@@ -1,11 +1,11 @@
-// Does again what a lost session did, a few commands at a time, so that the window goes on.
+// Executes the commands of a lost session again, a few at a time, so that the window stays
+// responsive.
 #pragma once
 
 #include <cstddef>
-#include <string>
 #include <vector>
 
-#include "app/recovery.h"
+#include "app/lost_sessions.h"
 #include "app/workspace.h"
 
 namespace pectin {
@@ -14,26 +14,28 @@ class Restoration {
   public:
     explicit Restoration(LostSession session);
 
-    enum class State { under_way, done, failed, cancelled };
-    // Goes on for a moment; at least one command, or a part of a file. Where it has failed, the
-    // workspace tells why. Precondition: it is under way.
+    enum class State { in_progress, done, failed, cancelled };
+    // Continues for about kTimePerFrame, but at least with one command or a part of a file. If it
+    // fails, the workspace's message says why.
+    // Precondition: the state is in_progress.
     State advance(Workspace& workspace);
-    // It is `cancelled` once the command that it is at has ended.
+    // The next advance() ends with State::cancelled, once the present command has stopped.
     void cancel(Workspace& workspace);
     bool is_cancelled() const { return is_cancelled_; }
 
     const LostSession& session() const { return session_; }
-    std::size_t done() const { return next_; }
-    std::size_t count() const { return steps_.size(); }
+    std::size_t commands_done() const { return next_; }
+    std::size_t command_count() const { return steps_.size(); }
+    // The part of the commands that is done, from 0 to 1.
     double fraction() const;
 
   private:
     State advance_once(Workspace& workspace);
-    Workspace::Outcome redo(std::size_t step, Workspace& workspace) const;
+    Workspace::Outcome execute_step(std::size_t command_index, Workspace& workspace) const;
 
     LostSession session_;
-    std::vector<std::size_t> steps_;  // the commands of the session that are done again
-    std::size_t next_ = 0;            // of the steps
+    std::vector<std::size_t> steps_;  // indices of the session's commands that are executed again
+    std::size_t next_ = 0;            // index into steps_
     bool has_begun_ = false, is_cancelled_ = false;
 };
 

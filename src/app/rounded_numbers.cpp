@@ -15,7 +15,7 @@ constexpr std::ptrdiff_t kDigits = 4;
 
 bool is_digit(char c) { return std::isdigit(static_cast<unsigned char>(c)) != 0; }
 
-// "0.25" is short enough, as is any number without a fraction.
+// Whether the number has a fraction and too many digits, counting those before the point.
 bool is_long_fraction(std::string_view number) {
     const bool has_point = number.find('.') != number.npos || number.find('e') != number.npos;
     return has_point && std::count_if(number.begin(), number.end(), is_digit) > kDigits;

@@ -1,4 +1,4 @@
-// Sentences with numbers in them, for a person to read.
+// Messages with numbers that are easy to read.
 #pragma once
 
 #include <string>
@@ -6,8 +6,8 @@
 
 namespace pectin {
 
-// The sentence with every decimal fraction of more than four digits rounded to four: a script needs
-// all of them, a person in front of a window none.
+// Rounds every decimal fraction in the sentence to four digits. All digits matter only in scripts,
+// and not in a window.
 std::string rounded_numbers(std::string_view sentence);
 
 }  // namespace pectin

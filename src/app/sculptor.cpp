@@ -8,23 +8,24 @@
 namespace pectin {
 namespace {
 
-// sin² of the angle between ray and normal below which the nearest point of the line is too far
-// from the hand: about 12 degrees.
-constexpr double kTowardsEye = 0.04;
-// cos of the flattest ray that may meet the view plane.
-constexpr double kFlattest = 1e-6;
+// If sin² of the angle between ray and normal is smaller (about 12 degrees), the nearest point of
+// the normal moves too far for a small motion of the cursor.
+constexpr double kMinSquaredSine = 0.04;
+// A ray meets the view plane only if the cosine of its angle to the view direction is larger.
+constexpr double kMinCosine = 1e-6;
 
-// Of a cell: how near to the plane of symmetry a point may be taken. On it, it would meet its
-// image.
-constexpr double kLeastOffset = 0.05;
+// The least distance of a dragged point from the plane of symmetry, in cells of the lattice. On the
+// plane it would coincide with its image.
+constexpr double kMinOffset = 0.05;
 
-// What lies on the plane of symmetry stays on it, all else on its side.
+// Returns `to`, moved so that a point on the plane of symmetry stays on it, and any other point
+// stays on its side.
 Vec3 on_own_side(const Session& session, const Vec3& from, const Vec3& to) {
     const MirrorPlane& plane = *session.symmetry();
     const double cell = session.lattice_in_use()->cell[plane.axis];
     const double offset = plane.offset(from);
     if (std::abs(offset) <= kOnPlaneFraction * cell) return plane.onto(to);
-    const double least = std::min(std::abs(offset), kLeastOffset * cell);
+    const double least = std::min(std::abs(offset), kMinOffset * cell);
     const double side = offset < 0.0 ? -1.0 : 1.0;
     Vec3 allowed = to;
     if (side * plane.offset(to) < least) allowed[plane.axis] = plane.at + side * least;
@@ -36,21 +37,21 @@ Vec3 on_own_side(const Session& session, const Vec3& from, const Vec3& to) {
 std::optional<Vec3> on_view_plane(const Camera& camera, const Vec3& from, const Ray& ray) {
     const Vec3 forward = camera.forward();
     const double slope = glm::dot(ray.direction, forward);
-    if (!(slope > kFlattest)) return std::nullopt;
+    if (!(slope > kMinCosine)) return std::nullopt;
     return ray.at(glm::dot(from - ray.origin, forward) / slope);
 }
 
 Vec3 on_normal(const Camera& camera, const Vec3& from, const Vec3& normal, const Ray& first,
                const Ray& ray) {
-    // Decided by the ray that grabbed, so that one drag keeps to one rule.
+    // The ray that grabbed the point decides, so that the rule does not change during a drag.
     const double towards = glm::dot(normal, first.direction);
-    if (1.0 - towards * towards < kTowardsEye) {
+    if (1.0 - towards * towards < kMinSquaredSine) {
         const std::optional<Vec3> now = on_view_plane(camera, from, ray);
         const double up = now ? glm::dot(*now - from, camera.true_up()) : 0.0;
         return from + up * normal;
     }
     const double cosine = glm::dot(normal, ray.direction), square = 1.0 - cosine * cosine;
-    if (square < 0.25 * kTowardsEye) return from;
+    if (square < 0.25 * kMinSquaredSine) return from;
     const Vec3 to_ray = ray.origin - from;
     const double along =
         (glm::dot(to_ray, normal) - cosine * glm::dot(to_ray, ray.direction)) / square;
@@ -73,23 +74,25 @@ std::optional<std::string> Sculptor::drag(Session& session, const Camera& camera
                                  ? on_normal(camera, pick.point, pick.normal, grabbed_->ray, ray)
                                  : on_view_plane(camera, pick.point, ray);
     if (to && session.symmetry()) to = on_own_side(session, pick.point, *to);
-    if (to) grabbed_->asked.to = *to;
-    if (grabbed_->asked == grabbed_->done) return std::nullopt;
-    if (auto refusal = session.drag_to(std::array{move_to(grabbed_->asked)})) {
-        grabbed_->asked = grabbed_->done;
+    if (to) grabbed_->requested.to = *to;
+    if (grabbed_->requested == grabbed_->applied) return std::nullopt;
+    if (auto refusal = session.drag_to(std::array{move_to(grabbed_->requested)})) {
+        grabbed_->requested = grabbed_->applied;
         return refusal;
     }
-    grabbed_->done = grabbed_->asked;
+    grabbed_->applied = grabbed_->requested;
     return std::nullopt;
 }
 
 Move Sculptor::move_to(const Goal& goal) const {
-    Move move{.from = grabbed_->pick.point, .to = goal.to, .scale = std::pow(kGrowth, goal.growth)};
+    Move move{.from = grabbed_->pick.point,
+              .to = goal.to,
+              .scale = std::pow(kScalePerStep, goal.scale_steps)};
     if (goal.degrees != 0.0) move.twist = {grabbed_->pick.normal, goal.degrees};
     return move;
 }
 
-double Sculptor::scale() const { return move_to(grabbed_->done).scale; }
+double Sculptor::scale() const { return move_to(grabbed_->applied).scale; }
 
 std::optional<command::Drag> Sculptor::release(Session& session) {
     assert(is_dragging());
@@ -98,7 +101,7 @@ std::optional<command::Drag> Sculptor::release(Session& session) {
         grabbed_.reset();
         return done;
     } catch (...) {
-        // A drag that goes on is still to be cancelled.
+        // The drag may still be active, and must then be cancelled.
         if (!session.is_dragging()) grabbed_.reset();
         throw;
     }

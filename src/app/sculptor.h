@@ -1,4 +1,4 @@
-// The drag of a surface point by the mouse: the grabbed point stays under the cursor.
+// Dragging of a surface point with the mouse. The grabbed point stays under the cursor.
 //
 // A movement of the mouse becomes a Move here, and Session::drag_to() turns that into displacements
 // (session/drag.cpp). docs/architecture.md follows it from the mouse to the screen.
@@ -13,58 +13,61 @@
 
 namespace pectin {
 
-// Where the grabbed point is to go.
+// Where the grabbed point moves: in the plane parallel to the picture, or along the surface normal.
 enum class DragPath { view_plane, normal };
 
-// The point of the plane through `from`, parallel to the picture, that `ray` meets; nothing where
-// it never does.
+// Returns the point where `ray` meets the plane through `from` parallel to the picture; nothing if
+// it does not meet it.
 std::optional<Vec3> on_view_plane(const Camera& camera, const Vec3& from, const Ray& ray);
-// The point of the line through `from` along `normal` (unit) that comes nearest to `ray`. Where
-// the line runs towards the eye, all of it lies under the cursor, and going up the picture by a
-// length goes out by as much: `ray` and `first`, the ray that grabbed, tell how far.
+// Returns the point nearest to `ray` on the line through `from` along `normal`, which has unit
+// length. If the line runs nearly towards the eye, all of its points lie under the cursor. Moving
+// the cursor upwards by a length then moves the point outwards by the same length.
+// first: the ray with which the point was grabbed.
 Vec3 on_normal(const Camera& camera, const Vec3& from, const Vec3& normal, const Ray& first,
                const Ray& ray);
 
 class Sculptor {
   public:
-    // Begins a drag of the picked point under the ray; the pins stay. Precondition: nothing has
-    // changed since the pick and no drag is active. Returns why not, if not.
+    // Begins a drag of the picked point under the ray. The pins stay where they are. Returns why
+    // the drag is refused, or nothing.
+    // Precondition: the object has not changed since the pick, and there is no active drag.
     std::optional<std::string> grab(Session& session, const Pick& pick, const Ray& ray,
                                     std::span<const Vec3> pins = {},
                                     const DragOptions& options = {});
-    // Takes the point there, turned and scaled as asked for; with symmetry on not beyond the plane.
-    // Whether the object changed is in the session's dirty elements. A refusal leaves the frame
-    // before, and takes back what was asked of turn and scale since.
+    // Moves the point under the ray, with the requested twist and scale. With symmetry, it stays on
+    // its side of the plane. The session's dirty elements say whether the object has changed.
+    // Returns why the move is refused, or nothing. After a refusal the object is as in the frame
+    // before, and twist and scale requested since then are discarded.
     std::optional<std::string> drag(Session& session, const Camera& camera, const Ray& ray,
                                     DragPath path);
-    // What it came to, if anything.
+    // Returns the command that does the same as the drag; nothing if it has changed nothing.
     std::optional<command::Drag> release(Session& session);
     void cancel(Session& session);
 
-    // --- From the next drag() on, the surroundings of the point turn about the surface's normal,
-    // by the right hand, and grow by kGrowth for each step.
-    void rotate(double degrees) { grabbed_->asked.degrees += degrees; }
-    void grow(double steps) { grabbed_->asked.growth += steps; }
-    static constexpr double kGrowth = 1.05;
+    // --- Twist and scale of the point's surroundings, from the next drag() on. The twist follows
+    // the right-hand rule about the surface normal. Each step scales by kScalePerStep.
+    void rotate(double degrees) { grabbed_->requested.degrees += degrees; }
+    void scale_by_steps(double steps) { grabbed_->requested.scale_steps += steps; }
+    static constexpr double kScalePerStep = 1.05;
 
     bool is_dragging() const { return grabbed_.has_value(); }
-    // Of the active drag.
+    // --- The active drag. Precondition: is_dragging().
     const Vec3& from() const { return grabbed_->pick.point; }
-    const Vec3& to() const { return grabbed_->done.to; }
+    const Vec3& to() const { return grabbed_->applied.to; }
     const Vec3& normal() const { return grabbed_->pick.normal; }
-    double degrees() const { return grabbed_->done.degrees; }
+    double degrees() const { return grabbed_->applied.degrees; }
     double scale() const;
 
   private:
     struct Goal {
         Vec3 to;
-        double degrees = 0.0, growth = 0.0;
+        double degrees = 0.0, scale_steps = 0.0;
         bool operator==(const Goal&) const = default;
     };
     struct Grabbed {
         Pick pick;
         Ray ray;
-        Goal asked, done;
+        Goal requested, applied;
     };
     Move move_to(const Goal& goal) const;
 

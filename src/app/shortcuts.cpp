@@ -16,7 +16,7 @@ struct Shortcut {
     const char* label;
 };
 
-// Of several for one action the first is shown.
+// If an action has several shortcuts, menus show the first.
 constexpr std::array kShortcuts{
     Shortcut{Key{'O'}, kControl, Action::open, "Ctrl+O"},
     Shortcut{Key{'S'}, kControl, Action::save, "Ctrl+S"},

@@ -1,4 +1,4 @@
-// What can be asked of the window by key or menu, and the keys that ask for it.
+// Actions of keys and menus, and the keys for them.
 #pragma once
 
 #include <optional>
@@ -31,12 +31,12 @@ enum class Action {
     larger_radius,
 };
 
-// Alt is not looked at: it is part of no shortcut.
+// Alt is ignored, since no shortcut contains it.
 std::optional<Action> action_for(Key key, const Modifiers& modifiers);
-// For those that a character asks for, wherever a layout has it.
+// For shortcuts that are a character, wherever the keyboard layout has it.
 std::optional<Action> action_for(unsigned int character);
 
-// As a menu shows it, as in "Ctrl+Shift+S"; empty where there is none.
+// The shortcut as menus show it, such as "Ctrl+Shift+S"; empty if there is none.
 std::string shortcut_label(Action action);
 
 }  // namespace pectin

@@ -16,16 +16,17 @@
 namespace pectin {
 namespace {
 
-struct Ending {
-    int signal;
+struct TerminationSignal {
+    int number;
     const char* name;
 };
-constexpr std::array kEndings{Ending{SIGINT, "SIGINT"}, Ending{SIGTERM, "SIGTERM"},
-                              Ending{SIGHUP, "SIGHUP"}};
+constexpr std::array kTerminationSignals{TerminationSignal{SIGINT, "SIGINT"},
+                                         TerminationSignal{SIGTERM, "SIGTERM"},
+                                         TerminationSignal{SIGHUP, "SIGHUP"}};
 
 const char* name_of(int signal) {
-    for (const Ending& ending : kEndings) {
-        if (ending.signal == signal) return ending.name;
+    for (const TerminationSignal& candidate : kTerminationSignals) {
+        if (candidate.number == signal) return candidate.name;
     }
     return "a signal";
 }
@@ -41,11 +42,11 @@ void ignore(int signal) {
     ::sigaction(signal, &action, nullptr);
 }
 
-// Without waiting for a reader who does not read: if nobody can read the line, the exit status
+// Writes the line unless the reader has stopped reading. If nobody can read it, the exit status
 // still tells what happened.
 void write_if_possible(std::string_view line) {
     constexpr int kLongestWait = 100;  // milliseconds
-    // A pipe that is ready takes as much at once.
+    // A pipe that is ready takes up to PIPE_BUF bytes at once.
     const std::string_view part = line.substr(0, PIPE_BUF);
     pollfd errors{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
     if (::poll(&errors, 1, kLongestWait) <= 0) return;
@@ -58,50 +59,51 @@ TerminationWatch::TerminationWatch() {
     ignore(SIGPIPE);
     ignore(SIGXFSZ);
     ::sigemptyset(&signals_);
-    for (const Ending& ending : kEndings) {
-        if (!is_ignored(ending.signal)) ::sigaddset(&signals_, ending.signal);
+    for (const TerminationSignal& signal : kTerminationSignals) {
+        if (!is_ignored(signal.number)) ::sigaddset(&signals_, signal.number);
     }
-    ::sigaddset(&signals_, SIGUSR1);  // wakes the watching thread in the end
+    ::sigaddset(&signals_, SIGUSR1);  // the destructor wakes the watching thread with it
     ::pthread_sigmask(SIG_BLOCK, &signals_, nullptr);
     try {
         thread_ = std::thread([this] { watch(); });
     } catch (const std::system_error&) {
-        // No thread can be created: the signals end the program as they end any other.
+        // No thread can be created. The signals then end the program in the usual way.
         ::pthread_sigmask(SIG_UNBLOCK, &signals_, nullptr);
     }
 }
 
 TerminationWatch::~TerminationWatch() {
     if (!thread_.joinable()) return;
-    is_over_ = true;
+    is_stopping_ = true;
     ::pthread_kill(thread_.native_handle(), SIGUSR1);
     thread_.join();
 }
 
-void TerminationWatch::set_farewell(std::function<std::string(const char*)> farewell) {
+void TerminationWatch::set_exit_message(std::function<std::string(const char*)> message) {
     const std::lock_guard lock(mutex_);
-    farewell_ = std::move(farewell);
+    message_ = std::move(message);
 }
 
-// An ordinary thread waits for the signals, since a handler could do next to nothing.
+// The signals are awaited by an ordinary thread, because a signal handler may do almost nothing.
 void TerminationWatch::watch() {
-    while (!is_over_) {
+    while (!is_stopping_) {
         int signal = 0;
         if (::sigwait(&signals_, &signal) == 0 && signal != SIGUSR1) end_program(signal);
     }
 }
 
-std::string TerminationWatch::farewell(const char* signal) {
+std::string TerminationWatch::exit_message(const char* signal) {
     const std::lock_guard lock(mutex_);
-    return farewell_ ? farewell_(signal) + "\n" : "";
+    return message_ ? message_(signal) + "\n" : "";
 }
 
-// The other threads go on until the end: nothing here waits for them, and no destructor runs.
+// The other threads continue until the end. This function waits for none of them, and no destructor
+// runs.
 void TerminationWatch::end_program(int signal) {
-    const auto no_more_files = remove_temporary_files();
+    const auto no_new_temporary_files = remove_temporary_files();
     try {
-        write_if_possible(farewell(name_of(signal)));
-    } catch (const std::exception&) {  // no memory for it
+        write_if_possible(exit_message(name_of(signal)));
+    } catch (const std::exception&) {  // there is not enough memory for the message
         write_if_possible("pectin: ended by a signal\n");
     }
     ::_exit(128 + signal);

@@ -1,4 +1,4 @@
-// How the program ends when the user or the system asks it to by a signal.
+// Ends the program when the user or the system sends a signal.
 #pragma once
 
 #include <atomic>
@@ -13,32 +13,33 @@
 
 namespace pectin {
 
-// On SIGINT, SIGTERM and SIGHUP the program removes the temporary files it is writing, says in one
-// line what was done, and ends with status 128 + the signal's number, within a moment and whatever
-// it is busy with. A signal that is ignored when the program starts, as nohup does, stays ignored.
+// On SIGINT, SIGTERM and SIGHUP the program removes the temporary files that it is writing, prints
+// one line that says what was done, and exits with status 128 + the signal's number. This takes
+// only a moment, whatever the program is doing. A signal that is ignored when the program starts,
+// as with nohup, stays ignored.
 //
-// Writing to a closed pipe, or beyond the limit of a file's size, becomes an error of that write;
-// it ends nothing.
+// Writing to a closed pipe, or beyond the limit of a file's size, does not end the program. The
+// write returns an error instead.
 class TerminationWatch {
   public:
-    // Precondition: no other thread exists, since threads inherit which signals they do not take.
+    // Precondition: no other thread exists, since threads inherit the set of blocked signals.
     TerminationWatch();
     ~TerminationWatch();
     TerminationWatch(const TerminationWatch&) = delete;
     TerminationWatch& operator=(const TerminationWatch&) = delete;
 
-    // farewell: gives the line to say, from the signal's name. Called on another thread.
-    void set_farewell(std::function<std::string(const char* signal)> farewell);
+    // message: returns the line to print, given the signal's name. It is called on another thread.
+    void set_exit_message(std::function<std::string(const char* signal)> message);
 
   private:
     void watch();
     [[noreturn]] void end_program(int signal);
-    std::string farewell(const char* signal);
+    std::string exit_message(const char* signal);
 
     sigset_t signals_;
     std::mutex mutex_;
-    std::function<std::string(const char*)> farewell_;
-    std::atomic<bool> is_over_ = false;
+    std::function<std::string(const char*)> message_;
+    std::atomic<bool> is_stopping_ = false;
     std::thread thread_;
 };
 

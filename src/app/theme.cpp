@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kFontPixels = 16.0f;
 
-// The first that is there; without any, Dear ImGui's own font of plain Latin letters.
+// The first font that exists is used. Without any, Dear ImGui's own font has Latin letters only.
 constexpr std::array kFonts{
     "/usr/share/fonts/truetype/roboto/unhinted/RobotoTTF/Roboto-Regular.ttf",
     "/usr/share/fonts/truetype/open-sans/OpenSans-Regular.ttf",
@@ -19,7 +19,7 @@ constexpr std::array kFonts{
     "/usr/share/fonts/truetype/liberation/LiberationSans-Regular.ttf",
 };
 
-// Latin, Greek, Cyrillic, dashes, quotes and the minus sign, in pairs of first and last.
+// Latin, Greek, Cyrillic, dashes, quotation marks and the minus sign, as pairs of first and last.
 constexpr std::array<ImWchar, 11> kGlyphs{0x20,   0x17F,  0x370,  0x3FF,  0x400, 0x4FF,
                                           0x2010, 0x2027, 0x2212, 0x2212, 0};
 
@@ -86,7 +86,7 @@ void set_colours(ImGuiStyle& style) {
     colours[ImGuiCol_HeaderHovered] = grey(0.265f);
     colours[ImGuiCol_HeaderActive] = grey(0.30f);
     colours[ImGuiCol_CheckMark] = amber(1.0f);
-    colours[ImGuiCol_PlotHistogram] = amber(1.0f);  // of progress bars
+    colours[ImGuiCol_PlotHistogram] = amber(1.0f);  // progress bars
     colours[ImGuiCol_SliderGrab] = amber(0.5f);
     colours[ImGuiCol_SliderGrabActive] = amber(0.7f);
     colours[ImGuiCol_Separator] = grey(0.27f, 0.7f);

@@ -1,10 +1,10 @@
-// How panels look: dark, calm, and as large as the screen asks for.
+// Colours, sizes and font of the panels.
 #pragma once
 
 namespace pectin {
 
-// Style and font of the current Dear ImGui context. scale: 1 on an ordinary screen. Call once,
-// before the fonts' texture is made.
+// Sets the style and font of the current Dear ImGui context. scale: of the screen, 1 on an ordinary
+// one. To be called once, before the texture of the fonts is made.
 void apply_theme(float scale);
 
 }  // namespace pectin

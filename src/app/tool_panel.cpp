@@ -10,23 +10,24 @@ namespace pectin {
 namespace {
 
 constexpr float kWidth = 96.0f;
-constexpr float kSliderHeight = 170.0f, kLeastSliderHeight = 50.0f;
-// What stands beside the slider, in lines of buttons and of text.
+constexpr float kSliderHeight = 170.0f, kMinSliderHeight = 50.0f;
+// The height of everything except the slider, in lines of buttons and of text.
 constexpr float kButtonLines = 6.0f, kTextLines = 2.0f;
 
 constexpr const char* kSymmetryHelp =
-    "Both sides of a plane alike, in one drag (X).\nBelow: the axis the plane is across, and where "
-    "it is.";
+    "Drags act on both sides of a plane at once (X).\nBelow: the axis across the plane, and the "
+    "plane's position.";
 constexpr const char* kPinHelp =
-    "While this is on, a click on the surface sets a pin, which\ndrags hold where it is; a click "
-    "on "
-    "a pin takes it away.\nP does either under the cursor at any time.";
+    "While this is on, a click on the surface sets a pin. Drags leave\npinned points where they "
+    "are. A click on a pin removes it.\nThe key P does the same under the cursor at any time.";
 constexpr const char* kConnectedHelp =
-    "Only the surface that is connected to the grabbed\npoint follows, not what lies near it.";
+    "Only the part of the surface that is connected to the grabbed\npoint follows, and not other "
+    "parts that are near it.";
 constexpr const char* kFoldFreeHelp =
-    "A drag never turns space inside out: a long one goes in\nsteps along the way of the cursor.";
+    "A drag never turns space inside out: a long drag is divided\ninto steps along the cursor's "
+    "path.";
 
-// Whether it was pressed. What is on is lit.
+// Draws a button that is highlighted while it is on. Returns whether it was pressed.
 bool toggle_button(const char* label, bool is_on, float width) {
     if (is_on) {
         ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.62f, 0.42f, 0.18f, 1.0f));
@@ -67,9 +68,7 @@ void draw_symmetry(Editor& editor, float width) {
         choice.through_centre = !choice.through_centre;
         editor.choose_mirror(choice);
     }
-    help(
-        "Where the plane is: at the world's origin, or in the\nmiddle of the object as it was "
-        "opened.");
+    help("The plane's position: at the origin, or in the middle of the\nobject as it was opened.");
     ImGui::EndDisabled();
 }
 
@@ -91,7 +90,7 @@ void ToolPanel::draw(Editor& editor, float scale, float available) {
                          kTextLines * ImGui::GetTextLineHeightWithSpacing() +
                          4.0f * ImGui::GetStyle().ItemSpacing.y;
     draw_radius(editor, width,
-                std::clamp(available - others, kLeastSliderHeight * scale, kSliderHeight * scale));
+                std::clamp(available - others, kMinSliderHeight * scale, kSliderHeight * scale));
     ImGui::Separator();
     draw_symmetry(editor, width);
     ImGui::Separator();
@@ -109,17 +108,19 @@ void ToolPanel::draw(Editor& editor, float scale, float available) {
 
 void ToolPanel::draw_radius(Editor& editor, float width, float height) {
     const float left = ImGui::GetCursorPosX();
-    const auto centre = [&](float of) { ImGui::SetCursorPosX(left + 0.5f * (width - of)); };
+    const auto centre = [&](float text_width) {
+        ImGui::SetCursorPosX(left + 0.5f * (width - text_width));
+    };
     centre(ImGui::CalcTextSize("Radius").x);
     ImGui::TextUnformatted("Radius");
     float radius = edited_radius_.value_or(static_cast<float>(editor.radius()));
     const float slider = 0.25f * width;
     centre(slider);
     ImGui::VSliderFloat("##radius", ImVec2(slider, height), &radius,
-                        static_cast<float>(editor.least_radius()),
-                        static_cast<float>(editor.most_radius()), "",
+                        static_cast<float>(editor.min_radius()),
+                        static_cast<float>(editor.max_radius()), "",
                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    help("How far a drag reaches. [ and ] step it;\nhold F and move the mouse.");
+    help("The radius of the brush. [ and ] change it in steps.\nOr hold F and move the mouse.");
     if (ImGui::IsItemActive()) edited_radius_ = radius;
     if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_radius(static_cast<double>(radius));
     if (!ImGui::IsItemActive()) edited_radius_.reset();

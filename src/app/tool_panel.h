@@ -1,4 +1,4 @@
-// The panel on the left: how far a drag reaches, and what it does.
+// The panel on the left, with the settings of the brush and of drags.
 #pragma once
 
 #include <optional>
@@ -9,7 +9,8 @@ namespace pectin {
 
 class ToolPanel {
   public:
-    // Within a window of Dear ImGui. scale: of the screen; room: for all of it, in pixels.
+    // To be called within a window of Dear ImGui. scale: of the screen. available: height for the
+    // panel, in pixels.
     void draw(Editor& editor, float scale, float available);
 
   private:

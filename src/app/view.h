@@ -1,4 +1,4 @@
-// Where the object is seen from, and in how large a window.
+// A camera with the size of the window that it looks through.
 #pragma once
 
 #include <optional>
@@ -14,7 +14,7 @@ struct View {
     Ray ray_through(const Vec2& at) const { return camera.ray_through(at, size); }
     std::optional<Vec2> project(const Vec3& point) const { return camera.project(point, size); }
     double pixel_length(const Vec3& point) const { return camera.pixel_length(point, size); }
-    // Along the view.
+    // Distance from the eye along the view direction.
     double depth(const Vec3& point) const { return glm::dot(point - camera.eye, camera.forward()); }
 };
 

@@ -18,6 +18,7 @@
 #include "app/editor_scene.h"
 #include "app/host/window_host.h"
 #include "app/object_view.h"
+#include "app/recovery_paths.h"
 #include "app/ui/interface.h"
 #include "app/window_viewport.h"
 #include "io/printable.h"
@@ -27,15 +28,16 @@ namespace pectin {
 namespace {
 
 constexpr IVec2 kFirstSize{1280, 800};
-// Frames that panels need to come to rest after an event.
+// Number of frames after an event until the panels no longer change.
 constexpr int kSettlingFrames = 3;
-// Seconds to wait for events, where nothing is to be drawn: not for ever, in case the driver, which
-// reads from the same connection while drawing, has taken an event from there already.
+// Seconds to wait for events when nothing has to be drawn. The wait is limited, because the driver
+// reads from the same connection while drawing and may already have taken an event from there.
 constexpr double kLongestWait = 0.1;
-// And between frames that show how far a file is: what draws faster takes from what works on it.
+// Seconds between frames that show the progress of work on a file. Drawing more often would slow
+// the work down.
 constexpr double kProgressWait = 1.0 / 15.0;
 
-// Of the whole program, as the system sees it; 0 where it does not say.
+// Memory used by the whole program, as the system reports it; 0 if it does not.
 std::size_t resident_bytes() {
     std::ifstream file("/proc/self/statm");
     std::size_t all = 0, resident = 0;
@@ -58,8 +60,9 @@ class Window {
         editor_.workspace().set_viewport(&viewport_);
         interface_.set_size(host_.size(), host_.framebuffer_size());
         editor_.handle(event::Resize{host_.size()});
-        std::vector<LostSession> lost_sessions = begin_recovery(termination);
-        tell_of_record(options.record);
+        std::vector<LostSession> lost_sessions = begin_recovery();
+        set_exit_message(termination);
+        report_record_path(options.record);
         editor_.begin(options.model);
         editor_.offer(std::move(lost_sessions));
     }
@@ -80,64 +83,70 @@ class Window {
     }
 
   private:
-    // What takes memory by the size of the object may find none. Returns whether there was enough.
+    // Runs a part of a frame, for which there may not be enough memory. Returns whether there was.
     template <typename Part>
     bool attempt(Part part) {
         try {
             part();
             return true;
         } catch (const std::bad_alloc&) {
-            editor_.give_up_for_memory("frame");
+            editor_.handle_out_of_memory("frame");
             return false;
         }
     }
 
-    // Keeps this session for recovery and returns those that are to be offered.
-    std::vector<LostSession> begin_recovery(TerminationWatch& termination) {
-        LostSessions lost;
-        Workspace& workspace = editor_.workspace();
+    // Begins to keep this session for recovery. Returns the sessions to be offered.
+    std::vector<LostSession> begin_recovery() {
         const std::string folder = recovery_folder();
-        if (!folder.empty()) {
-            lost = find_lost_sessions(folder);
-            workspace.begin_recovery(folder);
-        }
+        if (folder.empty()) return {};
+        LostSessions lost = find_lost_sessions(folder);
+        Workspace& workspace = editor_.workspace();
+        workspace.begin_recovery(folder);
         for (const std::string& file : lost.damaged) {
             workspace.add_notice(
-                "A session that ended unexpectedly cannot be restored: its "
-                "script is damaged. It is in " +
+                "A session that ended unexpectedly cannot be restored, because its script is "
+                "damaged. The script is kept in " +
                 file + ".");
         }
-        *is_kept_ = workspace.has_recovery();
-        termination.set_farewell([is_kept = is_kept_](const char* signal) {
-            return std::string("pectin: ended by ") + signal +
-                   (*is_kept ? "; changes that were not saved are offered at the next start" : "");
-        });
         return std::move(lost.sessions);
     }
 
-    // A record that was there already stays, and this one has another name.
-    void tell_of_record(const std::string& wanted) {
+    void set_exit_message(TerminationWatch& termination) {
+        *is_kept_ = editor_.workspace().has_recovery();
+        termination.set_exit_message([is_kept = is_kept_](const char* signal) {
+            return std::string("pectin: ended by ") + signal +
+                   (*is_kept ? "; unsaved changes will be offered at the next start" : "");
+        });
+    }
+
+    // Tells the user if the record has another path than wanted, because of an earlier record.
+    void report_record_path(const std::string& wanted) {
         const std::string path = editor_.workspace().record_path();
         if (path == wanted) return;
-        const std::string message =
-            wanted + " holds an earlier record, which stays; this one is in " + path;
+        const std::string message = wanted +
+                                    " holds an earlier record and is left unchanged; this session "
+                                    "is recorded in " +
+                                    path;
         editor_.workspace().add_notice(message);
         std::cerr << "pectin: " << printable(message) << '\n';
     }
 
-    // Handles all that has been done before the next frame is drawn, however slow the last one was.
+    // Returns the seconds for which take_input() may wait. Restoring runs between the frames, while
+    // work on files runs in the background.
+    double input_wait() const {
+        if (editor_.restoration()) return 0.0;
+        if (editor_.is_working()) return kProgressWait;
+        return frames_to_draw_ == 0 ? kLongestWait : 0.0;
+    }
+
+    // Handles all events before the next frame is drawn, however long the last frame took.
     void take_input() {
         const bool shows_progress = editor_.is_working();
-        const bool rests = frames_to_draw_ == 0;
-        // Restoring is done between the frames, and files in the background.
-        const double progress_rest = editor_.restoration() ? 0.0 : kProgressWait;
-        const std::span<const InputEvent> events = host_.take_events(shows_progress ? progress_rest
-                                                                     : rests        ? kLongestWait
-                                                                                    : 0.0);
+        const std::span<const InputEvent> events = host_.take_events(input_wait());
         if (!events.empty() || shows_progress) frames_to_draw_ = kSettlingFrames;
         for (const InputEvent& event : events) {
             if (editor_.wants_to_end()) return;
-            // An event for which there is no memory must not take those behind it along.
+            // If there is no memory for one event, the events after it are still handled.
             attempt([&] { interface_.handle(editor_, event); });
         }
     }
@@ -178,7 +187,7 @@ class Window {
         return ratio * host_.content_scale();
     }
 
-    // Before the host, so that a record that cannot be written opens no window.
+    // Declared before the host, so that no window opens if the record cannot be written.
     Editor editor_;
     WindowHost host_;
     Interface interface_;
@@ -186,10 +195,10 @@ class Window {
     ImGuiRenderer panel_renderer_;
     ObjectView object_;
     WindowViewport viewport_;
-    std::unique_ptr<Canvas> canvas_;  // as large as the window
+    std::unique_ptr<Canvas> canvas_;  // has the window's size in pixels
     PictureFigures figures_;
-    // Whether all that is done is kept for recovery. Shared with the thread that waits for signals,
-    // which may outlive the window.
+    // Whether all commands are kept for recovery. Shared with the thread that waits for signals,
+    // which may run longer than the window.
     std::shared_ptr<std::atomic<bool>> is_kept_ = std::make_shared<std::atomic<bool>>(false);
     int frames_to_draw_ = kSettlingFrames;
 };

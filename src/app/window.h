@@ -1,4 +1,4 @@
-// The program's window, from its opening to its end.
+// The program's window.
 #pragma once
 
 #include <string>
@@ -8,12 +8,12 @@
 namespace pectin {
 
 struct WindowOptions {
-    std::string model{};   // to open; empty: a sphere
-    std::string record{};  // file that gets every command as it is done; empty: none
+    std::string model{};   // path of the model to open; empty: a sphere
+    std::string record{};  // path of the file to which all commands are written; empty: none
 };
 
-// Returns when the person ends it. Throws ContextError where no window can be opened, FileError
-// where the record cannot be written.
+// Opens the window and returns when the user has closed it. Throws ContextError if no window can be
+// opened, and FileError if the record cannot be written.
 void run_window(const WindowOptions& options, TerminationWatch& termination);
 
 }  // namespace pectin

@@ -7,7 +7,7 @@ namespace pectin {
 std::optional<std::string> WindowViewport::screenshot(const TriMesh& mesh,
                                                       const std::optional<Lattice>& lattice,
                                                       const command::Screenshot& screenshot) {
-    if (screenshot.show.ui) return "the panels cannot be in the picture; leave \"ui\" out of show";
+    if (auto refusal = refuse_panels(screenshot)) return refusal;
     const Canvas canvas(*gl_, {screenshot.width, screenshot.height});
     renderer_->draw(object_->mesh(), make_scene(screenshot, mesh, lattice), canvas);
     canvas.resolve();

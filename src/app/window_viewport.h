@@ -1,4 +1,4 @@
-// Screenshots of the object that a window shows.
+// Screenshots of a window's object.
 #pragma once
 
 #include "app/object_view.h"
@@ -9,12 +9,12 @@ namespace pectin {
 
 class WindowViewport : public Viewport {
   public:
-    // All of them outlive it.
+    // Precondition: all arguments outlive the viewport.
     WindowViewport(const Gl& gl, Renderer& renderer, const ObjectView& object)
         : gl_(&gl), renderer_(&renderer), object_(&object) {}
 
-    // Precondition: the window's context is current. Refuses to show the user interface, which a
-    // replay could not.
+    // Refuses to show the user interface, because a replay could not. Precondition: the window's
+    // context is current.
     std::optional<std::string> screenshot(const TriMesh& mesh,
                                           const std::optional<Lattice>& lattice,
                                           const command::Screenshot& screenshot) override;

@@ -1,135 +1,122 @@
-// What the window works on: the session, the record of what is done to it, the file it is kept in
-// and what there is to tell about it.
+// What the window works on: the session, the files of its object and its commands, and the messages
+// about them.
 #pragma once
 
 #include <chrono>
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 
-#include "app/background_task.h"
-#include "app/recorder.h"
-#include "app/recovery.h"
+#include "app/command_log.h"
+#include "app/file_task.h"
+#include "app/lost_sessions.h"
+#include "app/messages.h"
 #include "geometry/box.h"
 #include "session/session.h"
 
 namespace pectin {
 
-// How long a file may keep everything waiting; what takes longer is done in the background.
-inline constexpr std::chrono::milliseconds kPatience{200};
+// The longest time for which reading or writing a file may block the window. Work that takes longer
+// continues in the background.
+inline constexpr std::chrono::milliseconds kMaxBlockingTime{200};
 
 class Workspace {
   public:
-    // patience: with 0 every file is under way first.
+    // max_blocking_time: if 0, all work on files is done in the background.
     explicit Workspace(std::optional<Recorder> recorder = {},
-                       std::chrono::milliseconds patience = kPatience)
-        : recorder_(std::move(recorder)), patience_(patience) {}
+                       std::chrono::milliseconds max_blocking_time = kMaxBlockingTime)
+        : log_(std::move(recorder)), max_blocking_time_(max_blocking_time) {}
 
-    // The file of the record; empty if nothing is recorded.
-    std::string record_path() const { return recorder_ ? recorder_->path() : ""; }
-    // Keeps a second record, of all that is done from now on, in this folder for recovery. Tells
-    // if it cannot.
-    void begin_recovery(const std::string& folder);
-    // The session ends as it should: nothing of it has to be recovered.
-    void end_recovery();
-    // Whether all that is done is kept.
-    bool has_recovery() const { return recovery_ && !recovery_->has_failed(); }
+    // The path of the record; empty if nothing is recorded.
+    std::string record_path() const { return log_.record_path(); }
+    // Keeps all commands from now on in a recovery file in this folder. If that is not possible, a
+    // notice says so.
+    void begin_recovery(const std::string& folder) { log_.begin_recovery(folder, messages_); }
+    // Removes the recovery file, since the session has ended normally.
+    void end_recovery() { log_.end_recovery(); }
+    // Whether all commands since begin_recovery() are kept.
+    bool has_recovery() const { return log_.has_recovery(); }
 
-    enum class Outcome { done, failed, under_way };
-    // Does and records it, or tells why not and leaves everything as it was. A file that takes
-    // longer is under way then: it is read or written in the background, the object stays as it is
-    // until poll() says otherwise, and all commands fail.
+    enum class Outcome { done, failed, in_progress };
+    // Executes and records the command. If it fails, the message says why and nothing has changed.
+    // Work on a file that takes longer than max_blocking_time is in_progress: it continues in the
+    // background, the object does not change before poll() says so, and all commands fail.
     Outcome execute(const Command& command);
-    // The same for a drag, of points or of control points, that the session has done already.
+    // Records a drag of points or control points that the session has already done.
     void record_drag(const Command& drag, bool has_changed);
 
     // --- Restoring another session.
-    // Begins as a new window does, with default settings and without an object. The records get
-    // the commands that reset the settings.
-    void begin_anew();
-    // Opens a model as execute() does, with the contents it had for that session.
+    // Replaces the session by a new one with default settings and without an object. The commands
+    // that reset the settings are recorded.
+    void reset_session();
+    // Opens a model as execute() does, with the contents that it had in the lost session.
     Outcome reopen(const command::Open& open, const LostSession& session,
                    const std::string& fingerprint);
-    // The session saved here then: the file stays as it is, and is the one that the object is in.
-    void pass_over(const command::Save& save);
-    // The object is in no file any more, so that a save asks for one.
-    void forget_path() { path_.clear(); }
+    // Takes note that the lost session saved its object here. The file is not written.
+    void skip_save(const command::Save& save);
+    // Forgets the object's file, so that the next save asks for one.
+    void clear_path() { path_.clear(); }
 
-    // --- A file that is under way.
-    struct FileTask {
-        struct Result {
-            std::optional<LoadedModel> model{};  // that was read
-            std::string fingerprint{};           // of its file; empty if nobody needs it
-            std::string report{};                // on what was written
-            std::string warning{};               // about recovery
-        };
-        FileTask(Command begun, std::function<Result(const Progress&)> how)
-            : command(std::move(begun)), work(std::move(how)) {}
-
-        Command command;  // open or save
-        BackgroundTask<Result> work;
-    };
+    // --- The file that is being read or written in the background.
+    // Null if there is none.
     const FileTask* file_task() const { return file_task_.get(); }
-    // What has become of it, waiting for that as long as this. Where it is done or has failed it
-    // is there no more; that it was cancelled, which is a failure, too, is not told.
-    // Precondition: there is one.
+    // Waits for the file task for at most this time. If the task has ended, its command is finished
+    // and the task is removed. A cancelled task fails without a message.
+    // Precondition: there is a file task.
     Outcome poll(std::chrono::milliseconds longest_wait = {});
+    // Precondition: there is a file task.
     void cancel_file_task() { file_task_->work.cancel(); }
 
-    // As Session::set_viewport; also for the session of begin_anew().
+    // As Session::set_viewport(), also for the session after reset_session().
     void set_viewport(Viewport* viewport);
     Session& session() { return session_; }
     const Session& session() const { return session_; }
 
-    // --- Messages, as printable() text.
-    // Stands until the next command is done or the next drag begins.
-    void set_message(const std::string& message);
-    const std::string& command_message() const { return command_message_; }
-    void clear_command_message() { command_message_.clear(); }
-    // Stands until it is dismissed.
-    void add_notice(const std::string& message);
-    // All of them, one a line.
-    std::string message() const;
-    void dismiss();
+    // --- Messages to the user; see Messages.
+    void set_message(const std::string& message) { messages_.set(message); }
+    const std::string& command_message() const { return messages_.command_message(); }
+    void clear_command_message() { messages_.clear_command_message(); }
+    void add_notice(const std::string& message) { messages_.add_notice(message); }
+    std::string message() const { return messages_.text(); }
+    void dismiss() { messages_.dismiss(); }
 
-    // The file that is open; empty where the object is in none.
+    // --- The object.
+    // The path of its file; empty if it is in none.
     const std::string& path() const { return path_; }
-    // As a title shows it.
+    // Its name for titles.
     std::string object_name() const;
+    // Whether it has unsaved changes.
     bool is_modified() const { return is_modified_; }
-    // Of the object as it was opened.
+    // The bounding box, and its diagonal, of the object as it was opened.
     const Box& box() const { return box_; }
     double diagonal() const { return diagonal_; }
-    // Reach of the brush, whether it was set or follows from the object.
+    // The brush's radius; if it is not set, it follows from the object's size.
     double radius() const;
 
   private:
-    using FileWork = std::function<FileTask::Result(const Progress&)>;
     template <typename MakeWork>
-    Outcome carry_out(const Command& command, MakeWork make_work);
+    Outcome run(const Command& command, MakeWork make_work);
     FileWork file_work(const Command& command) const;
-    FileWork opening(const command::Open& open) const;
-    FileWork saving(const command::Save& save) const;
+    Outcome fail(const std::string& error);
     void finish(const Command& command, const std::string& fingerprint = {});
+    void begin_object(std::string path);
     void update_file_state(const Command& command);
-    void record(const Command& command, const std::string& fingerprint = {});
-    void keep(const Command& command, const std::string& fingerprint = {});
+    void record(const Command& command, const std::string& fingerprint = {}) {
+        log_.record(command, fingerprint, messages_);
+    }
 
     Session session_;
     Viewport* viewport_ = nullptr;
-    std::optional<Recorder> recorder_;
-    std::optional<RecoveryFile> recovery_;
-    std::chrono::milliseconds patience_;
-    std::string command_message_, notices_;
+    CommandLog log_;
+    Messages messages_;
+    std::chrono::milliseconds max_blocking_time_;
     std::string path_;
     std::string shape_name_ = "untitled";
     Box box_;
     double diagonal_ = 1.0;
     bool is_modified_ = false;
-    std::unique_ptr<FileTask> file_task_;  // last: it looks at the session's mesh
+    std::unique_ptr<FileTask> file_task_;  // last, so that it ends before the mesh that it reads
 };
 
 }  // namespace pectin

@@ -1,6 +1,6 @@
-// A frame of a drag in the window where memory runs out: the object, and what graphics memory holds
-// of it, are shown whole once there is memory again. Every allocation fails in a long run, else a
-// sample of them (FailurePoints). None fails while the driver draws, which could not bear it.
+// Frames of a drag in which memory runs out. Once there is memory again, the object is shown
+// completely. In a long run every allocation fails in turn, otherwise a sample of them (see
+// FailurePoints). None fails while the driver draws, because drivers do not survive that.
 #include <gtest/gtest.h>
 
 #include <cstdint>
@@ -31,8 +31,8 @@ class FrameMemory : public OffscreenTest {
         ASSERT_FALSE(session.begin_drag(points, {}, {.connected = true, .fold_free = true}));
         show_frame(session, view, 1.3);
     }
-    // A drag that has run out of memory has to be cancelled. One that only could not be shown may
-    // go on.
+    // A drag that has run out of memory must be cancelled. A drag whose frame could not be shown
+    // may continue.
     static void show_frame(Session& session, ObjectView& view, double z) {
         const std::vector<Vec3> targets{Vec3(0.1, 0, z)};
         try {
@@ -53,7 +53,7 @@ class FrameMemory : public OffscreenTest {
     }
 };
 
-TEST_F(FrameMemory, IsShownWholeOnceThereIsMemoryAgain) {
+TEST_F(FrameMemory, TheObjectIsShownCompletelyOnceThereIsMemoryAgain) {
     Renderer renderer(gl());
     const Canvas canvas(gl(), kSize);
     int failures = 0;

@@ -1,4 +1,4 @@
-// The panels where memory ends in the midst of laying them out.
+// Memory runs out while the panels are laid out.
 #include <gtest/gtest.h>
 
 #include <new>
@@ -9,14 +9,14 @@
 namespace pectin {
 namespace {
 
-TEST(InterfaceMemory, AnEventForWhichThereIsNoneLeavesThePanelsToThoseBehindIt) {
+TEST(InterfaceMemory, EventsAfterALackOfMemoryStillReachThePanels) {
     Editor editor;
     Interface interface(1.0f);
     interface.set_size({1280, 800}, {1280, 800});
     editor.handle(event::Resize{{1280, 800}});
     editor.begin("");
-    // So that quitting asks. Opening a file browser would end the test: the standard library's
-    // directory_iterator does not survive that there is no memory.
+    // The change makes quitting ask. The test must not open a file browser, because the standard
+    // library's directory_iterator does not survive a lack of memory.
     ASSERT_TRUE(editor.execute(command::Drag{.moves = {{Vec3(0, 0, 1), Vec3(0, 0, 1.2)}}}));
     interface.lay_out(editor, {});
     const auto press = [&](Key key, Modifiers modifiers = {}) {
@@ -31,7 +31,7 @@ TEST(InterfaceMemory, AnEventForWhichThereIsNoneLeavesThePanelsToThoseBehindIt) 
                 press(Key{'Q'}, {.control = true});
                 interface.lay_out(editor, {});
             } catch (const std::bad_alloc&) {
-                editor.give_up_for_memory("frame");
+                editor.handle_out_of_memory("frame");
             }
             has_failed = failing.has_failed();
         }

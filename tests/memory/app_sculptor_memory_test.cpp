@@ -1,6 +1,6 @@
-// A drag with the mouse where memory runs out: hand and session agree on whether it goes on, and
-// what is shown is the object as it is. Every allocation fails in a long run, else a sample of them
-// (FailurePoints) and each of the last ones.
+// Drags with the mouse in which memory runs out. Sculptor and session agree on whether the drag is
+// still active, and the displayed positions are those of the object. In a long run every allocation
+// fails in turn, otherwise a sample of them (see FailurePoints) and each of the last ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -20,7 +20,7 @@ namespace {
 using test::FailingNew;
 using test::FailurePoints;
 
-// What a window shows: the position of each wedge as it was last told.
+// The positions of all wedges as a window would display them.
 class Picture {
   public:
     void update(Session& session) {
@@ -66,14 +66,14 @@ class Picture {
 void prepare(Session& session) {
     session.execute(command::Shape{command::Shape::Kind::sphere, 3});
     session.execute(command::Brush{.radius = 0.9});
-    // Just enough for two steps, so that the tested one drops the oldest.
+    // The limit is enough for two steps, so that the tested step drops the oldest one.
     session.execute(command::Drag{.moves = {{Vec3(0, 0, 1), Vec3(0.2, 0, 1.8)}}});
     session.execute(command::Drag{.moves = {{Vec3(0, 1, 0), Vec3(0, 1.5, 0.1)}}});
     const auto bytes = static_cast<double>(session.history().memory_bytes());
     session.execute(command::History{Setting::of(1e-6 * bytes + 1e-3)});
 }
 
-// Long enough to be planned again in its course, since it is fold-free.
+// The drag is so long that its steps are planned again while it goes on, since it is fold-free.
 void drag_with_mouse(Session& session, Sculptor& hand, Picture& picture) {
     const Camera camera;
     const Ray ray{Vec3(0.3, -0.6, 3), Vec3(0, 0, -1)};
@@ -88,7 +88,7 @@ void drag_with_mouse(Session& session, Sculptor& hand, Picture& picture) {
     hand.release(session);
 }
 
-// Drags where so many allocations are served; whether it was not interrupted.
+// Drags while only so many allocations succeed. Returns whether the drag was not interrupted.
 bool drag_until_memory_ends(std::size_t served, FailingNew::How how) {
     Session session;
     Sculptor hand;
@@ -107,7 +107,7 @@ bool drag_until_memory_ends(std::size_t served, FailingNew::How how) {
         if (!failing.has_failed()) return true;
     }
     EXPECT_EQ(hand.is_dragging(), session.is_dragging());
-    // A step that is done is never reported as one that failed.
+    // A step that was done is never reported as failed.
     EXPECT_EQ(session.history().step_number(), steps + (has_ended ? 1 : 0));
     if (hand.is_dragging() && session.is_dragging()) hand.cancel(session);
     picture.update(session);
@@ -116,10 +116,10 @@ bool drag_until_memory_ends(std::size_t served, FailingNew::How how) {
     return false;
 }
 
-TEST(SculptorMemory, LeavesHandAndPictureAsTheSessionIs) {
+TEST(SculptorMemory, SculptorAndPictureAgreeWithTheSession) {
     int failures = 0;
     for (const auto how : {FailingNew::How::once, FailingNew::How::from_there_on}) {
-        // Then each of the last ones, where the drag ends.
+        // Then each of the last allocations, when the drag ends.
         std::size_t last_interrupted = 0;
         for (FailurePoints points(24); !drag_until_memory_ends(points.served(), how);
              points.advance()) {

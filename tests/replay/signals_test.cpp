@@ -116,7 +116,7 @@ TEST(ReplaySignals, EndItEvenIfItsErrorOutputIsBlocked) {
 TEST(ReplayStatus, EscapesControlCharactersOfThePath) {
     ReplayStatus status;
     status.begin("a\x1b[31m.jsonl", 3, "save");
-    EXPECT_EQ(status.farewell("SIGINT"),
+    EXPECT_EQ(status.exit_message("SIGINT"),
               "a\\x1B[31m.jsonl:3: save: ended by SIGINT; 0 commands before it are done");
 }
 

@@ -1,4 +1,4 @@
-// Work on a thread of its own.
+// BackgroundTask.
 #include "app/background_task.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// Goes on until it is stopped.
+// Runs until it is stopped.
 int never_ending(const Progress& progress) {
     while (true) {
         progress.advance(0.5);
@@ -46,13 +46,13 @@ TEST(BackgroundTask, RunsInTheBackgroundAndReportsProgress) {
     EXPECT_NE(task.take(), std::this_thread::get_id());
 }
 
-TEST(BackgroundTask, RethrowsTheExceptionOfTheWorkWhenItsResultIsTaken) {
+TEST(BackgroundTask, TakeRethrowsTheExceptionOfTheWork) {
     BackgroundTask<int> task([](const Progress&) -> int { throw std::runtime_error("no"); });
     EXPECT_TRUE(task.has_ended(1h));
     EXPECT_THROW(task.take(), std::runtime_error);
 }
 
-TEST(BackgroundTask, CancelReachesTheWork) {
+TEST(BackgroundTask, CancelStopsTheWork) {
     BackgroundTask<int> task(never_ending);
     EXPECT_FALSE(task.has_ended(5ms));
     task.cancel();

@@ -1,4 +1,4 @@
-// The cage's control points under the mouse.
+// Selecting and dragging a cage's control points with the mouse.
 #include "app/cage_points.h"
 
 #include <algorithm>
@@ -11,7 +11,7 @@ namespace {
 
 class CagePointsTest : public EditorTest {
   protected:
-    // With a shown cage of 3 control points an axis about a sphere.
+    // Shows a sphere in a cage of 3 control points per axis.
     Editor caged(std::optional<Recorder> recorder = {}) const {
         Editor made = editor(std::move(recorder));
         made.execute(command::Cage{command::Cage::Fit{IVec3{3}}});
@@ -30,11 +30,11 @@ class CagePointsTest : public EditorTest {
     }
 };
 
-// Corners of the box, in front of the object from where the camera looks. One layer of control
-// points lies before them.
+// Corners of the box on the side of the camera. One more layer of control points lies between them
+// and the camera.
 constexpr IVec3 kCorner{3, 3, 3}, kOther{1, 3, 3}, kBelow{3, 1, 3};
 
-TEST(CageBox, IsWhatFittingTheSameCageTakes) {
+TEST(CageBox, FittingACageToItGivesTheSameCage) {
     const Box box{.min = {-1, 0, 2}, .max = {3, 0.5, 7}};
     for (const IVec3& counts : {IVec3{2, 3, 4}, IVec3{1, 5, 1}}) {
         const Box again = cage_box(fit_lattice(box, counts));
@@ -43,7 +43,7 @@ TEST(CageBox, IsWhatFittingTheSameCageTakes) {
     }
 }
 
-TEST_F(CagePointsTest, AreFoundUnderTheCursorWhileTheCageIsShown) {
+TEST_F(CagePointsTest, ControlPointsAreFoundOnlyWhileTheCageIsShown) {
     Editor editor = caged();
     move(editor, seen(editor, kCorner) + Vec2(3, -2));
     EXPECT_EQ(editor.cage_points().hovered(), kCorner);
@@ -52,20 +52,20 @@ TEST_F(CagePointsTest, AreFoundUnderTheCursorWhileTheCageIsShown) {
     EXPECT_FALSE(editor.cage_points().hovered());
 }
 
-TEST_F(CagePointsTest, WhatTheObjectHidesIsNotTaken) {
+TEST_F(CagePointsTest, PointsHiddenByTheObjectAreNotFound) {
     Editor editor = caged();
     move(editor, seen(editor, {2, 2, 2}));
     EXPECT_FALSE(editor.cage_points().hovered());
     EXPECT_TRUE(editor.hover()) << "the surface is";
 }
 
-TEST_F(CagePointsTest, InsideALargeCageWhatIsNotDrawnIsNotTakenButABoxTakesIt) {
+TEST_F(CagePointsTest, InnerPointsOfALargeCageAreSelectedOnlyByABox) {
     Editor editor = caged();
-    // Wider than the object: its inner control points lie beside it.
+    // The cage is wider than the object, so that its inner control points lie beside the object.
     editor.set_cage({.min = Vec3{-4.0}, .max = Vec3{4.0}}, IVec3{7});
     for (int i = 0; i < 3; ++i) editor.handle(event::Scroll{-8.0, kMiddle});
     editor.advance();
-    // Drawn are the points on the sides of the box and those beyond it.
+    // Only the points on the sides of the box and those beyond it are drawn.
     const auto is_drawn = [](int i) { return i <= 1 || i >= 7; };
     for (int i = 0; i < 9; ++i) {
         for (int j = 0; j < 9; ++j) {
@@ -81,7 +81,7 @@ TEST_F(CagePointsTest, InsideALargeCageWhatIsNotDrawnIsNotTakenButABoxTakesIt) {
     EXPECT_EQ(editor.cage_points().selected().size(), 729u);
 }
 
-TEST_F(CagePointsTest, ClicksSelectOneAndWithShiftMore) {
+TEST_F(CagePointsTest, ClicksSelectOnePointAndWithShiftSeveral) {
     Editor editor = caged();
     const auto& selected = editor.cage_points().selected();
     click(editor, seen(editor, kCorner));
@@ -97,9 +97,9 @@ TEST_F(CagePointsTest, ClicksSelectOneAndWithShiftMore) {
     EXPECT_EQ(editor.session().undo_count(), 0u);
 }
 
-TEST_F(CagePointsTest, ABoxSelectsAllThatAreSeenInIt) {
+TEST_F(CagePointsTest, ABoxSelectsAllPointsInsideIt) {
     Editor editor = caged();
-    editor.handle(event::Scroll{-8.0, kMiddle});  // all of it has to be in the window
+    editor.handle(event::Scroll{-8.0, kMiddle});  // so that the whole cage is in the window
     const Vec2 at = seen(editor, kCorner);
     drag(editor, at - Vec2(5, 5), at + Vec2(5, 5), {.control = true});
     EXPECT_EQ(editor.cage_points().selected(), std::vector{kCorner});
@@ -109,10 +109,10 @@ TEST_F(CagePointsTest, ABoxSelectsAllThatAreSeenInIt) {
     move(editor, at + Vec2(5, 5), {.control = true});
     key(editor, Key::escape);
     EXPECT_FALSE(editor.cage_points().box());
-    EXPECT_EQ(editor.cage_points().selected().size(), 125u) << "given up, so nothing changes";
+    EXPECT_EQ(editor.cage_points().selected().size(), 125u) << "a cancelled box changes nothing";
 }
 
-TEST_F(CagePointsTest, DraggedOnesGoWithTheCursorAndTheRecordReplaysToTheSameMesh) {
+TEST_F(CagePointsTest, DraggedPointsFollowTheCursorAndTheRecordReplaysToTheSameMesh) {
     Editor editor = caged(Recorder(path("record.jsonl")));
     click(editor, seen(editor, kCorner));
     click(editor, seen(editor, kOther), {.shift = true});
@@ -132,7 +132,7 @@ TEST_F(CagePointsTest, DraggedOnesGoWithTheCursorAndTheRecordReplaysToTheSameMes
     EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());
 }
 
-TEST_F(CagePointsTest, EscapeDuringADragGivesEverythingBack) {
+TEST_F(CagePointsTest, EscapeDuringADragRestoresTheObject) {
     Editor editor = caged(), untouched = caged();
     press(editor, seen(editor, kCorner));
     move(editor, seen(editor, kCorner) + Vec2(80, 80));
@@ -142,7 +142,7 @@ TEST_F(CagePointsTest, EscapeDuringADragGivesEverythingBack) {
     EXPECT_FALSE(editor.session().is_dragging());
 }
 
-TEST_F(CagePointsTest, WithSymmetryTheOtherSideGoesTheMirroredWayThoughSelected) {
+TEST_F(CagePointsTest, WithSymmetryTheOtherSideMovesMirroredEvenIfSelected) {
     Editor editor = caged(Recorder(path("record.jsonl")));
     editor.set_symmetry(true);
     const Vec2 from = seen(editor, kCorner);
@@ -161,7 +161,7 @@ TEST_F(CagePointsTest, WithSymmetryTheOtherSideGoesTheMirroredWayThoughSelected)
     EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());
 }
 
-TEST_F(CagePointsTest, ACageThatIsNotSymmetricIsRefusedInWords) {
+TEST_F(CagePointsTest, SymmetryWithAnAsymmetricCageIsRefusedWithAMessage) {
     Editor editor = caged();
     editor.set_symmetry(true);
     editor.set_cage({.min = Vec3{-1, -1, -1}, .max = Vec3{2, 1, 1}}, IVec3{3});
@@ -172,7 +172,7 @@ TEST_F(CagePointsTest, ACageThatIsNotSymmetricIsRefusedInWords) {
     EXPECT_EQ(editor.session().undo_count(), 0u);
 }
 
-TEST_F(CagePointsTest, AnotherCageForgetsTheSelection) {
+TEST_F(CagePointsTest, AnotherCageClearsTheSelection) {
     Editor editor = caged();
     click(editor, seen(editor, kCorner));
     editor.set_cage(cage_box(*editor.session().lattice_settings().cage), IVec3{2});
@@ -181,7 +181,7 @@ TEST_F(CagePointsTest, AnotherCageForgetsTheSelection) {
     EXPECT_EQ(editor.session().lattice_settings().cage->counts(), IVec3{2});
 }
 
-TEST_F(CagePointsTest, ACageThatIsSetAsABoxHasTheSameLayersBeyondItAsAFittedOne) {
+TEST_F(CagePointsTest, ACageSetAsABoxHasTheSameMarginsAsAFittedOne) {
     Editor editor = caged(Recorder(path("record.jsonl")));
     const Lattice fitted = *editor.session().lattice_settings().cage;
     editor.set_cage(cage_box(fitted), IVec3{3});

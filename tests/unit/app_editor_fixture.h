@@ -1,4 +1,4 @@
-// An Editor and a hand on its mouse and keyboard.
+// An Editor with simulated mouse and keyboard input.
 #pragma once
 
 #include <gtest/gtest.h>
@@ -35,10 +35,10 @@ class EditorTest : public testing::Test {
         std::ifstream file(path(name), std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
     }
-    // On a sphere of the given resolution.
+    // The editor shows a sphere of the given resolution.
     Editor editor(std::optional<Recorder> recorder = {}, int resolution = 3) const {
         Editor made(std::move(recorder),
-                    std::chrono::hours(1));  // no file goes on in the background
+                    std::chrono::hours(1));  // no work on files continues in the background
         made.handle(event::Resize{kSize});
         made.new_shape(command::Shape::Kind::sphere, resolution);
         return made;
@@ -65,7 +65,7 @@ class EditorTest : public testing::Test {
         editor.advance();
     }
 
-    // What the replay of a record comes to.
+    // Returns the mesh that replaying a record gives.
     Session replayed(const std::string& name) const {
         Session session;
         std::istringstream text(read(name));
@@ -76,7 +76,7 @@ class EditorTest : public testing::Test {
         }
         return session;
     }
-    // The last command of a record.
+    // Returns the last command of a record.
     Command last_of(const std::string& name) const {
         std::istringstream text(read(name));
         ScriptReader reader(text);

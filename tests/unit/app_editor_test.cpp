@@ -1,4 +1,4 @@
-// The window's mind, driven by events.
+// Editor, driven by input events.
 #include "app/editor.h"
 
 #include <sstream>
@@ -12,7 +12,7 @@ namespace {
 constexpr const char* kTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-TEST_F(EditorTest, DragOnTheSurfaceIsOneStepAndEndsTheHint) {
+TEST_F(EditorTest, ADragOnTheSurfaceIsOneUndoStepAndHidesTheHint) {
     Editor editor = this->editor();
     EXPECT_TRUE(editor.shows_hint());
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
@@ -22,7 +22,7 @@ TEST_F(EditorTest, DragOnTheSurfaceIsOneStepAndEndsTheHint) {
     EXPECT_GT(editor.figures().seconds, 0.0);
 }
 
-TEST_F(EditorTest, GrabbedPointStaysUnderTheCursor) {
+TEST_F(EditorTest, TheGrabbedPointStaysUnderTheCursor) {
     Editor editor = this->editor();
     press(editor, kMiddle);
     ASSERT_TRUE(editor.sculptor().is_dragging());
@@ -32,7 +32,7 @@ TEST_F(EditorTest, GrabbedPointStaysUnderTheCursor) {
     EXPECT_NEAR(glm::distance(*seen, Vec2(700, 310)), 0.0, 1e-6);
 }
 
-TEST_F(EditorTest, DragBesideTheObjectOnlyOrbitsTheCamera) {
+TEST_F(EditorTest, ADragBesideTheObjectOnlyOrbitsTheCamera) {
     Editor editor = this->editor();
     const Camera before = editor.camera();
     drag(editor, kBeside, kBeside + Vec2(200, -100));
@@ -41,7 +41,7 @@ TEST_F(EditorTest, DragBesideTheObjectOnlyOrbitsTheCamera) {
     EXPECT_NE(editor.camera().eye, before.eye);
 }
 
-TEST_F(EditorTest, PanelsKeepTheirClicks) {
+TEST_F(EditorTest, ClicksOnPanelsDoNotReachTheObject) {
     Editor editor = this->editor();
     const Camera before = editor.camera();
     editor.handle(event::Press{MouseButton::left, kMiddle, {}}, {.mouse = true});
@@ -50,7 +50,7 @@ TEST_F(EditorTest, PanelsKeepTheirClicks) {
     EXPECT_EQ(editor.camera(), before);
 }
 
-TEST_F(EditorTest, EscapeDuringADragGivesEverythingBackAndReleaseDoesNothingMore) {
+TEST_F(EditorTest, EscapeDuringADragRestoresTheObjectAndTheReleaseDoesNothing) {
     Editor editor = this->editor(), untouched = this->editor();
     press(editor, kMiddle);
     move(editor, {760, 300});
@@ -63,7 +63,7 @@ TEST_F(EditorTest, EscapeDuringADragGivesEverythingBackAndReleaseDoesNothingMore
     EXPECT_FALSE(editor.workspace().is_modified());
 }
 
-TEST_F(EditorTest, KeysDuringADragAreLeftAlone) {
+TEST_F(EditorTest, KeysDuringADragAreIgnored) {
     Editor editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(40, 40));
     press(editor, kMiddle - Vec2(60, 60));
@@ -76,7 +76,7 @@ TEST_F(EditorTest, KeysDuringADragAreLeftAlone) {
     EXPECT_EQ(editor.session().undo_count(), 2u);
 }
 
-TEST_F(EditorTest, UndoAndRedoByKeysGiveBackTheVeryMesh) {
+TEST_F(EditorTest, UndoAndRedoKeysRestoreTheExactMesh) {
     Editor editor = this->editor(), untouched = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     const TriMesh dragged = editor.session().mesh();
@@ -95,7 +95,7 @@ TEST_F(EditorTest, DroppedStepsStillCountAsChangesAndAreReported) {
     ASSERT_FALSE(editor.workspace().is_modified());
     editor.execute(command::History{Setting::of(1e-3)});
     EXPECT_FALSE(editor.workspace().is_modified());
-    // One step in place of another: as many are there to undo as before.
+    // The new step replaces a dropped one, so the number of steps to undo does not change.
     drag(editor, kMiddle, kMiddle + Vec2(-60, -80));
     ASSERT_EQ(editor.session().undo_count(), 1u);
     EXPECT_TRUE(editor.workspace().is_modified());
@@ -119,7 +119,7 @@ TEST_F(EditorTest, HoldingFAndMovingSetsTheRadius) {
     EXPECT_NEAR(editor.radius(), 2.0 * before, 1e-9);
     editor.handle(event::KeyUp{Key{'F'}});
     EXPECT_NEAR(*editor.session().lattice_settings().radius, 2.0 * before, 1e-9);
-    // Escape takes it back.
+    // Escape restores the radius.
     editor.handle(event::KeyDown{Key{'F'}, {}});
     move(editor, kMiddle);
     key(editor, Key::escape);
@@ -133,10 +133,10 @@ TEST_F(EditorTest, BracketsStepTheRadiusWithinBounds) {
     editor.handle(event::Character{']'});
     EXPECT_GT(editor.radius(), before);
     for (int i = 0; i < 300; ++i) editor.handle(event::Character{'['});
-    EXPECT_EQ(editor.radius(), editor.least_radius());
+    EXPECT_EQ(editor.radius(), editor.min_radius());
 }
 
-TEST_F(EditorTest, RecordReplaysToTheSameMesh) {
+TEST_F(EditorTest, TheRecordReplaysToTheSameMesh) {
     {
         Editor editor = this->editor(Recorder(path("record.jsonl")));
         drag(editor, kMiddle, kMiddle + Vec2(60, -80));
@@ -145,7 +145,7 @@ TEST_F(EditorTest, RecordReplaysToTheSameMesh) {
         key(editor, Key{'Z'}, {.control = true});
         editor.execute(command::Adapt{.theta_max = Setting::of(12.0)});
         editor.execute(command::Readapt{});
-        editor.execute(command::Undo{.count = 99});  // refused, so not recorded
+        editor.execute(command::Undo{.count = 99});  // refused and therefore not recorded
         editor.execute(command::Save{path("window.obj")});
     }
     std::istringstream text(read("record.jsonl"));
@@ -163,12 +163,12 @@ TEST_F(EditorTest, RecordReplaysToTheSameMesh) {
     EXPECT_FALSE(read("window.obj").empty());
 }
 
-// A drag that reaches no vertex changes nothing, but its lattice is in use from then on.
-TEST_F(EditorTest, RecordHoldsDragsThatChangeNothingButTheLattice) {
+// A drag that reaches no vertex changes no vertex, but its lattice becomes the one in use.
+TEST_F(EditorTest, TheRecordHoldsDragsThatChangeOnlyTheLatticeInUse) {
     Editor editor = this->editor(Recorder(path("record.jsonl")), 2);
     editor.drag_options = {};
     editor.execute(command::Adapt{.enabled = false});
-    editor.set_radius(editor.least_radius());
+    editor.set_radius(editor.min_radius());
     drag(editor, kMiddle + Vec2(13, 7), kMiddle + Vec2(40, -20));
     EXPECT_EQ(editor.session().undo_count(), 0u);
     editor.execute(command::Adapt{.enabled = true, .l_max = Setting::of(0.05)});
@@ -183,7 +183,7 @@ TEST_F(EditorTest, RecordHoldsDragsThatChangeNothingButTheLattice) {
     EXPECT_GT(replayed.mesh().face_count(), 320u);
 }
 
-TEST_F(EditorTest, DialogsTakeAllInputFromTheMomentTheyAreAskedFor) {
+TEST_F(EditorTest, DialogsTakeAllInputAsSoonAsTheyAreRequested) {
     Editor editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     const double radius = editor.radius();
@@ -203,13 +203,13 @@ TEST_F(EditorTest, RecordingOverAModelIsRefused) {
     EXPECT_EQ(read("model.obj"), kTetrahedron);
 }
 
-TEST_F(EditorTest, ARecordKeepsALineAsSoonAsTheCommandIsDone) {
+TEST_F(EditorTest, ARecordHoldsEachCommandAsSoonAsItIsDone) {
     Editor editor = this->editor(Recorder(path("record.jsonl")));
     EXPECT_EQ(read("record.jsonl"),
               "{\"pectin\": 1}\n{\"cmd\": \"shape\", \"kind\": \"sphere\", \"resolution\": 3}\n");
 }
 
-TEST_F(EditorTest, APathThatIsNotUtf8IsDoneButSaidToBeMissingFromTheRecord) {
+TEST_F(EditorTest, ACommandWithAPathThatIsNotUtf8IsExecutedButReportedAsNotRecorded) {
     Editor editor = this->editor(Recorder(path("record.jsonl")));
     const std::string before = read("record.jsonl");
     EXPECT_TRUE(editor.execute(command::Save{path("caf\xe9.obj")}));
@@ -225,7 +225,7 @@ TEST_F(EditorTest, DroppingAModelOpensIt) {
     EXPECT_EQ(editor.workspace().object_name(), "tetrahedron.obj");
 }
 
-TEST_F(EditorTest, DroppingWhatIsNoModelSaysSoAndLeavesTheObject) {
+TEST_F(EditorTest, DroppingAFileThatIsNoModelShowsAMessageAndKeepsTheObject) {
     write("letter.obj", "Dear v,\nf 1 2 3\n");
     Editor editor = this->editor(), untouched = this->editor();
     for (const char* name : {"letter.obj", "absent.obj", "."}) {
@@ -250,7 +250,7 @@ TEST_F(EditorTest, OpeningOverUnsavedChangesAsksFirst) {
     EXPECT_EQ(editor.session().mesh().face_count(), 4u);
 }
 
-TEST_F(EditorTest, ClosingWithChangesSavesThemWhereAsked) {
+TEST_F(EditorTest, ClosingWithChangesSavesThemToTheChosenFile) {
     Editor editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     editor.handle(event::Close{});
@@ -279,7 +279,7 @@ TEST_F(EditorTest, SaveGoesToTheOpenFileOnceThereIsOne) {
     EXPECT_FALSE(editor.workspace().is_modified());
 }
 
-TEST_F(EditorTest, ReplacingAnotherFileIsAskedFor) {
+TEST_F(EditorTest, SavingAsksBeforeReplacingAnotherFile) {
     write("other.obj", "precious");
     Editor editor = this->editor();
     editor.perform(Action::save_as);
@@ -296,7 +296,7 @@ TEST_F(EditorTest, ReplacingAnotherFileIsAskedFor) {
     EXPECT_NE(read("other.obj"), "precious");
 }
 
-TEST_F(EditorTest, SavingWhereOneMayNotSaysSo) {
+TEST_F(EditorTest, SavingToAFolderThatDoesNotExistShowsAMessage) {
     Editor editor = this->editor();
     editor.perform(Action::save_as);
     editor.browser->name = path("no such folder/ball.obj");

@@ -1,4 +1,4 @@
-// What the left panel and the wheel do to drags: pins, symmetry, twist and scale, fold-free ways.
+// Settings of drags: pins, symmetry, twist and scale with the wheel, fold-free drags.
 #include <algorithm>
 
 #include "app/cursor_path.h"
@@ -23,7 +23,7 @@ class EditorToolsTest : public EditorTest {
         move(editor, at);
         key(editor, Key{'P'});
     }
-    // The vertex nearest to a point.
+    // Returns the vertex nearest to a point.
     static double distance_to(const TriMesh& mesh, const Vec3& point) {
         double nearest = 1e300;
         for (std::uint32_t i = 0; i < mesh.vertex_slots(); ++i) {
@@ -34,23 +34,25 @@ class EditorToolsTest : public EditorTest {
     }
 };
 
-TEST(CursorPath, KeepsOnlyBendsAndTheLastPosition) {
-    EXPECT_TRUE(bends({0, 0}, {}, 2.0).empty());
-    EXPECT_EQ(bends({0, 0}, {{10, 1}, {20, -1}, {30, 0}}, 2.0), (std::vector<Vec2>{{30, 0}}));
-    EXPECT_EQ(bends({0, 0}, {{10, 0}, {20, 1}, {20, 10}, {20, 30}}, 2.0),
+TEST(CursorPath, SimplifyingKeepsOnlyBendsAndTheLastPosition) {
+    EXPECT_TRUE(simplified_path({0, 0}, {}, 2.0).empty());
+    EXPECT_EQ(simplified_path({0, 0}, {{10, 1}, {20, -1}, {30, 0}}, 2.0),
+              (std::vector<Vec2>{{30, 0}}));
+    EXPECT_EQ(simplified_path({0, 0}, {{10, 0}, {20, 1}, {20, 10}, {20, 30}}, 2.0),
               (std::vector<Vec2>{{20, 1}, {20, 30}}));
-    // There and back: the end lies where it began.
-    EXPECT_EQ(bends({0, 0}, {{10, 0}, {0, 0}}, 2.0), (std::vector<Vec2>{{10, 0}, {0, 0}}));
+    // The path returns to its start.
+    EXPECT_EQ(simplified_path({0, 0}, {{10, 0}, {0, 0}}, 2.0),
+              (std::vector<Vec2>{{10, 0}, {0, 0}}));
 }
 
-TEST(RoundedNumbers, AreFewDigitsOfFractionsAndAllOfWholeNumbers) {
+TEST(RoundedNumbers, ShortenFractionsAndKeepWholeNumbers) {
     EXPECT_EQ(rounded_numbers("from (0.21176287100961724, -1.5, 1e-17) by 1234567 of 0.25."),
               "from (0.2118, -1.5, 1e-17) by 1234567 of 0.25.");
     EXPECT_EQ(rounded_numbers("-12.000004 and 3.0000001234e-12"), "-12 and 3e-12");
     EXPECT_EQ(rounded_numbers(""), "");
 }
 
-TEST_F(EditorToolsTest, PSetsAPinUnderTheCursorAndTakesItAwayAgain) {
+TEST_F(EditorToolsTest, TheKeyPSetsAndRemovesThePinUnderTheCursor) {
     Editor editor = this->editor();
     pin(editor, kMiddle);
     ASSERT_EQ(editor.pins().points().size(), 1u);
@@ -64,11 +66,11 @@ TEST_F(EditorToolsTest, PSetsAPinUnderTheCursorAndTakesItAwayAgain) {
     EXPECT_EQ(editor.pins().points().size(), 1u) << "beside the object there is nothing to pin";
 }
 
-TEST_F(EditorToolsTest, APinBehindTheObjectIsNotTakenForTheOneInFront) {
+TEST_F(EditorToolsTest, APinBehindTheObjectIsNotFound) {
     Editor editor = this->editor();
     pin(editor, kMiddle);
     const Vec3 front = editor.pins().points()[0];
-    // Half round, so that the pin lies behind the middle.
+    // The camera turns half around, so that the pin lies behind the middle.
     for (int i = 0; i < 2; ++i) drag(editor, {100, 700}, {100 + 400, 700});
     pin(editor, *editor.camera().project(front, kSize));
     EXPECT_EQ(editor.pins().points().size(), 2u);
@@ -91,7 +93,7 @@ TEST_F(EditorToolsTest, PinnedPointsStayAndTheRecordReplaysToTheSameMesh) {
     EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());
 }
 
-TEST_F(EditorToolsTest, ADragOfAPinIsRefusedInWordsAndChangesNothing) {
+TEST_F(EditorToolsTest, DraggingAPinIsRefusedWithAMessageAndChangesNothing) {
     Editor editor = this->editor(), untouched = this->editor();
     pin(editor, kMiddle);
     press(editor, kMiddle + Vec2(3, 0));
@@ -114,7 +116,7 @@ TEST_F(EditorToolsTest, AnotherObjectAndTheMenuRemoveAllPins) {
     EXPECT_TRUE(editor.pins().is_empty());
 }
 
-TEST_F(EditorToolsTest, WithThePinButtonOnAClickSetsAPinInPlaceOfADrag) {
+TEST_F(EditorToolsTest, WithThePinButtonOnAClickSetsAPinInsteadOfDragging) {
     Editor editor = this->editor();
     editor.sets_pins = true;
     drag(editor, kMiddle, kMiddle + Vec2(60, 60));
@@ -124,7 +126,7 @@ TEST_F(EditorToolsTest, WithThePinButtonOnAClickSetsAPinInPlaceOfADrag) {
     EXPECT_FALSE(editor.sets_pins);
 }
 
-TEST_F(EditorToolsTest, TheFirstSphereIsSymmetricAndXSwitches) {
+TEST_F(EditorToolsTest, TheFirstSphereIsSymmetricAndTheKeyXSwitchesSymmetry) {
     Editor editor;
     editor.begin("");
     ASSERT_TRUE(editor.session().symmetry());
@@ -137,7 +139,7 @@ TEST_F(EditorToolsTest, TheFirstSphereIsSymmetricAndXSwitches) {
     EXPECT_EQ(editor.session().symmetry()->axis, 2);
 }
 
-TEST_F(EditorToolsTest, TheMiddleOfTheObjectIsThatOfTheOneThatIsOpen) {
+TEST_F(EditorToolsTest, TheSymmetryPlaneFollowsTheCentreOfANewObject) {
     write("aside.obj", "v 4 0 0\nv 6 0 0\nv 4 2 0\nv 4 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     Editor editor = this->editor();
     editor.choose_mirror({command::Symmetry::Plane::x, true});
@@ -159,8 +161,9 @@ TEST_F(EditorToolsTest, ASymmetricDragMovesBothSidesAndReplaysToTheSameMesh) {
     EXPECT_TRUE(replayed("record.jsonl").mesh() == mesh);
 }
 
-// A hand cannot hit the plane to the digit, and could not part two points that lie this close.
-TEST_F(EditorToolsTest, APointGrabbedBesideThePlaneOfSymmetryIsOnIt) {
+// The mouse cannot hit the plane exactly, and two points that lie this close could not be
+// separated.
+TEST_F(EditorToolsTest, APointGrabbedNearThePlaneOfSymmetrySnapsToIt) {
     Editor editor = this->editor(Recorder(path("record.jsonl")));
     editor.perform(Action::view_front);
     editor.set_symmetry(true);
@@ -171,7 +174,7 @@ TEST_F(EditorToolsTest, APointGrabbedBesideThePlaneOfSymmetryIsOnIt) {
     EXPECT_GT(drag.moves.front().to.y, 0.1);
 }
 
-TEST_F(EditorToolsTest, ADragTowardsThePlaneOfSymmetryStopsBeforeItWithoutAComplaint) {
+TEST_F(EditorToolsTest, ADragTowardsThePlaneOfSymmetryStopsBeforeItWithoutAMessage) {
     Editor editor = this->editor(Recorder(path("record.jsonl")));
     editor.perform(Action::view_front);
     editor.set_symmetry(true);
@@ -211,7 +214,7 @@ TEST_F(EditorToolsTest, TheWheelDuringADragTwistsAndWithShiftScales) {
     EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());
 }
 
-TEST_F(EditorToolsTest, AFoldFreeDragGoesTheWayOfTheCursorBetweenTwoFrames) {
+TEST_F(EditorToolsTest, AFoldFreeDragFollowsTheCursorPathBetweenTwoFrames) {
     Editor editor = this->editor(Recorder(path("record.jsonl")));
     editor.set_radius(0.3);
     const Vec2 corner = kMiddle + Vec2(220, 0), end = corner + Vec2(0, -220);
@@ -229,7 +232,7 @@ TEST_F(EditorToolsTest, AFoldFreeDragGoesTheWayOfTheCursorBetweenTwoFrames) {
         nearest =
             std::min(nearest, glm::distance(*editor.camera().project(waypoint, kSize), corner));
     }
-    // The straight way passes it at 155 pixels.
+    // A straight path would pass at a distance of 155 pixels.
     EXPECT_LT(nearest, 60.0) << drag.via.size() << " waypoints";
     EXPECT_EQ(editor.session().folded_vertices(), 0u);
     EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());

@@ -1,4 +1,4 @@
-// Choosing files.
+// FileBrowser.
 #include "app/file_browser.h"
 
 #include <gtest/gtest.h>
@@ -50,7 +50,7 @@ TEST_F(FileBrowserTest, StartsInTheFolderOfTheFileAndSavesUnderItsName) {
     EXPECT_EQ(saving.name, "b.obj");
 }
 
-TEST_F(FileBrowserTest, NamesCountFromTheFolderShownOrStandForThemselves) {
+TEST_F(FileBrowserTest, NamesAreRelativeToTheFolderShownOrAbsolute) {
     FileBrowser browser(Purpose::open, path("b.obj"));
     browser.name = "b.obj";
     EXPECT_EQ(browser.choose(), path("b.obj"));
@@ -62,16 +62,16 @@ TEST_F(FileBrowserTest, NamesCountFromTheFolderShownOrStandForThemselves) {
     EXPECT_EQ(browser.choose(), "");
 }
 
-TEST_F(FileBrowserTest, TheNameOfAFolderLeadsThere) {
+TEST_F(FileBrowserTest, ChoosingTheNameOfAFolderOpensIt) {
     FileBrowser browser(Purpose::open, path("b.obj"));
     browser.name = "models";
     EXPECT_EQ(browser.choose(), "");
     EXPECT_EQ(browser.folder(), path("models"));
-    browser.enter_parent();
+    browser.open_parent_folder();
     EXPECT_EQ(browser.folder(), path());
 }
 
-TEST_F(FileBrowserTest, SavingAddsTheExtensionWhereItIsMissing) {
+TEST_F(FileBrowserTest, SavingAddsTheExtensionIfItIsMissing) {
     FileBrowser browser(Purpose::save, path("b.obj"));
     browser.name = "ball";
     EXPECT_EQ(browser.choose(), path("ball.obj"));
@@ -82,20 +82,20 @@ TEST_F(FileBrowserTest, SavingAddsTheExtensionWhereItIsMissing) {
     EXPECT_EQ(picture.choose(), path("ball.png"));
 }
 
-TEST_F(FileBrowserTest, AFolderThatCannotBeReadIsComplainedOfAndNotEntered) {
+TEST_F(FileBrowserTest, AFolderThatCannotBeReadIsReportedAndNotOpened) {
     FileBrowser browser(Purpose::open, path("b.obj"));
-    browser.enter(path("absent"));
+    browser.open_folder(path("absent"));
     EXPECT_EQ(browser.folder(), path());
-    EXPECT_FALSE(browser.complaint().empty());
+    EXPECT_FALSE(browser.error().empty());
 }
 
-TEST_F(FileBrowserTest, StepsLeadFromTheRootToTheFolder) {
+TEST_F(FileBrowserTest, BreadcrumbsLeadFromTheRootToTheFolder) {
     const FileBrowser browser(Purpose::open, path("models/c.obj"));
-    const auto steps = browser.steps();
-    ASSERT_GE(steps.size(), 3u);
-    EXPECT_EQ(steps.front().path, "/");
-    EXPECT_EQ(steps.back().name, "models");
-    EXPECT_EQ(steps.back().path, path("models"));
+    const auto breadcrumbs = browser.breadcrumbs();
+    ASSERT_GE(breadcrumbs.size(), 3u);
+    EXPECT_EQ(breadcrumbs.front().path, "/");
+    EXPECT_EQ(breadcrumbs.back().name, "models");
+    EXPECT_EQ(breadcrumbs.back().path, path("models"));
 }
 
 }  // namespace

@@ -1,4 +1,4 @@
-// Files that are read and written in the background, while the window goes on.
+// Files that are read and written in the background, while the window stays responsive.
 #include <gtest/gtest.h>
 
 #include <filesystem>
@@ -19,14 +19,14 @@ constexpr Modifiers kControl{.control = true};
 constexpr const char* kTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
-class FileTask : public testing::Test {
+class FileTaskTest : public testing::Test {
   protected:
-    FileTask() {
+    FileTaskTest() {
         std::string name = (fs::temp_directory_path() / "pectin files XXXXXX").string();
         folder_ = mkdtemp(name.data());
         write("tetrahedron.obj", kTetrahedron);
     }
-    ~FileTask() override { fs::remove_all(folder_); }
+    ~FileTaskTest() override { fs::remove_all(folder_); }
 
     std::string path(const std::string& name) const { return (folder_ / name).string(); }
     void write(const std::string& name, const std::string& text) const {
@@ -36,8 +36,8 @@ class FileTask : public testing::Test {
         std::ifstream file(path(name), std::ios::binary);
         return {std::istreambuf_iterator<char>(file), {}};
     }
-    // Waits for no file at all. On a sphere; one of resolution 6 takes far longer to save than to
-    // cancel.
+    // An editor that does all work on files in the background. It shows a sphere; one of resolution
+    // 6 takes far longer to save than to cancel.
     Editor editor(int resolution = 3, std::optional<Recorder> recorder = {}) const {
         Editor made(std::move(recorder), 0ms);
         made.handle(event::Resize{{1280, 800}});
@@ -55,17 +55,17 @@ class FileTask : public testing::Test {
         editor.handle(event::KeyDown{key, modifiers});
         editor.handle(event::KeyUp{key});
     }
-    static bool is_under_way(const Editor& editor) {
+    static bool is_in_progress(const Editor& editor) {
         return editor.workspace().file_task() != nullptr;
     }
-    // Frames until no file is under way.
+    // Advances frames until no work on a file is in progress.
     static void wait(Editor& editor) {
-        while (is_under_way(editor)) {
+        while (is_in_progress(editor)) {
             editor.advance();
             std::this_thread::sleep_for(1ms);
         }
     }
-    // All that hands can do but to cancel and to quit.
+    // Sends all kinds of input except cancelling and quitting.
     static void fumble(Editor& editor, const std::string& file) {
         drag(editor);
         key(editor, Key{'Z'}, kControl);
@@ -90,21 +90,21 @@ class FileTask : public testing::Test {
     fs::path folder_;
 };
 
-TEST_F(FileTask, AQuickFileIsDoneAtOnce) {
+TEST_F(FileTaskTest, AQuickFileIsDoneImmediately) {
     Editor editor({}, 1h);
     editor.open(path("tetrahedron.obj"));
-    EXPECT_FALSE(is_under_way(editor));
+    EXPECT_FALSE(is_in_progress(editor));
     EXPECT_EQ(editor.session().mesh().face_count(), 4u);
     EXPECT_TRUE(editor.execute(command::Save{path("copy.obj")}));
     EXPECT_TRUE(fs::exists(path("copy.obj")));
 }
 
-TEST_F(FileTask, OpeningLeavesTheObjectUntilItIsThere) {
+TEST_F(FileTaskTest, OpeningKeepsTheOldObjectUntilTheNewOneIsRead) {
     Editor editor = this->editor();
     const TriMesh sphere = editor.session().mesh();
     const Camera camera = editor.camera();
     editor.open(path("tetrahedron.obj"));
-    ASSERT_TRUE(is_under_way(editor));
+    ASSERT_TRUE(is_in_progress(editor));
     EXPECT_TRUE(editor.has_dialog());
     while (!editor.workspace().file_task()->work.has_ended(1h)) {
     }
@@ -112,13 +112,13 @@ TEST_F(FileTask, OpeningLeavesTheObjectUntilItIsThere) {
     EXPECT_EQ(editor.session().mesh(), sphere) << "read, but not yet taken over";
     EXPECT_EQ(editor.workspace().object_name(), "sphere");
     editor.advance();
-    EXPECT_FALSE(is_under_way(editor));
+    EXPECT_FALSE(is_in_progress(editor));
     EXPECT_EQ(editor.session().mesh().face_count(), 4u);
     EXPECT_EQ(editor.workspace().object_name(), "tetrahedron.obj");
     EXPECT_NE(editor.camera(), camera) << "not framed";
 }
 
-TEST_F(FileTask, NothingTouchesTheObjectWhileItIsSaved) {
+TEST_F(FileTaskTest, NoInputChangesTheObjectWhileItIsSaved) {
     Editor editor = this->editor(5);
     drag(editor);
     ASSERT_EQ(editor.session().undo_count(), 1u);
@@ -126,7 +126,7 @@ TEST_F(FileTask, NothingTouchesTheObjectWhileItIsSaved) {
     const double radius = editor.radius();
     const Camera camera = editor.camera();
     editor.execute(command::Save{path("ball.obj")});
-    ASSERT_TRUE(is_under_way(editor));
+    ASSERT_TRUE(is_in_progress(editor));
     fumble(editor, path("tetrahedron.obj"));
     EXPECT_FALSE(editor.browser || editor.question);
     wait(editor);
@@ -139,7 +139,7 @@ TEST_F(FileTask, NothingTouchesTheObjectWhileItIsSaved) {
     EXPECT_EQ(read("ball.obj"), format_obj(before));
 }
 
-TEST_F(FileTask, ASecondFileIsRefusedWhileOneIsUnderWay) {
+TEST_F(FileTaskTest, ASecondFileIsRefusedWhileOneIsInProgress) {
     write("other.obj", std::string(kTetrahedron) + "v 5 5 5\n");
     Editor editor = this->editor();
     editor.open(path("tetrahedron.obj"));
@@ -149,12 +149,12 @@ TEST_F(FileTask, ASecondFileIsRefusedWhileOneIsUnderWay) {
     EXPECT_EQ(editor.session().mesh().face_count(), 4u);
 }
 
-TEST_F(FileTask, EscapeCancelsAndLeavesTheObjectWithoutAWord) {
+TEST_F(FileTaskTest, EscapeCancelsAndKeepsTheObjectWithoutAMessage) {
     Editor editor = this->editor();
     const TriMesh sphere = editor.session().mesh();
     editor.open(path("tetrahedron.obj"));
     key(editor, Key::escape);
-    ASSERT_TRUE(is_under_way(editor)) << "until the work has stopped";
+    ASSERT_TRUE(is_in_progress(editor)) << "until the work has stopped";
     EXPECT_TRUE(editor.workspace().file_task()->work.is_cancelled());
     wait(editor);
     EXPECT_EQ(editor.session().mesh(), sphere);
@@ -166,7 +166,7 @@ TEST_F(FileTask, EscapeCancelsAndLeavesTheObjectWithoutAWord) {
     EXPECT_EQ(editor.session().mesh().face_count(), 4u) << "and it can be opened again";
 }
 
-TEST_F(FileTask, AModelThatWasReadBeforeItWasCancelledIsNotTakenEither) {
+TEST_F(FileTaskTest, AModelThatWasReadBeforeItWasCancelledIsNotAdopted) {
     Editor editor = this->editor();
     const TriMesh sphere = editor.session().mesh();
     editor.open(path("tetrahedron.obj"));
@@ -177,7 +177,7 @@ TEST_F(FileTask, AModelThatWasReadBeforeItWasCancelledIsNotTakenEither) {
     EXPECT_EQ(editor.workspace().message(), "");
 }
 
-TEST_F(FileTask, CancellingASaveLeavesTheOldFileAndTheChanges) {
+TEST_F(FileTaskTest, CancellingASaveKeepsTheOldFileAndTheChanges) {
     write("ball.obj", "precious");
     Editor editor = this->editor(6);
     drag(editor);
@@ -191,7 +191,7 @@ TEST_F(FileTask, CancellingASaveLeavesTheOldFileAndTheChanges) {
         << "something half-written is left";
 }
 
-TEST_F(FileTask, ErrorsInAFileAreReported) {
+TEST_F(FileTaskTest, ErrorsInAFileAreReported) {
     write("letter.obj", "v 0 0 0\nv Dear reader\n");
     Editor editor = this->editor();
     const TriMesh sphere = editor.session().mesh();
@@ -206,7 +206,7 @@ TEST_F(FileTask, ErrorsInAFileAreReported) {
     EXPECT_EQ(editor.workspace().path(), "");
 }
 
-TEST_F(FileTask, FindingsInTheInputAreReported) {
+TEST_F(FileTaskTest, FindingsInTheInputAreReported) {
     write("loose.obj", std::string(kTetrahedron) + "v 5 5 5\nv 6 6 6\n");
     Editor editor = this->editor();
     editor.open(path("loose.obj"));
@@ -214,7 +214,7 @@ TEST_F(FileTask, FindingsInTheInputAreReported) {
     EXPECT_EQ(editor.workspace().message(), "loose.obj: 2 isolated vertices");
 }
 
-TEST_F(FileTask, TheRecordGetsTheCommandOnceItIsDoneAndNoneThatIsCancelled) {
+TEST_F(FileTaskTest, TheRecordHoldsCommandsThatAreDoneAndNotCancelledOnes) {
     Editor editor = this->editor(6, Recorder(path("record.jsonl")));
     const std::string before = read("record.jsonl");
     editor.execute(command::Save{path("never.obj")});
@@ -228,7 +228,7 @@ TEST_F(FileTask, TheRecordGetsTheCommandOnceItIsDoneAndNoneThatIsCancelled) {
     EXPECT_EQ(std::count(added.begin(), added.end(), '\n'), 1) << added;
 }
 
-TEST_F(FileTask, QuittingCancelsAndEndsOnceTheWorkHasStopped) {
+TEST_F(FileTaskTest, QuittingCancelsTheWorkAndEndsOnceItHasStopped) {
     for (const bool by_key : {false, true}) {
         Editor editor = this->editor();
         editor.open(path("tetrahedron.obj"));
@@ -244,7 +244,7 @@ TEST_F(FileTask, QuittingCancelsAndEndsOnceTheWorkHasStopped) {
     }
 }
 
-TEST_F(FileTask, QuittingDuringASaveAsksForTheChangesThatAreNotSavedThen) {
+TEST_F(FileTaskTest, QuittingDuringASaveAsksAboutTheUnsavedChanges) {
     Editor editor = this->editor(6);
     drag(editor);
     editor.execute(command::Save{path("ball.obj")});
@@ -255,7 +255,7 @@ TEST_F(FileTask, QuittingDuringASaveAsksForTheChangesThatAreNotSavedThen) {
     EXPECT_FALSE(editor.wants_to_end());
 }
 
-TEST_F(FileTask, WhatWasAskedForFollowsTheSaveAndOnlyIfItIsDone) {
+TEST_F(FileTaskTest, ThePendingActionFollowsOnlyASuccessfulSave) {
     Editor editor = this->editor(6);
     editor.execute(command::Save{path("ball.obj")});
     wait(editor);
@@ -264,21 +264,21 @@ TEST_F(FileTask, WhatWasAskedForFollowsTheSaveAndOnlyIfItIsDone) {
         editor.open(path("tetrahedron.obj"));
         ASSERT_TRUE(editor.question);
         editor.answer(Editor::Answer::save);
-        ASSERT_TRUE(is_under_way(editor));
+        ASSERT_TRUE(is_in_progress(editor));
         EXPECT_TRUE(std::holds_alternative<command::Save>(editor.workspace().file_task()->command));
         if (cancels) key(editor, Key::escape);
-        wait(editor);  // for the save, and for the model where that follows
+        wait(editor);  // for the save, and then for the model if it follows
         EXPECT_EQ(editor.session().mesh().face_count() == 4u, !cancels);
     }
 }
 
-TEST_F(FileTask, AModelToBeginWithThatIsCancelledOrIsNoneLeavesASphere) {
+TEST_F(FileTaskTest, IfTheFirstModelIsCancelledOrInvalidASphereIsShown) {
     write("letter.obj", "Dear sphere\n");
     for (const char* name : {"tetrahedron.obj", "letter.obj"}) {
         Editor editor({}, 0ms);
         editor.handle(event::Resize{{1280, 800}});
         editor.begin(path(name));
-        ASSERT_TRUE(is_under_way(editor));
+        ASSERT_TRUE(is_in_progress(editor));
         EXPECT_EQ(editor.session().mesh().face_slots(), 0u);
         if (name == std::string("tetrahedron.obj")) key(editor, Key::escape);
         wait(editor);
@@ -288,21 +288,21 @@ TEST_F(FileTask, AModelToBeginWithThatIsCancelledOrIsNoneLeavesASphere) {
     }
 }
 
-TEST_F(FileTask, ADroppedFileClosesTheBrowserForOneDialogAtATime) {
+TEST_F(FileTaskTest, ADroppedFileClosesTheBrowser) {
     Editor editor = this->editor();
     editor.perform(Action::open);
     ASSERT_TRUE(editor.browser);
     editor.handle(event::Drop{{path("tetrahedron.obj")}});
-    EXPECT_TRUE(is_under_way(editor));
+    EXPECT_TRUE(is_in_progress(editor));
     EXPECT_FALSE(editor.browser);
 }
 
-TEST_F(FileTask, TheEditorsEndWaitsForTheFile) {
+TEST_F(FileTaskTest, TheDestructorOfTheEditorWaitsForTheWork) {
     write("ball.obj", "precious");
     {
         Editor editor = this->editor(6);
         editor.execute(command::Save{path("ball.obj")});
-        ASSERT_TRUE(is_under_way(editor));
+        ASSERT_TRUE(is_in_progress(editor));
     }
     EXPECT_EQ(read("ball.obj"), "precious");
 }

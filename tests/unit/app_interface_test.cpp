@@ -1,5 +1,5 @@
-// What reaches panels and dialogs when much is done between two frames. The panels are laid out
-// without a window; nothing is drawn.
+// How input reaches panels and dialogs when there are many events between two frames. The panels
+// are laid out without a window, and nothing is drawn.
 #include "app/ui/interface.h"
 
 #include <thread>
@@ -20,7 +20,7 @@ class InterfaceTest : public EditorTest {
         interface_.lay_out(*editor_, {});
     }
 
-    // All between the same two frames.
+    // All of these are sent between the same two frames.
     void give(const InputEvent& input) { interface_.handle(*editor_, input); }
     void press_key(Key key, Modifiers modifiers = {}) {
         give(event::KeyDown{key, modifiers});
@@ -56,12 +56,12 @@ TEST_F(InterfaceTest, EnterAcceptsThePathThatWasTypedBeforeItInTheSameFrame) {
     EXPECT_EQ(editor_->workspace().path(), path("typed.obj"));
 }
 
-TEST_F(InterfaceTest, AWholeSequenceOfDialogsAndKeysNeedsNoFrameBetween) {
+TEST_F(InterfaceTest, ASequenceOfDialogsAndKeysIsHandledWithinOneFrame) {
     fs::create_directory(path("models"));
     write("models/wedge.obj",
           "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     press_key(Key{'O'}, kControl);
-    type(path("models"));  // a folder, where the dialog goes first
+    type(path("models"));  // a folder, which the dialog opens first
     press_key(Key::enter);
     ASSERT_TRUE(editor_->browser);
     EXPECT_EQ(editor_->browser->folder(), path("models"));
@@ -76,7 +76,7 @@ TEST_F(InterfaceTest, AWholeSequenceOfDialogsAndKeysNeedsNoFrameBetween) {
     EXPECT_TRUE(fs::exists(path("copy.obj")));
 }
 
-TEST_F(InterfaceTest, EnterAnswersTheQuestionThatTheKeyBeforeItHasRaised) {
+TEST_F(InterfaceTest, EnterAnswersTheQuestionThatThePreviousKeyHasOpened) {
     press_key(Key{'S'}, kControlShift);
     type(path("ball.obj"));
     press_key(Key::enter);
@@ -89,7 +89,7 @@ TEST_F(InterfaceTest, EnterAnswersTheQuestionThatTheKeyBeforeItHasRaised) {
     EXPECT_NE(read("ball.obj"), before);
 }
 
-TEST_F(InterfaceTest, TextFieldsEditCopyAndPaste) {
+TEST_F(InterfaceTest, TextFieldsAllowEditingCopyingAndPasting) {
     press_key(Key{'S'}, kControlShift);
     type("abc");
     press_key(Key::backspace);
@@ -107,7 +107,7 @@ TEST_F(InterfaceTest, TextFieldsEditCopyAndPaste) {
     EXPECT_FALSE(editor_->browser);
 }
 
-TEST_F(InterfaceTest, LettersTypedIntoAFieldAreNoShortcuts) {
+TEST_F(InterfaceTest, LettersTypedIntoAFieldDoNotActAsShortcuts) {
     const bool wireframe = editor_->display.wireframe;
     press_key(Key{'S'}, kControlShift);
     type("w");
@@ -117,8 +117,8 @@ TEST_F(InterfaceTest, LettersTypedIntoAFieldAreNoShortcuts) {
     EXPECT_NE(editor_->display.wireframe, wireframe);
 }
 
-// A menu opens under the press, and its entry is where the mouse goes next.
-TEST_F(InterfaceTest, AMenuAndItsEntryAreClickedInOneFrame) {
+// A press opens the menu, and the mouse then moves to its entry.
+TEST_F(InterfaceTest, AMenuAndItsEntryCanBeClickedInOneFrame) {
     const bool wireframe = editor_->display.wireframe;
     for (float y = 30.0f; y < 300.0f && editor_->display.wireframe == wireframe; y += 12.0f) {
         click({105, 12});  // View
@@ -128,8 +128,8 @@ TEST_F(InterfaceTest, AMenuAndItsEntryAreClickedInOneFrame) {
     EXPECT_NE(editor_->display.wireframe, wireframe);
 }
 
-// A slow frame: the whole drag of a slider waits to be handled when it ends.
-TEST_F(InterfaceTest, ASliderFollowsADragThatWasOverBeforeTheNextFrame) {
+// After a slow frame, the whole drag of a slider is handled at once.
+TEST_F(InterfaceTest, ASliderFollowsADragThatEndedBeforeTheNextFrame) {
     const auto theta_max = [this] { return editor_->session().adapt_settings().theta_max; };
     const auto before = theta_max();
     for (double y = 145; y < 260 && theta_max() == before; y += 10) {
@@ -152,7 +152,7 @@ TEST_F(InterfaceTest, AClickBesideThePanelsReachesTheObject) {
     EXPECT_EQ(editor_->session().undo_count(), steps + 1);
 }
 
-TEST_F(InterfaceTest, TheCursorTellsTextFieldsFromButtons) {
+TEST_F(InterfaceTest, TheCursorShapeDiffersOverTextFieldsAndButtons) {
     EXPECT_EQ(interface_.cursor_shape(), CursorShape::arrow);
     press_key(Key{'O'}, kControl);
     bool found = false;
@@ -169,7 +169,8 @@ TEST_F(InterfaceTest, AKeyHeldWhenTheWindowLosesTheFocusIsReleased) {
     type("kept");
     give(event::KeyDown{Key::backspace});
     give(event::Focus{false});
-    std::this_thread::sleep_for(std::chrono::milliseconds(600));  // longer than until it repeats
+    std::this_thread::sleep_for(
+        std::chrono::milliseconds(600));  // longer than the delay until keys repeat
     for (int i = 0; i < 3; ++i) interface_.lay_out(*editor_, {});
     EXPECT_EQ(editor_->browser->name, "kep");
 }

@@ -1,4 +1,4 @@
-// Looking around, and which keys ask for what.
+// Navigation with the mouse, and shortcuts.
 #include "app/navigation.h"
 
 #include <gtest/gtest.h>
@@ -12,7 +12,7 @@ namespace {
 
 constexpr IVec2 kSize{1200, 800};
 
-TEST(NavigationMode, FollowsButtonModifiersAndWhatIsUnderTheCursor) {
+TEST(NavigationMode, DependsOnButtonModifiersAndWhatIsUnderTheCursor) {
     using enum MouseButton;
     using enum NavigationMode;
     EXPECT_EQ(navigation_mode(left, {}, true), std::nullopt);
@@ -38,7 +38,7 @@ TEST(Navigation, OrbitKeepsTargetAndDistance) {
     EXPECT_NEAR(glm::distance(navigation.camera().eye, before.eye), 0.0, 1e-12);
 }
 
-TEST(Navigation, PanTakesTheTargetAlongWithTheCursor) {
+TEST(Navigation, PanMovesTheTargetWithTheCursor) {
     Navigation navigation;
     const Vec3 target = navigation.camera().target;
     navigation.begin(NavigationMode::pan, MouseButton::middle, {600, 400});
@@ -48,7 +48,7 @@ TEST(Navigation, PanTakesTheTargetAlongWithTheCursor) {
     EXPECT_NEAR(glm::distance(*seen, Vec2(700, 350)), 0.0, 1e-9);
 }
 
-TEST(Navigation, ScrollKeepsWhatIsUnderTheCursor) {
+TEST(Navigation, ScrollKeepsThePointUnderTheCursor) {
     Navigation navigation;
     const Vec2 at{900, 200};
     const Camera& camera = navigation.camera();
@@ -96,7 +96,7 @@ TEST(Navigation, ViewsLookAlongTheAxes) {
     EXPECT_NEAR(navigation.camera().forward().x, -1.0, 1e-12);
 }
 
-TEST(Shortcuts, TellUndoFromRedoAndPlainLettersFromControl) {
+TEST(Shortcuts, DistinguishUndoFromRedoAndPlainLettersFromControl) {
     EXPECT_EQ(action_for(Key{'Z'}, {.control = true}), Action::undo);
     EXPECT_EQ(action_for(Key{'Z'}, {.shift = true, .control = true}), Action::redo);
     EXPECT_EQ(action_for(Key{'Y'}, {.control = true}), Action::redo);

@@ -1,4 +1,4 @@
-// What a drag in the window uploads.
+// Uploads during a drag.
 #include "app/object_view.h"
 
 #include <gtest/gtest.h>
@@ -12,8 +12,8 @@ namespace {
 
 class ObjectViewTest : public OffscreenTest {};
 
-// 1.3 million faces; the brush reaches a few hundred of them.
-TEST_F(ObjectViewTest, FramesOfADragUploadAsMuchAsTheyTouch) {
+// The object has 1.3 million faces, and the brush reaches a few hundred of them.
+TEST_F(ObjectViewTest, FramesOfADragUploadOnlyWhatTheyChange) {
     Editor editor;
     editor.handle(event::Resize{{1280, 800}});
     editor.new_shape(command::Shape::Kind::sphere, 8);
@@ -40,7 +40,7 @@ TEST_F(ObjectViewTest, FramesOfADragUploadAsMuchAsTheyTouch) {
     EXPECT_LT(commit, whole / 100);
 }
 
-TEST_F(ObjectViewTest, PictureAfterADragAndUndoIsThePictureBefore) {
+TEST_F(ObjectViewTest, ADragAndUndoRestoreThePicture) {
     Editor editor;
     editor.handle(event::Resize{{320, 240}});
     editor.new_shape(command::Shape::Kind::sphere, 3);

@@ -1,4 +1,4 @@
-// Records that are never overwritten, and what they hold once they cannot be written on.
+// Recorder: earlier records are kept, and a record that can no longer be written stays valid.
 #include <sys/stat.h>
 
 #include "unit/app_recovery_fixture.h"
@@ -18,7 +18,7 @@ class RecorderTest : public RecoveryTest {
     }
 };
 
-TEST_F(RecorderTest, ARecordThatCannotBeWrittenOnEndsWithAWholeLineAndSaysSo) {
+TEST_F(RecorderTest, ARecordThatCanNoLongerBeWrittenEndsWithACompleteLineAndAMessage) {
     Editor editor = this->editor(Recorder(path("record.jsonl")));
     ASSERT_TRUE(editor.execute(kDrag));
     const std::string before = read("record.jsonl");
@@ -27,17 +27,18 @@ TEST_F(RecorderTest, ARecordThatCannotBeWrittenOnEndsWithAWholeLineAndSaysSo) {
         ASSERT_TRUE(editor.execute(kDrag));
     }
     EXPECT_EQ(read("record.jsonl"), before);
-    ASSERT_TRUE(editor.execute(command::Undo{}));  // there is room again
+    ASSERT_TRUE(editor.execute(command::Undo{}));  // there is space again
     EXPECT_EQ(read("record.jsonl"), before) << "a command is missing before this one";
     const std::string message = editor.workspace().message();
     EXPECT_NE(message.find("the record ends here"), std::string::npos) << message;
-    EXPECT_EQ(message.find("record", message.find("ends here")), std::string::npos) << "said twice";
+    EXPECT_EQ(message.find("record", message.find("ends here")), std::string::npos)
+        << "the message says it twice";
     EXPECT_EQ(replayed("record.jsonl").undo_count(), 1u);
     editor.workspace().dismiss();
     EXPECT_EQ(editor.workspace().message(), "");
 }
 
-TEST_F(RecorderTest, ARecordEndsBeforeAModelWhosePathItCannotHold) {
+TEST_F(RecorderTest, ARecordEndsBeforeOpeningAModelWhosePathItCannotHold) {
     write("caf\xe9.obj", kTetrahedron);
     Editor editor = this->editor(Recorder(path("record.jsonl")));
     const std::string before = read("record.jsonl");
@@ -47,7 +48,7 @@ TEST_F(RecorderTest, ARecordEndsBeforeAModelWhosePathItCannotHold) {
     EXPECT_NE(editor.workspace().message().find("the record ends here"), std::string::npos);
 }
 
-TEST_F(RecorderTest, ARecordGoesOnBesideAnEarlierOne) {
+TEST_F(RecorderTest, ARecordIsWrittenBesideAnEarlierOne) {
     const std::string wanted = path("record.jsonl");
     { Recorder(wanted).record(kSphere); }
     const std::string first = read("record.jsonl");
@@ -59,7 +60,7 @@ TEST_F(RecorderTest, ARecordGoesOnBesideAnEarlierOne) {
     EXPECT_EQ(Recorder(path("empty.jsonl")).path(), path("empty.jsonl"));
 }
 
-TEST_F(RecorderTest, RecordsGoToOrdinaryFilesOnly) {
+TEST_F(RecorderTest, OnlyOrdinaryFilesAreAcceptedForRecords) {
     ::mkfifo(path("pipe").c_str(), 0600);
     EXPECT_NE(error_of(path("pipe")).find("device or a pipe"), std::string::npos);
     EXPECT_NE(error_of("/dev/null").find("device or a pipe"), std::string::npos);

@@ -1,4 +1,4 @@
-// Sessions that end badly, and an Editor that restores them.
+// Sessions that end unexpectedly, and an Editor that restores them.
 #pragma once
 
 #include <signal.h>
@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "app/recovery.h"
+#include "app/recovery_file.h"
 #include "io/file_error.h"
 #include "unit/app_editor_fixture.h"
 
@@ -24,11 +24,11 @@ inline constexpr const char* kCube =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
 inline const command::Brush kWide{.radius = 0.8};
-// Of both models; the one begins where the other ends.
+// Drags for both models. The second one grabs another point than the first.
 inline const command::Drag kFirst{.moves = {{.from = Vec3(0, 0, 1), .to = Vec3(0, 0.2, 1.4)}}};
 inline const command::Drag kSecond{.moves = {{.from = Vec3(1, 0, 0), .to = Vec3(1.3, 0, 0)}}};
 
-// Files of this process cannot become larger than this while it lives.
+// Limits the size of all files that this process writes, for the lifetime of the object.
 class FileSizeLimit {
   public:
     explicit FileSizeLimit(std::uintmax_t bytes) {
@@ -59,13 +59,13 @@ class RecoveryTest : public EditorTest {
         return static_cast<std::size_t>(
             std::distance(fs::directory_iterator(folder()), fs::directory_iterator()));
     }
-    // What a session that did all this leaves when it ends badly.
+    // Writes the recovery file that a session with these commands leaves after a crash.
     void lose(const std::vector<Command>& commands) const {
         RecoveryFile file(folder());
         for (const Command& command : commands) file.record(command);
     }
     std::vector<LostSession> lost() const { return find_lost_sessions(folder()).sessions; }
-    // The same by a window that keeps its commands. Each is done.
+    // Executes the commands in an editor that ends without end_recovery(), as after a crash.
     void crash_after(const std::vector<Command>& commands) const {
         Editor editor({}, std::chrono::hours(1));
         editor.workspace().begin_recovery(folder());
@@ -82,7 +82,7 @@ class RecoveryTest : public EditorTest {
         editor.answer_recovery(Editor::RecoveryAnswer::restore);
         finish_restoring(editor);
     }
-    // What these commands come to without any file of the state folder.
+    // Returns the saved bytes that these commands give without any recovery.
     std::string bytes_after(const std::vector<Command>& commands) const {
         Session session;
         for (const Command& command : commands) EXPECT_FALSE(session.execute(command));

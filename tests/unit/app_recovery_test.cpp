@@ -1,4 +1,4 @@
-// What a window leaves in the state folder, and what the next one finds there.
+// The files that a window leaves in the state folder, and what the next window finds there.
 #include <sys/stat.h>
 
 #include <atomic>
@@ -9,10 +9,10 @@
 namespace pectin {
 namespace {
 
-TEST_F(RecoveryTest, FindsWhatWasNotSavedAndNothingElse) {
+TEST_F(RecoveryTest, FindsOnlySessionsWithUnsavedChanges) {
     EXPECT_TRUE(lost().empty()) << "no folder yet";
-    lose({kSphere});                                       // nothing was done
-    lose({kSphere, kDrag, command::Save{path("a.obj")}});  // all is saved
+    lose({kSphere});                                       // no changes
+    lose({kSphere, kDrag, command::Save{path("a.obj")}});  // all changes are saved
     lose({kSphere, kDrag, command::Save{path("b.obj")}, kDrag});
     const auto sessions = lost();
     ASSERT_EQ(sessions.size(), 1u);
@@ -34,7 +34,7 @@ TEST_F(RecoveryTest, LeavesTheFilesOfRunningWindowsAlone) {
     EXPECT_FALSE(fs::exists(running.path()));
 }
 
-TEST_F(RecoveryTest, ReadsAFileThatWasCutOffInTheMiddleOfALine) {
+TEST_F(RecoveryTest, ReadsAFileWhoseLastLineIsIncomplete) {
     lose({kSphere, kDrag, kDrag});
     const std::string file = lost().at(0).path;
     fs::resize_file(file, fs::file_size(file) - 20);
@@ -52,7 +52,7 @@ TEST_F(RecoveryTest, LeavesOtherFilesOfTheFolderAlone) {
     EXPECT_EQ(file_count(), 2u);
 }
 
-TEST_F(RecoveryTest, ADamagedFileIsKeptUnderANameThatIsTold) {
+TEST_F(RecoveryTest, ADamagedFileIsSetAsideAndReported) {
     const std::string header = "{\"pectin\": 1}\n";
     const std::string shape = R"({"cmd": "shape", "kind": "sphere", "resolution": 3})"
                               "\n";
@@ -61,10 +61,10 @@ TEST_F(RecoveryTest, ADamagedFileIsKeptUnderANameThatIsTold) {
     fs::create_directory(folder());
     for (const std::string& damaged :
          {std::string("not a script"), std::string("{\"pectin\": 99}\n"),
-          // Bad lines with others behind them, and at the end, but written to their end.
+          // Invalid lines in the middle, and a complete invalid line at the end.
           header + shape + "{\"cmd\": \"dra\n" + drag, header + shape + drag + "{\"cmd\": \"dra\n",
           header + shape + std::string(100, '\0') + "\n" + drag,
-          // What was cut off is all that there would have been to restore.
+          // The incomplete last line is all that could have been restored.
           header + shape + drag.substr(0, 20)}) {
         write("state/recovery-1-0.jsonl", damaged);
         const LostSessions found = find_lost_sessions(folder());
@@ -72,7 +72,7 @@ TEST_F(RecoveryTest, ADamagedFileIsKeptUnderANameThatIsTold) {
         EXPECT_EQ(found.damaged,
                   std::vector<std::string>{path("state/recovery-1-0.jsonl.incomplete")});
         EXPECT_EQ(read("state/recovery-1-0.jsonl.incomplete"), damaged);
-        EXPECT_TRUE(find_lost_sessions(folder()).damaged.empty()) << "told twice";
+        EXPECT_TRUE(find_lost_sessions(folder()).damaged.empty()) << "each file is reported once";
     }
     for (const std::string& empty : {std::string(), header.substr(0, 5), header, header + shape}) {
         write("state/recovery-1-0.jsonl", empty);
@@ -81,8 +81,7 @@ TEST_F(RecoveryTest, ADamagedFileIsKeptUnderANameThatIsTold) {
     }
 }
 
-// The drags before the save are in the file by then; they act on the model as it was opened.
-TEST_F(RecoveryTest, LaterKeepsAllAndDiscardForgetsOne) {
+TEST_F(RecoveryTest, LaterKeepsAllSessionsAndDiscardRemovesOne) {
     lose({kSphere, kDrag});
     lose({kSphere, kDrag});
     Editor editor = this->editor();
@@ -95,7 +94,7 @@ TEST_F(RecoveryTest, LaterKeepsAllAndDiscardForgetsOne) {
     EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsSaidAndStopsNothing) {
+TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsReportedAndTheWindowGoesOn) {
     write("state", "a file in place of the folder");
     Editor editor = this->editor();
     editor.workspace().begin_recovery(folder());
@@ -104,7 +103,7 @@ TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsSaidAndStopsNothing) {
     EXPECT_TRUE(editor.execute(command::Brush{.radius = 0.3}));
 }
 
-TEST_F(RecoveryTest, ASessionThatCanNoLongerBeKeptSaysSoAndIsNotTakenForACrash) {
+TEST_F(RecoveryTest, ASessionThatCanNoLongerBeKeptIsReportedAndIsNotTakenForACrash) {
     for (const bool has_full_disk : {true, false}) {
         Editor editor = this->editor();
         editor.workspace().begin_recovery(folder());
@@ -121,15 +120,16 @@ TEST_F(RecoveryTest, ASessionThatCanNoLongerBeKeptSaysSoAndIsNotTakenForACrash) 
         EXPECT_FALSE(editor.workspace().has_recovery());
         ASSERT_TRUE(editor.execute(command::Brush{.radius = 0.3}));
         const std::string message = editor.workspace().message();
-        EXPECT_NE(message.find("not kept for recovery"), std::string::npos) << message;
-        EXPECT_TRUE(lost().empty()) << "another window is offered the running one's session";
+        EXPECT_NE(message.find("cannot be restored after a crash"), std::string::npos) << message;
+        EXPECT_TRUE(lost().empty())
+            << "another window must not be offered the running window's session";
         EXPECT_EQ(file_count(), 1u);
         editor.workspace().end_recovery();
         EXPECT_EQ(file_count(), 0u);
     }
 }
 
-TEST_F(RecoveryTest, AFullDiskLeavesWholeLines) {
+TEST_F(RecoveryTest, AFullDiskLeavesOnlyCompleteLines) {
     std::string file;
     {
         RecoveryFile recovery(folder());
@@ -143,8 +143,8 @@ TEST_F(RecoveryTest, AFullDiskLeavesWholeLines) {
     EXPECT_EQ(lost().at(0).commands, (std::vector<Command>{kSphere, kDrag}));
 }
 
-// A window that starts looks for files without a lock while another one creates its own.
-TEST_F(RecoveryTest, WindowsThatStartTogetherLoseNoFile) {
+// A window looks for files without a lock while another window creates its own file.
+TEST_F(RecoveryTest, WindowsThatStartTogetherKeepTheirFiles) {
     fs::create_directory(folder());
     std::atomic<bool> is_over = false;
     std::thread other([&] {
@@ -160,7 +160,7 @@ TEST_F(RecoveryTest, WindowsThatStartTogetherLoseNoFile) {
     other.join();
 }
 
-TEST_F(RecoveryTest, ASessionIsOfferedByOneWindowAtATime) {
+TEST_F(RecoveryTest, OnlyOneWindowAtATimeOffersASession) {
     lose({kSphere, kDrag});
     {
         const auto offered = lost();
@@ -170,9 +170,9 @@ TEST_F(RecoveryTest, ASessionIsOfferedByOneWindowAtATime) {
     EXPECT_EQ(lost().size(), 1u);
 }
 
-// What a window tells at its start is not lost by the commands that it begins with, nor by what is
-// wrong with the model, and what is wrong with the model not by that.
-TEST_F(RecoveryTest, WhatIsToldAtTheStartStaysUntilItIsDismissed) {
+// The first commands and an error in the model do not remove the notices of the start, and the
+// notices do not remove the error.
+TEST_F(RecoveryTest, NoticesOfTheStartStayUntilTheyAreDismissed) {
     write("state", "a file in place of the folder");
     write("letter.obj", "Dear sphere\n");
     for (const std::string& model : {std::string(), path("letter.obj")}) {

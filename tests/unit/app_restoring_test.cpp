@@ -1,4 +1,4 @@
-// Sessions that did not end as they should, done again.
+// Restoring of sessions that ended unexpectedly.
 #include "unit/app_recovery_fixture.h"
 
 namespace pectin {
@@ -6,7 +6,7 @@ namespace {
 
 using RestoringTest = RecoveryTest;
 
-TEST_F(RestoringTest, RestoresTheObjectToTheByteAndWritesNoFile) {
+TEST_F(RestoringTest, RestoringGivesTheExactObjectAndWritesNoFile) {
     write("a.obj", kTetrahedron);
     const command::Open open{path("a.obj")};
     const std::string expected = bytes_after({open, kWide, kFirst, kSecond});
@@ -20,7 +20,7 @@ TEST_F(RestoringTest, RestoresTheObjectToTheByteAndWritesNoFile) {
     EXPECT_EQ(bytes_of(editor), expected);
 }
 
-TEST_F(RestoringTest, RestoresASessionThatHadSavedOverItsOwnModel) {
+TEST_F(RestoringTest, ASessionThatHadSavedOverItsOwnModelIsRestored) {
     const command::Open open{path("a.obj")};
     for (const char* saved_as : {"a.obj", "link.obj"}) {
         write("a.obj", kTetrahedron);
@@ -38,7 +38,7 @@ TEST_F(RestoringTest, RestoresASessionThatHadSavedOverItsOwnModel) {
             editor.offer(std::move(sessions));
             editor.answer_recovery(Editor::RecoveryAnswer::restore);
             finish_restoring(editor);
-            EXPECT_EQ(file_count(), 2u) << "of the session that has restored it";
+            EXPECT_EQ(file_count(), 2u) << "the restoring session has its own files";
             ASSERT_TRUE(editor.execute(kSecond)) << editor.workspace().message();
         }  // which crashes, too
         Editor editor = this->editor();
@@ -50,7 +50,7 @@ TEST_F(RestoringTest, RestoresASessionThatHadSavedOverItsOwnModel) {
     }
 }
 
-TEST_F(RestoringTest, CopiesOfModelsAreForTheirOwnerAloneAndGoWithTheSession) {
+TEST_F(RestoringTest, OnlyTheOwnerCanReadCopiesOfModelsAndTheyAreRemovedWithTheSession) {
     write("a.obj", kTetrahedron);
     Editor editor({}, std::chrono::hours(1));
     editor.workspace().begin_recovery(folder());
@@ -69,7 +69,7 @@ TEST_F(RestoringTest, CopiesOfModelsAreForTheirOwnerAloneAndGoWithTheSession) {
     EXPECT_EQ(file_count(), 0u);
 }
 
-TEST_F(RestoringTest, AModelThatWasChangedSinceIsNotBuiltUpon) {
+TEST_F(RestoringTest, ASessionIsNotRestoredFromAModelThatHasChanged) {
     write("a.obj", kTetrahedron);
     crash_after({command::Open{path("a.obj")}, kWide, kFirst});
     write("a.obj", kCube);
@@ -80,13 +80,13 @@ TEST_F(RestoringTest, AModelThatWasChangedSinceIsNotBuiltUpon) {
         << message;
     EXPECT_EQ(editor.workspace().object_name(), "sphere");
     EXPECT_FALSE(editor.workspace().is_modified());
-    write("a.obj", kTetrahedron);  // put back
+    write("a.obj", kTetrahedron);  // the earlier contents
     Editor next = this->editor();
     restore(next);
     EXPECT_EQ(bytes_of(next), bytes_after({command::Open{path("a.obj")}, kWide, kFirst}));
 }
 
-TEST_F(RestoringTest, SavingOverAModelThatSomebodyElseHasChangedSaysThatItCannotBeRestored) {
+TEST_F(RestoringTest, SavingOverAModelThatAnotherProgramHasChangedWarnsThatItCannotBeRestored) {
     write("a.obj", kTetrahedron);
     Editor editor({}, std::chrono::hours(1));
     editor.workspace().begin_recovery(folder());
@@ -99,7 +99,7 @@ TEST_F(RestoringTest, SavingOverAModelThatSomebodyElseHasChangedSaysThatItCannot
     EXPECT_EQ(file_count(), 1u);
 }
 
-TEST_F(RestoringTest, ModelsThatWereOpenedBeforeTheLastNeedNotBeThereAnyMore) {
+TEST_F(RestoringTest, OnlyTheModelThatWasOpenedLastIsNeeded) {
     write("a.obj", kCube);
     write("b.obj", kTetrahedron);
     const command::Open first{path("a.obj")}, last{path("b.obj")};
@@ -112,7 +112,7 @@ TEST_F(RestoringTest, ModelsThatWereOpenedBeforeTheLastNeedNotBeThereAnyMore) {
     EXPECT_EQ(bytes_of(editor), expected);
 }
 
-TEST_F(RestoringTest, ACageThatWasFittedToAnEarlierObjectIsTheSame) {
+TEST_F(RestoringTest, ACageThatWasFittedToAnEarlierObjectIsRestored) {
     write("b.obj", kTetrahedron);
     const std::vector<Command> commands{
         kSphere, kDrag, command::Cage{command::Cage::Fit{{3, 3, 3}}}, command::Open{path("b.obj")},
@@ -138,7 +138,7 @@ TEST_F(RestoringTest, TheNextSaveGoesWhereTheLostSessionSavedLast) {
     EXPECT_EQ(read("a.obj"), kTetrahedron);
 }
 
-TEST_F(RestoringTest, SettingsOfTheWindowThatRestoresDoNotMatter) {
+TEST_F(RestoringTest, SettingsOfTheRestoringWindowHaveNoEffect) {
     const std::vector<Command> commands{kSphere, kDrag, kDrag};
     const std::vector<Command> off_centre{
         kSphere, command::Drag{.moves = {{.from = Vec3(0.6, 0, 0.8), .to = Vec3(0.9, 0.1, 1.2)}}}};
@@ -157,7 +157,7 @@ TEST_F(RestoringTest, SettingsOfTheWindowThatRestoresDoNotMatter) {
     }
 }
 
-TEST_F(RestoringTest, TheRecordOfTheWindowThatRestoresReplaysToTheSameBytes) {
+TEST_F(RestoringTest, TheRecordOfTheRestoringWindowReplaysToTheSameBytes) {
     lose({kSphere, command::Drag{.moves = {{.from = Vec3(0.6, 0, 0.8), .to = Vec3(0.9, 0, 1.2)}}}});
     Editor editor(Recorder(path("record.jsonl")), std::chrono::hours(1));
     editor.begin("");
@@ -170,7 +170,7 @@ TEST_F(RestoringTest, TheRecordOfTheWindowThatRestoresReplaysToTheSameBytes) {
     EXPECT_EQ(read("replayed.obj"), restored);
 }
 
-TEST_F(RestoringTest, RestoringGoesOnFrameByFrameAndCanBeCancelled) {
+TEST_F(RestoringTest, RestoringContinuesFrameByFrameAndCanBeCancelled) {
     std::vector<Command> commands{kSphere, kWide};
     for (int i = 0; i < 400; ++i) {
         commands.push_back(kDrag);
@@ -188,7 +188,8 @@ TEST_F(RestoringTest, RestoringGoesOnFrameByFrameAndCanBeCancelled) {
         EXPECT_EQ(lost().size() + 1, file_count()) << "another window is offered this one, too";
         EXPECT_GT(editor.restoration()->fraction(), 0.0);
         EXPECT_LT(editor.restoration()->fraction(), 1.0);
-        EXPECT_FALSE(editor.execute(command::Readapt{})) << "nothing else meanwhile";
+        EXPECT_FALSE(editor.execute(command::Readapt{}))
+            << "no other command may be executed meanwhile";
         if (quits) {
             editor.handle(event::Close{});
         } else {
@@ -205,7 +206,7 @@ TEST_F(RestoringTest, RestoringGoesOnFrameByFrameAndCanBeCancelled) {
     EXPECT_EQ(lost().size(), 2u);
 }
 
-TEST_F(RestoringTest, ASessionBeingRestoredIsKeptItself) {
+TEST_F(RestoringTest, TheRestoringSessionIsItselfKeptForRecovery) {
     lose({kSphere, kDrag});
     Editor editor = this->editor();
     auto sessions = lost();
@@ -213,13 +214,13 @@ TEST_F(RestoringTest, ASessionBeingRestoredIsKeptItself) {
     editor.offer(std::move(sessions));
     editor.answer_recovery(Editor::RecoveryAnswer::restore);
     finish_restoring(editor);
-    EXPECT_EQ(file_count(), 1u) << "of this session, which holds the restored commands, too";
+    EXPECT_EQ(file_count(), 1u) << "this session's file also holds the restored commands";
     editor.workspace().end_recovery();
     EXPECT_EQ(file_count(), 0u);
 }
 
-TEST_F(RestoringTest, WhatCannotBeRestoredStaysInAFileThatIsNamed) {
-    // The third command cannot be done.
+TEST_F(RestoringTest, IfRestoringFailsTheCommandsStayInAFileThatTheMessageNames) {
+    // The third command is invalid.
     write("a.obj", kTetrahedron);
     lose({command::Open{path("a.obj")}, kFirst, command::Redo{}, kSecond});
     Editor editor = this->editor();
@@ -232,7 +233,7 @@ TEST_F(RestoringTest, WhatCannotBeRestoredStaysInAFileThatIsNamed) {
     EXPECT_TRUE(lost().empty()) << "it is not offered again";
 }
 
-TEST_F(RestoringTest, AModelThatIsNotThereLeavesTheSessionToBeOfferedAgain) {
+TEST_F(RestoringTest, IfTheModelIsMissingTheSessionIsOfferedAgain) {
     lose({kSphere, kDrag, command::Open{path("gone.obj")}, kDrag});
     Editor editor = this->editor();
     restore(editor);

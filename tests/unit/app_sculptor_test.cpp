@@ -1,4 +1,4 @@
-// The grabbed point and the cursor.
+// Dragging of a point with the mouse.
 #include "app/sculptor.h"
 
 #include <gtest/gtest.h>
@@ -14,7 +14,7 @@ Session sphere() {
     return session;
 }
 
-TEST(ViewPlane, PointStaysUnderTheCursorAtItsDepth) {
+TEST(ViewPlane, ThePointStaysUnderTheCursorAtItsDepth) {
     const Camera camera{.eye = {1, 2, 5}, .target = {0.2, 0.1, 0}};
     const Vec3 from{0.3, 0.4, 0.5};
     const Vec2 at{523, 111};
@@ -24,18 +24,18 @@ TEST(ViewPlane, PointStaysUnderTheCursorAtItsDepth) {
     EXPECT_NEAR(glm::dot(*to - from, camera.forward()), 0.0, 1e-12);
 }
 
-TEST(AlongNormal, PointStaysOnTheNormalNearestToTheRay) {
+TEST(AlongNormal, ThePointOfTheNormalNearestToTheRayIsFound) {
     const Camera camera{.eye = {0, 0, 5}};
     const Vec3 from{0.2, 0.1, 0.9}, normal = glm::normalize(Vec3{1, 0.5, 0.1});
     const Ray first = camera.ray_through(*camera.project(from, kSize), kSize);
     EXPECT_NEAR(glm::distance(on_normal(camera, from, normal, first, first), from), 0.0, 1e-12);
-    // A cursor on the picture of the normal takes the point exactly there.
+    // If the cursor is on the projected normal, the point moves exactly under it.
     const Vec3 goal = from + 0.37 * normal;
     const Ray ray = camera.ray_through(*camera.project(goal, kSize), kSize);
     EXPECT_NEAR(glm::distance(on_normal(camera, from, normal, first, ray), goal), 0.0, 1e-9);
 }
 
-TEST(AlongNormal, NormalTowardsTheEyeGoesByTheHeightOfTheCursor) {
+TEST(AlongNormal, IfTheNormalPointsToTheEyeThePointFollowsTheHeightOfTheCursor) {
     const Camera camera{.eye = {0, 0, 5}};
     const Vec3 from{0, 0, 1}, normal{0, 0, 1};
     const Ray first = camera.ray_through({400, 300}, kSize);
@@ -46,7 +46,7 @@ TEST(AlongNormal, NormalTowardsTheEyeGoesByTheHeightOfTheCursor) {
     EXPECT_NEAR(up.z - 1.0, 50 * camera.pixel_length(from, kSize), 1e-9);
 }
 
-TEST(Sculptor, ReleaseDoesWhatTheDragCommandDoes) {
+TEST(Sculptor, ReleaseGivesTheSameMeshAsTheDragCommand) {
     const Camera camera{.eye = {0, 0, 5}};
     Session session = sphere(), other = sphere();
     const Ray ray = camera.ray_through({430, 280}, kSize);
@@ -67,7 +67,7 @@ TEST(Sculptor, ReleaseDoesWhatTheDragCommandDoes) {
     EXPECT_EQ(session.mesh(), other.mesh());
 }
 
-TEST(Sculptor, CancelGivesEverythingBack) {
+TEST(Sculptor, CancelRestoresTheObject) {
     const Camera camera{.eye = {0, 0, 5}};
     Session session = sphere(), untouched = sphere();
     const Ray ray = camera.ray_through({400, 300}, kSize);
@@ -80,7 +80,7 @@ TEST(Sculptor, CancelGivesEverythingBack) {
     EXPECT_EQ(session.mesh(), untouched.mesh());
 }
 
-TEST(Sculptor, AClickIsNoDrag) {
+TEST(Sculptor, AClickDoesNotCountAsADrag) {
     const Camera camera{.eye = {0, 0, 5}};
     Session session = sphere();
     const Ray ray = camera.ray_through({400, 300}, kSize);

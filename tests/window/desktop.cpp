@@ -13,8 +13,8 @@ using namespace std::chrono_literals;
 
 namespace {
 
-// The pause between two steps of the mouse, so that frames are drawn while it moves. No test
-// depends on it.
+// Time between two steps of a drag, so that frames are drawn while the mouse moves, as with a user.
+// No test depends on it.
 constexpr std::chrono::milliseconds kMoment = 50ms;
 
 bool is_installed(const std::string& program) {
@@ -44,11 +44,11 @@ Desktop::Desktop() {
         const std::string display = ":" + std::to_string(kFirst + (::getpid() + i) % kNumbers);
         server_.emplace(std::vector<std::string>{"Xvfb", display, "-screen", "0", "1280x800x24",
                                                  "-nolisten", "tcp", "-noreset",
-                                                 // no key repetition if xdotool is slow
+                                                 // no repeated keys when xdotool is delayed
                                                  "-r"},
                         Environment{});
-        // Uses Mesa's software rasteriser on every machine. Leaks of other drivers could not be
-        // suppressed by name, because drivers are unloaded before the leak check.
+        // The tests always use Mesa's own rasteriser. Leaks of other drivers cannot be suppressed
+        // by name, because drivers are unloaded before the leak check.
         environment_ = {{"DISPLAY", display},
                         {"WAYLAND_DISPLAY", ""},
                         {"LIBGL_ALWAYS_SOFTWARE", "1"},
@@ -56,7 +56,7 @@ Desktop::Desktop() {
         const auto has_ended = [this] { return server_->wait(0ms).has_value(); };
         const bool answers =
             eventually([&] { return has_ended() || xdotool({"getdisplaygeometry"}) == 0; });
-        if (answers && !has_ended()) return;  // otherwise it is another server's display
+        if (answers && !has_ended()) return;  // otherwise the display belongs to another process
     }
     environment_.clear();
 }

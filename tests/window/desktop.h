@@ -1,4 +1,4 @@
-// A virtual display with the program's window, and functions that control mouse and keyboard.
+// A virtual display with the program's window on it, and simulated mouse and keyboard input.
 #pragma once
 
 #include <optional>
@@ -9,28 +9,27 @@
 
 namespace pectin {
 
-// Why the window cannot be tested on this system; empty if it can.
+// Why the window cannot be tested here; empty if it can.
 std::string missing_for_windows();
 
-// Xvfb with a free display number.
+// An Xvfb display with a free number.
 class Desktop {
   public:
     Desktop();
     const Environment& environment() const { return environment_; }
     bool is_running() const { return !environment_.empty(); }
 
-    // --- Input. The program handles events in this order, so no waiting is needed between these
-    // calls.
+    // --- Input. However slow the program is, it handles the input in this order, so a test need
+    // not wait in between.
     void move(int x, int y) const;
     void press(int button = 1) const;
     void release(int button = 1) const;
-    void key(const std::string& name) const;  // as in xdotool: "ctrl+z"
+    void key(const std::string& name) const;  // its name for xdotool, such as "ctrl+z"
     void hold(const std::string& name) const;
     void release_key(const std::string& name) const;
     void type(const std::string& text) const;
     void drag(int from_x, int from_y, int to_x, int to_y) const;
-    bool drop(const std::string& path)
-        const;  // drops a file on the window; returns whether it was accepted
+    bool drop(const std::string& path) const;  // drops a file; returns whether the window took it
     // Waits until the program's window is on the display.
     bool shows_window() const;
 

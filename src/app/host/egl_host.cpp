@@ -60,7 +60,7 @@ void EglHost::open_display() {
     if (!initialize(display_, nullptr, nullptr)) fail("EGL cannot be initialised");
 }
 
-// The program draws into a framebuffer of its own, so the configuration needs no surface and its
+// The program draws into its own framebuffer. The configuration therefore needs no surface, and its
 // colour and depth formats do not matter.
 void EglHost::create_context() {
     auto* const bind_api = find<decltype(eglBindAPI)>("eglBindAPI");

@@ -1,5 +1,5 @@
-// EGL without a surface (EGL_MESA_platform_surfaceless): draws on the graphics card, or on the
-// processor where there is none, without any display system.
+// Off-screen OpenGL through EGL without a surface (EGL_MESA_platform_surfaceless). It uses the
+// graphics card, or the processor if there is none, and needs no display system.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace pectin {
 
-// Throws ContextError, saying what is missing.
+// Throws ContextError, which says what is missing.
 std::unique_ptr<OffscreenHost> make_egl_host(const char* library);
 
 }  // namespace pectin

@@ -26,7 +26,7 @@ class OsmesaHost : public OffscreenHost {
     void (*destroy_)(void*) = library_.find<void(void*)>("OSMesaDestroyContext");
     unsigned char (*make_current_)(void*, void*, GLenum, GLsizei, GLsizei) =
         library_.find<unsigned char(void*, void*, GLenum, GLsizei, GLsizei)>("OSMesaMakeCurrent");
-    // OSMesa requires a picture of its own, though the program draws into its own framebuffer.
+    // OSMesa requires an image, though the program draws into its own framebuffer.
     static constexpr int kSide = 16;  // pixels
     std::array<unsigned char, 4 * kSide * kSide> pixels_{};
     void* context_ = nullptr;

@@ -1,5 +1,5 @@
-// Mesa's off-screen interface: draws on the processor, into memory, without any display system.
-// Mesa 25.1 and later do not ship it.
+// Off-screen OpenGL through OSMesa, which draws on the processor and needs no display system. Mesa
+// 25.1 and later do not contain it.
 #pragma once
 
 #include <memory>
@@ -8,7 +8,7 @@
 
 namespace pectin {
 
-// Throws ContextError, saying what is missing.
+// Throws ContextError, which says what is missing.
 std::unique_ptr<OffscreenHost> make_osmesa_host(const char* library);
 
 }  // namespace pectin

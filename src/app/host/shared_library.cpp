@@ -4,8 +4,8 @@
 
 namespace pectin {
 
-// RTLD_LOCAL: OSMesa defines the same functions as libGL, which must not be mixed up.
-// RTLD_NODELETE: a leak checker can name what a driver leaks only while the driver is in memory.
+// RTLD_LOCAL: OSMesa and libGL define the same functions, which must not replace each other.
+// RTLD_NODELETE: a leak checker can name the functions of a driver only while it is loaded.
 SharedLibrary::SharedLibrary(const char* name)
     : name_(name), handle_(dlopen(name, RTLD_NOW | RTLD_LOCAL | RTLD_NODELETE)) {
     if (!handle_) throw ContextError(dlerror());

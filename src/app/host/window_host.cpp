@@ -28,13 +28,13 @@ bool is_set(const char* variable) {
     return value && value[0] != '\0';
 }
 
-// A Wayland display may be found by its folder alone.
+// Without these two variables, a Wayland display may still be found in XDG_RUNTIME_DIR.
 bool may_have_display() {
     return is_set("DISPLAY") || is_set("WAYLAND_DISPLAY") || is_set("XDG_RUNTIME_DIR");
 }
 
-// GLFW 3.4 would look for a Wayland display first, and its library complains where there is none.
-void prefer_display_that_is_named() {
+// GLFW 3.4 tries Wayland first, and the Wayland library prints an error where there is none.
+void prefer_named_display() {
 #ifdef GLFW_PLATFORM
     if (is_set("DISPLAY") && !is_set("WAYLAND_DISPLAY")) {
         glfwInitHint(GLFW_PLATFORM, GLFW_PLATFORM_X11);
@@ -52,7 +52,7 @@ Modifiers modifiers_of(int bits) {
             .alt = (bits & GLFW_MOD_ALT) != 0};
 }
 
-// As they are held now; during a key's own event its modifier is not yet among that event's.
+// The modifiers that are held now. The event of a modifier key itself does not include it yet.
 Modifiers held_modifiers(GLFWwindow* window) {
     const auto is_down = [window](int left, int right) {
         return glfwGetKey(window, left) == GLFW_PRESS || glfwGetKey(window, right) == GLFW_PRESS;
@@ -64,7 +64,7 @@ Modifiers held_modifiers(GLFWwindow* window) {
 
 bool is_modifier(int key) { return key >= GLFW_KEY_LEFT_SHIFT && key <= GLFW_KEY_RIGHT_SUPER; }
 
-// Keys that are named by what they do and not by a character.
+// Returns keys that have a name, such as Escape, and no character.
 Key named_key_of(int key) {
     struct Named {
         int glfw;
@@ -87,7 +87,7 @@ Key named_key_of(int key) {
     return found == kNamed.end() ? Key::none : found->key;
 }
 
-// What is written on the key; where that is no Latin letter, what a US keyboard has there.
+// Returns the key by its label. If that is not a Latin letter, the label on a US keyboard counts.
 Key key_of(int key, int scancode) {
     if (const Key named = named_key_of(key); named != Key::none) return named;
     const char* const name = glfwGetKeyName(key, scancode);
@@ -126,7 +126,7 @@ std::optional<MouseButton> button_of(int button) {
     }
 }
 
-// No larger than the screen has room for, once GLFW has scaled it.
+// Limits the size to the screen, whose content scale GLFW applies to it.
 IVec2 fitting(const IVec2& wanted) {
     GLFWmonitor* const monitor = glfwGetPrimaryMonitor();
     if (!monitor) return wanted;
@@ -144,7 +144,7 @@ GLFWwindow* make_window(const std::string& title, const IVec2& wanted) {
     glfwWindowHint(GLFW_CONTEXT_VERSION_MINOR, 3);
     glfwWindowHint(GLFW_OPENGL_PROFILE, GLFW_OPENGL_CORE_PROFILE);
     glfwWindowHint(GLFW_OPENGL_FORWARD_COMPAT, GLFW_TRUE);
-    // The program draws into a framebuffer of its own.
+    // The program draws into its own framebuffer.
     glfwWindowHint(GLFW_DEPTH_BITS, 0);
     glfwWindowHint(GLFW_STENCIL_BITS, 0);
     glfwWindowHint(GLFW_SCALE_TO_MONITOR, GLFW_TRUE);
@@ -158,7 +158,7 @@ GLFWwindow* make_window(const std::string& title, const IVec2& wanted) {
 WindowHost::Library::Library() {
     std::string why = "neither DISPLAY nor WAYLAND_DISPLAY is set";
     if (may_have_display()) {
-        prefer_display_that_is_named();
+        prefer_named_display();
         if (glfwInit() == GLFW_TRUE) return;
         why = last_error();
     }
@@ -190,9 +190,9 @@ WindowHost::WindowHost(const std::string& title, const IVec2& size)
 
 WindowHost::~WindowHost() = default;
 
-// Called from within GLFW, through whose C functions nothing may be thrown. More events than are
-// reserved may find no memory: the newest one then takes the place of the one before, so that a
-// button does not stay pressed.
+// GLFW calls this through C functions, which no exception may leave. If there is no memory for more
+// events than are reserved, the newest event replaces the one before, so that a button does not
+// stay pressed.
 void WindowHost::add(InputEvent event) noexcept {
     try {
         events_.push_back(std::move(event));
@@ -205,7 +205,7 @@ void WindowHost::add_drop(std::span<const char*> paths) noexcept {
     try {
         add(event::Drop{{paths.begin(), paths.end()}});
     } catch (const std::bad_alloc&) {
-        // The file is not opened; the user can drop it again.
+        // The file is not opened. The user can drop it again.
     }
 }
 
@@ -230,7 +230,7 @@ void WindowHost::set_title(const std::string& title) {
 void WindowHost::set_cursor(CursorShape shape) {
     if (cursor_shape_ == shape) return;
     cursor_shape_ = shape;
-    // Null where the desktop has no such shape, which gives the arrow. GLFW frees them at its end.
+    // Null if the desktop has no such shape; GLFW then shows the arrow. GLFW frees all cursors.
     auto [entry, is_new] = cursors_.try_emplace(shape, nullptr);
     if (is_new) entry->second = glfwCreateStandardCursor(glfw_shape_of(shape));
     glfwSetCursor(window_.get(), entry->second);
@@ -260,7 +260,7 @@ IVec2 WindowHost::framebuffer_size() const {
 float WindowHost::content_scale() const {
     float x = 1.0f, y = 1.0f;
     glfwGetWindowContentScale(window_.get(), &x, &y);
-    // Where window coordinates are larger than pixels, they have the scale in them already.
+    // Window coordinates that are larger than pixels already include a part of the scale.
     const int width = size().x;
     const float ratio =
         width > 0 ? static_cast<float>(framebuffer_size().x) / static_cast<float>(width) : 1.0f;
@@ -325,7 +325,7 @@ void WindowHost::listen_to_window() {
     glfwSetWindowSizeCallback(window, [](GLFWwindow* w, int width, int height) {
         host_of(w).add(event::Resize{{width, height}});
     });
-    // Uncovered, restored, or with another scale: what is shown has to be drawn again.
+    // The window was uncovered or restored, or its scale has changed. It must be drawn again.
     glfwSetWindowRefreshCallback(
         window, [](GLFWwindow* w) { host_of(w).add(event::Resize{host_of(w).size()}); });
     glfwSetFramebufferSizeCallback(

@@ -10,8 +10,8 @@
 namespace pectin {
 namespace {
 
-// Dear ImGui 1.87 replaced the arrays of the input's state by a queue of changes. Debian 12 has
-// 1.86, Debian 13 has 1.90.
+// Dear ImGui 1.87 replaced the arrays of input states by a queue of changes. Debian 12 has 1.86 and
+// Debian 13 has 1.90.
 #define PECTIN_IMGUI_HAS_EVENTS (IMGUI_VERSION_NUM >= 18700)
 
 #if PECTIN_IMGUI_HAS_EVENTS
@@ -21,7 +21,7 @@ constexpr ImGuiKey_ kNoKey = ImGuiKey_COUNT;
 #endif
 using ImKey = std::remove_const_t<decltype(kNoKey)>;
 
-// The keys that text fields, menus and dialogs react to.
+// Translates the keys that text fields, menus and dialogs use.
 ImKey imgui_key(Key key) {
     struct Pair {
         Key ours;
@@ -106,12 +106,12 @@ void scroll_wheel(double amount) {
 #endif
 }
 
-struct Feed {
+struct PassToImGui {
     void operator()(const event::Move& move) const {
         set_modifiers(move.modifiers);
         set_mouse(move.at);
     }
-    // A slider that is being dragged follows the mouse also beyond the window's edge.
+    // A slider that is being dragged still follows the mouse outside the window.
     void operator()(const event::Leave&) const {
         if (!ImGui::IsAnyMouseDown()) set_mouse(-FLT_MAX, -FLT_MAX);
     }
@@ -149,14 +149,14 @@ void set_up_imgui_input() {
     ImGuiIO& io = ImGui::GetIO();
     set_mouse(-FLT_MAX, -FLT_MAX);
 #if PECTIN_IMGUI_HAS_EVENTS
-    // Dear ImGui would spread changes over several frames; Interface does, and draws none of them.
+    // Dear ImGui would spread the changes over several frames. Interface does this already.
     io.ConfigInputTrickleEventQueue = false;
 #else
-    // The arrays are indexed by Dear ImGui's own names of the keys.
+    // The arrays are indexed by the keys of Dear ImGui.
     for (int key = 0; key < ImGuiKey_COUNT; ++key) io.KeyMap[key] = key;
 #endif
 }
 
-void feed_imgui(const InputEvent& input) { std::visit(Feed{}, input); }
+void feed_imgui(const InputEvent& input) { std::visit(PassToImGui{}, input); }
 
 }  // namespace pectin

@@ -12,12 +12,12 @@
 namespace pectin {
 namespace {
 
-// The layouts that Dear ImGui needs until a window that has just opened has its size and its text
-// field the keyboard.
+// Number of layouts after which a window that has just opened has its size, and its text field has
+// the keyboard focus.
 constexpr int kLayoutsToSettle = 3;
-constexpr float kShortestLayout = 1e-6f;  // seconds; Dear ImGui wants some time to have passed
+constexpr float kShortestLayout = 1e-6f;  // seconds; Dear ImGui requires a positive time
 
-// Their effects can be given together: only the last one counts.
+// Of several such events in a row, only the last one matters.
 bool is_movement(const InputEvent& input) {
     return std::holds_alternative<event::Move>(input) ||
            std::holds_alternative<event::Leave>(input) ||
@@ -72,7 +72,7 @@ Interface::~Interface() { ImGui::DestroyContext(); }
 void Interface::set_size(const IVec2& size, const IVec2& framebuffer_size) {
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = to_imgui(Vec2(size));
-    // A window that is minimised has no size, and then none of its pixels is drawn.
+    // A minimised window has no size, and nothing of it is drawn.
     if (size.x > 0 && size.y > 0) {
         io.DisplayFramebufferScale = to_imgui(Vec2(framebuffer_size) / Vec2(size));
     }
@@ -80,7 +80,7 @@ void Interface::set_size(const IVec2& size, const IVec2& framebuffer_size) {
 
 void Interface::handle(Editor& editor, const InputEvent& input) {
     const bool moves = is_movement(input);
-    // What is pressed now was under the mouse when it had moved there.
+    // The panels must know what is under the mouse now before they handle a press.
     if (!moves && has_moved_) settle(editor, 1);
     if (const auto* move = std::get_if<event::Move>(&input)) cursor_ = move->at;
     if (const auto* resize = std::get_if<event::Resize>(&input)) {
@@ -111,7 +111,7 @@ void Interface::begin_layout(Editor& editor) {
     try {
         panels_.draw(editor, figures_);
     } catch (...) {
-        // Windows and groups that were begun are ended, so that the next layout can begin.
+        // Ends the windows and groups that were begun, so that the next layout can begin.
         ImGui::ErrorCheckEndFrameRecover(nullptr);
         ImGui::EndFrame();
         throw;

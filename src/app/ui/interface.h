@@ -1,5 +1,5 @@
-// The user interface apart from any window: menus, panels and dialogs, laid out with Dear ImGui,
-// and the order in which input reaches them and the editor.
+// The user interface without a window: lays out menus, panels and dialogs with Dear ImGui, and
+// passes input to them and to the editor.
 #pragma once
 
 #include <chrono>
@@ -19,7 +19,7 @@ struct Clipboard {
     std::function<void(const std::string&)> write;
 };
 
-// Owns the context of Dear ImGui, of which there is one at a time.
+// Owns the context of Dear ImGui. Only one instance may exist at a time.
 class Interface {
   public:
     // scale: of fonts and sizes, 1 on an ordinary screen.
@@ -31,14 +31,14 @@ class Interface {
     // The window's size in window coordinates and in pixels.
     void set_size(const IVec2& size, const IVec2& framebuffer_size);
 
-    // Gives an event to the panels and to the editor. Between two frames any number of events can
-    // be handled, and each finds menus and dialogs as the event before has left them: text arrives
-    // in the dialog that the key before it has opened, and Enter accepts what was typed before it.
-    // Cost: one layout of the panels for a movement of the mouse that something else follows, and
-    // kLayoutsToSettle for every other event.
+    // Passes an event to the panels and to the editor. Between two frames any number of events can
+    // be handled, and each finds menus and dialogs as the event before left them. For example, text
+    // goes to the dialog that the key before it opened, and Enter accepts what was typed before it.
+    // Cost: one layout of the panels for the last of several mouse movements in a row, and
+    // kLayoutsToSettle layouts for every other event.
     void handle(Editor& editor, const InputEvent& input);
 
-    // Lays out the panels and prepares what is to be drawn of them.
+    // Lays out the panels and prepares their draw data.
     void lay_out(Editor& editor, const PictureFigures& figures);
     // Precondition: lay_out() was called, and handle() was not called since.
     const ImDrawData& draw_data() const;
@@ -49,11 +49,11 @@ class Interface {
     void settle(Editor& editor, int layouts);
 
     Clipboard clipboard_;
-    std::string clipboard_text_;  // what Dear ImGui was given last; it keeps a pointer to it
+    std::string clipboard_text_;  // the last text given to Dear ImGui, which keeps a pointer to it
     Panels panels_;
     PictureFigures figures_;
     Vec2 cursor_{-1.0};
-    bool has_moved_ = false;  // the mouse, since the last layout
+    bool has_moved_ = false;  // whether the mouse has moved since the last layout
     std::chrono::steady_clock::time_point last_layout_ = std::chrono::steady_clock::now();
 };
 

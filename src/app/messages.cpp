@@ -1,0 +1,30 @@
+#include "app/messages.h"
+
+#include <cctype>
+
+#include "io/printable.h"
+
+namespace pectin {
+
+void Messages::set(const std::string& message) { command_message_ = printable(message); }
+
+void Messages::add_notice(const std::string& message) {
+    notices_ += (notices_.empty() ? "" : "\n") + printable(message);
+}
+
+std::string Messages::text() const {
+    const bool are_both = !notices_.empty() && !command_message_.empty();
+    return notices_ + (are_both ? "\n" : "") + command_message_;
+}
+
+void Messages::dismiss() {
+    command_message_.clear();
+    notices_.clear();
+}
+
+std::string sentence(std::string remark) {
+    remark.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(remark.front())));
+    return remark + ".";
+}
+
+}  // namespace pectin
