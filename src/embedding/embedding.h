@@ -110,7 +110,7 @@ class Embedding {
     std::size_t weight_count_ = 0;      // per vertex, in the last step
     GrowingArray<Vec3f> normals_;       // of the wedge entries before the last step; empty for one
     GrowingArray<DragWeight> weights_;  // of the last step: vertex entries x weight_count_
-    std::vector<std::uint8_t> runs_;    // lasting_runs(), if the last step has one weight per vertex
+    std::vector<std::uint8_t> runs_;  // lasting_runs(), if the last step has one weight per vertex
     std::optional<LatticeEvaluator> evaluator_;  // if the last step is a lattice field
     GrowingArray<std::uint8_t> has_folded_;  // vertex entries: 1 if det J <= 0 in an earlier step
 };
