@@ -33,7 +33,7 @@ std::vector<Triangle> triangles(const TriMesh& mesh) {
             const Vec3& p = mesh.position(mesh.origin(TriMesh::half_edge(f, corner)));
             triangle[static_cast<std::size_t>(corner)] = {p.x, p.y, p.z};
         }
-        std::ranges::rotate(triangle, std::ranges::min_element(triangle));
+        std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
         all.push_back(triangle);
     }
     std::ranges::sort(all);
