@@ -20,6 +20,7 @@
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
 #include "mesh/shapes.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -142,7 +143,7 @@ TEST(AdaptMemory, RollsBackWhicheverAllocationFails) {
 
 // Of large arrays, too.
 TEST(AdaptMemoryDeathTest, RollsBackWhereverThePagesRunOut) {
-    if (std::getenv("PECTIN_TEST_SANITIZED")) {
+    if (test::is_sanitized()) {
         GTEST_SKIP() << "a sanitizer's allocator ends the program instead";
     }
     GTEST_FLAG_SET(death_test_style, "threadsafe");

@@ -8,6 +8,8 @@
 #include <new>
 #include <random>
 
+#include "support/test_run.h"
+
 namespace pectin::test {
 namespace {
 
@@ -43,10 +45,10 @@ FailingNew::~FailingNew() { armed = false; }
 bool FailingNew::has_failed() const { return failed; }
 
 FailurePoints::FailurePoints(std::size_t sparseness)
-    : sparseness_(sparseness), takes_all_(std::getenv("PECTIN_TEST_LONG") != nullptr) {
+    : sparseness_(test::is_sanitized() ? sparseness / 2 : sparseness), takes_all_(test::is_long()) {
     if (takes_all_) return;
     const char* const chosen = std::getenv("PECTIN_TEST_OFFSET");
-    offset_ = chosen ? std::strtoull(chosen, nullptr, 10) : std::random_device()() % sparseness;
+    offset_ = chosen ? std::strtoull(chosen, nullptr, 10) : std::random_device()() % sparseness_;
     std::printf("a sample of the allocations fails: PECTIN_TEST_OFFSET=%zu\n", offset_);
 }
 

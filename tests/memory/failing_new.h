@@ -22,6 +22,7 @@ class FailingNew {
 // How many allocations are served before one fails: in a long run (PECTIN_TEST_LONG) every number
 // from 0 on. Otherwise a sample: every small number, then every nth of about n·sparseness. Its gaps
 // lie elsewhere in each process, by a random offset, which is printed; PECTIN_TEST_OFFSET sets it.
+// Under sanitizers the sample is half as large.
 class FailurePoints {
   public:
     explicit FailurePoints(std::size_t sparseness);

@@ -6,6 +6,7 @@
 #include "session/gesture.h"
 #include "session/settings.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {

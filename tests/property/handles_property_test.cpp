@@ -8,6 +8,7 @@
 #include "session/session.h"
 #include "support/random_commands.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {

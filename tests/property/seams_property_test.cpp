@@ -14,6 +14,7 @@
 #include "session/session.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -113,7 +114,7 @@ TEST(UnsharedSeams, OfRealModelsNeverOpen) {
     if (models.empty()) GTEST_SKIP() << "no models in " << PECTIN_MODELS;
     Total total;
     // A long run makes 500 drags.
-    const int wanted = std::getenv("PECTIN_TEST_LONG") ? 500 : 12;
+    const int wanted = test::is_long() ? 500 : 12;
     const auto count = static_cast<int>(models.size());
     const int each = (wanted + count - 1) / count;
     for (int i = 0; i < count; ++i) {

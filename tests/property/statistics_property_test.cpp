@@ -9,6 +9,7 @@
 #include "io/obj_writer.h"
 #include "session/session.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {

@@ -1,16 +1,15 @@
 // Tests that the program with little memory either does its work or says why it cannot.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "replay/program.h"
 #include "support/process.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
 
 TEST(ReplayMemoryLimit, EndsWithAMessageAndNeverByASignal) {
-    if (std::getenv("PECTIN_TEST_SANITIZED")) {
+    if (test::is_sanitized()) {
         GTEST_SKIP() << "a sanitizer needs more memory than there is";
     }
     const ScratchFolder folder;

@@ -24,6 +24,7 @@
 #include "support/mesh_figures.h"
 #include "support/random_commands.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -233,7 +234,7 @@ class Soak : public testing::Test {
 };
 
 TEST_F(Soak, OfRandomCommandsKeepsEveryStep) {
-    const bool is_long = std::getenv("PECTIN_TEST_LONG") != nullptr;
+    const bool is_long = test::is_long();
     const int wanted = is_long ? 100'000 : 1'000;
     const char* const first = std::getenv("PECTIN_TEST_SEED");
     std::uint64_t seed = first ? std::strtoull(first, nullptr, 10) : 90'000;
