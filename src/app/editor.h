@@ -160,7 +160,7 @@ class Editor {
     // --- Input (editor_input.cpp).
     void on(const event::Press& press, const UiClaims& claims);
     void on(const event::Release& release, const UiClaims& claims);
-    void on(const event::Move& move, const UiClaims& claims);
+    void on(const event::MouseMove& move, const UiClaims& claims);
     void on(const event::Leave& leave, const UiClaims& claims);
     void on(const event::Scroll& scroll, const UiClaims& claims);
     void on(const event::KeyDown& key, const UiClaims& claims);

@@ -50,13 +50,13 @@ class EditorTest : public testing::Test {
         editor.advance();
     }
     static void press(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
-        editor.handle(event::Move{at, modifiers});
+        editor.handle(event::MouseMove{at, modifiers});
         editor.advance();
         editor.handle(event::Press{MouseButton::left, at, modifiers});
         editor.advance();
     }
     static void move(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
-        editor.handle(event::Move{at, modifiers});
+        editor.handle(event::MouseMove{at, modifiers});
         editor.advance();
     }
     static void key(Editor& editor, Key key, Modifiers modifiers = {}) {

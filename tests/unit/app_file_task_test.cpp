@@ -45,9 +45,9 @@ class FileTaskTest : public testing::Test {
         return made;
     }
     static void drag(Editor& editor) {
-        editor.handle(event::Move{kMiddle, {}});
+        editor.handle(event::MouseMove{kMiddle, {}});
         editor.handle(event::Press{MouseButton::left, kMiddle, {}});
-        editor.handle(event::Move{kMiddle + Vec2(60, -80), {}});
+        editor.handle(event::MouseMove{kMiddle + Vec2(60, -80), {}});
         editor.handle(event::Release{MouseButton::left, kMiddle + Vec2(60, -80), {}});
         editor.advance();
     }
