@@ -43,8 +43,8 @@ struct Scene {
     int steps = 0;             // of the warp
     bool is_mirrored = false;  // symmetric at x = 0, and refined so
 };
-// A smooth closed surface; creases and texture coordinates; a border of the active set; a boundary;
-// one drag, and two drags one after another; symmetry.
+// The scenes have a smooth closed surface, creases and texture coordinates, a border of the active
+// set, a boundary, one drag, two drags one after another, or symmetry.
 const Scene kScenes[] = {
     {"sphere", ShapeKind::sphere, 5, kAll},
     {"cube", ShapeKind::cube, 40, kAll},
@@ -152,7 +152,7 @@ TEST(Partitions, GiveTheSameMeshAsSerialEdits) {
     }
 }
 
-// With short batches too, whose partitions border on each other in many places.
+// Short batches are tested, too, because their partitions border on each other in many places.
 TEST(Partitions, KeepAMirroredMeshMirrored) {
     for (const Scene& scene : kScenes) {
         if (!scene.is_mirrored) continue;
@@ -190,7 +190,7 @@ TEST(Partitions, UndoAllSplitsWithAllLimitsOff) {
     }
 }
 
-// This includes free lists and logs.
+// The comparison includes free lists and logs.
 TEST(Partitions, GiveTheSameBytesOnAnyNumberOfThreads) {
     const auto refined_on = [](const Scene& scene, int threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
