@@ -12,8 +12,8 @@
 namespace pectin::bench {
 namespace {
 
-// Ordered by octave of the squared length, up to some thousands of edges at a time; FIFO within
-// each partition of an octave.
+// The refinement queue. It orders edges by octave of their squared length and gives up to some
+// thousands of edges at a time. Within each partition of an octave the order is FIFO.
 class Octaves {
   public:
     void push(double squared, std::uint32_t e) {
@@ -36,7 +36,7 @@ class Octaves {
     std::vector<EdgeId> taken_;
 };
 
-// Ordered by length.
+// Orders edges by length and gives one at a time.
 class BinaryHeap {
   public:
     void push(double squared, std::uint32_t e) { heap_.emplace(squared, e); }

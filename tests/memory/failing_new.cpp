@@ -56,7 +56,7 @@ void FailurePoints::advance() { served_ += takes_all_ ? 1 : 1 + (served_ + offse
 
 }  // namespace pectin::test
 
-// What large arrays ask the system for, by the linker's option --wrap.
+// GrowingArray allocates by these functions, which the linker option --wrap replaces.
 extern "C" {
 void* __real_realloc(void* block, std::size_t size);
 void* __wrap_realloc(void* block, std::size_t size) {
@@ -69,7 +69,7 @@ void* __wrap_mmap(void* at, std::size_t size, int protection, int flags, int fil
 }
 }
 
-// Those of alignments beyond malloc's stay the library's.
+// The operators for alignments beyond that of malloc are not replaced.
 void* operator new(std::size_t size) { return pectin::test::allocated(size); }
 void* operator new[](std::size_t size) { return pectin::test::allocated(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {

@@ -13,8 +13,8 @@ TEST(ReplayMemoryLimit, EndsWithAMessageAndNeverByASignal) {
         GTEST_SKIP() << "a sanitizer needs more memory than there is";
     }
     const ScratchFolder folder;
-    const std::string script = folder.write_script(
-        "s.jsonl",
+    const std::string script = write_script(
+        folder, "s.jsonl",
         {R"({"cmd": "shape", "kind": "sphere", "resolution": 5})",
          R"({"cmd": "brush", "radius": 1.5})", R"({"cmd": "adapt", "theta_max": 5})",
          R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0.3, 0, 2.2]}], "fold_free": true, "connected": true})",

@@ -45,8 +45,8 @@ struct Scene {
     int steps = 0;             // of the warp
     bool is_mirrored = false;  // symmetric at x = 0, and refined so
 };
-// Creases and texture coordinates; a border of the active set; symmetry; two drags one after
-// another; a smooth closed surface; a boundary; one drag.
+// The scenes have creases and texture coordinates, a border of the active set, symmetry, two drags
+// one after another, a smooth closed surface, a boundary, or one drag.
 const Scene kScenes[] = {
     {"cube", ShapeKind::cube, 40, kAll},
     {"part of a sphere", ShapeKind::sphere, 5, {.min = Vec3{-0.7}, .max = Vec3{2.0}}, false},
@@ -159,7 +159,7 @@ TEST(Partitions, GiveTheSameMeshAsSerialEdits) {
     }
 }
 
-// With short batches too, whose partitions border on each other in many places.
+// Short batches are tested, too, because their partitions border on each other in many places.
 TEST(Partitions, KeepAMirroredMeshMirrored) {
     for (const Scene& scene : scenes()) {
         if (!scene.is_mirrored) continue;
@@ -197,7 +197,7 @@ TEST(Partitions, UndoAllSplitsWithAllLimitsOff) {
     }
 }
 
-// This includes free lists and logs.
+// The comparison includes free lists and logs.
 TEST(Partitions, GiveTheSameBytesOnAnyNumberOfThreads) {
     const auto refined_on = [](const Scene& scene, int threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
