@@ -293,7 +293,7 @@ void MaterialCopier::copy_bytes(const OpenFile& file, const fs::path& path,
     constexpr std::size_t kPiece = std::size_t{1} << 20;
     std::size_t done = 0;
     while (true) {
-        const std::string piece = access_.read(file, source, done, kPiece, progress);
+        const std::string piece = access_.read(file, source, done, kPiece, progress.part(0.0, 0.0));
         if (piece.empty()) break;
         out.write(piece);
         done += piece.size();
