@@ -1,11 +1,9 @@
 #include "app/fingerprint.h"
 
-#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <cstdio>
 #include <cstring>
-#include <vector>
 
 #include "io/open_file.h"
 
@@ -43,19 +41,16 @@ std::string as_word(std::size_t length, std::uint64_t hash) {
 std::string fingerprint(const std::string& path, const Progress& progress,
                         const std::function<void(std::string_view)>& consume) {
     constexpr std::size_t kPart = std::size_t{1} << 20;
-    const OpenFile file = open_file(path, progress);
-    std::vector<char> part(kPart);
+    FileAccess access;
+    const OpenFile file = access.open(path, progress);
     Hash hash;
     std::size_t done = 0;
-    while (const std::size_t count = read_bytes(file, path, part.data(), part.size())) {
-        const std::string_view bytes(part.data(), count);
+    while (true) {
+        const std::string bytes = access.read(file, path, done, kPart, progress);
+        if (bytes.empty()) break;
         hash.add(bytes);
         if (consume) consume(bytes);
-        done += count;
-        if (file.bytes > 0) {
-            progress.advance(
-                std::min(1.0, static_cast<double>(done) / static_cast<double>(file.bytes)));
-        }
+        done += bytes.size();
     }
     return as_word(done, hash.value());
 }

@@ -5,8 +5,10 @@
 
 #include <array>
 #include <cerrno>
+#include <chrono>
 #include <climits>
 #include <exception>
+#include <semaphore>
 #include <string_view>
 #include <system_error>
 #include <utility>
@@ -51,6 +53,21 @@ void write_if_possible(std::string_view line) {
     pollfd errors{.fd = STDERR_FILENO, .events = POLLOUT, .revents = 0};
     if (::poll(&errors, 1, kLongestWait) <= 0) return;
     if (::write(STDERR_FILENO, part.data(), part.size()) < 0) errno = 0;
+}
+
+// Removes the temporary files on another thread, because a file system that does not answer must
+// not keep the program from ending. That thread goes on until the end of the program, so that no
+// file is added.
+void remove_files_if_possible() {
+    constexpr std::chrono::milliseconds kLongestWait{500};
+    static std::binary_semaphore are_removed{0};
+    const auto remove = [] {
+        const auto no_new_temporary_files = remove_temporary_files();
+        are_removed.release();
+        while (true) ::pause();
+    };
+    std::thread(remove).detach();
+    (void)are_removed.try_acquire_for(kLongestWait);
 }
 
 }  // namespace
@@ -100,7 +117,12 @@ std::string TerminationWatch::exit_message(const char* signal) {
 // The other threads continue until the end. This function waits for none of them, and no destructor
 // runs.
 void TerminationWatch::end_program(int signal) {
-    const auto no_new_temporary_files = remove_temporary_files();
+    std::unique_lock<std::mutex> no_new_temporary_files;
+    try {
+        remove_files_if_possible();
+    } catch (const std::exception&) {  // no thread can be created
+        no_new_temporary_files = remove_temporary_files();
+    }
     try {
         write_if_possible(exit_message(name_of(signal)));
     } catch (const std::exception&) {  // there is not enough memory for the message

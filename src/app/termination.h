@@ -15,8 +15,9 @@ namespace pectin {
 
 // On SIGINT, SIGTERM and SIGHUP the program removes the temporary files that it is writing, prints
 // one line that says what was done, and exits with status 128 + the signal's number. This takes
-// only a moment, whatever the program is doing. A signal that is ignored when the program starts,
-// as with nohup, stays ignored.
+// less than a second, whatever the program is doing. Temporary files on a file system that does not
+// answer are left there. A signal that is ignored when the program starts, as with nohup, stays
+// ignored.
 //
 // Writing to a closed pipe, or beyond the limit of a file's size, does not end the program. The
 // write returns an error instead.

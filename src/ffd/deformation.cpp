@@ -81,8 +81,8 @@ const LatticeField* streamed_lattice(const Deformation& deformation) {
 Deformation compact(DragStep drag) {
     if (weight_count(drag) <= kMostWeights) return drag;
     std::vector<LatticeField> fields = merged_lattices(drag);
-    if (fields.size() > 1) return drag;
-    return std::move(fields.front());
+    if (fields.size() == 1) return std::move(fields.front());
+    return SymmetricLattice{std::move(fields.front()), drag.symmetry->plane};
 }
 
 }  // namespace pectin

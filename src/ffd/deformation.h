@@ -15,6 +15,7 @@
 
 #include "ffd/drag_step.h"
 #include "ffd/lattice_field.h"
+#include "ffd/symmetric_lattice.h"
 #include "geometry/box.h"
 
 namespace pectin {
@@ -59,11 +60,11 @@ concept SpaceDeformation = requires(const D& deformation, D& changing, const Vec
     { injective_limit(deformation, most) } -> std::same_as<double>;
 };
 
-// A drag, or a lattice whose control points were displaced by hand. The concept is checked here,
-// before a Deformation itself could stand in for a function that an alternative lacks.
+// A drag, a displaced lattice, or a displaced lattice with its mirror image. The concept is checked
+// here, before a Deformation itself could stand in for a function that an alternative lacks.
 template <SpaceDeformation... Alternatives>
 using OneOf = std::variant<Alternatives...>;
-using Deformation = OneOf<DragStep, LatticeField>;
+using Deformation = OneOf<DragStep, LatticeField, SymmetricLattice>;
 
 // Calls pass with the deformation as the type it is, whose functions are then called directly. A
 // loop over many points stands inside pass, so that it pays for the dispatch only once.
@@ -96,8 +97,9 @@ Vec3f covariant_normal(const Deformation& deformation, const Vec3& x, const Vec3
 const LatticeField* streamed_lattice(const Deformation& deformation);
 
 // A drag with more weights than kMostWeights is faster as its displaced lattice: 64 terms for each
-// point instead of one weight for each point and displacement. A symmetric drag remains a drag if
-// its lattice and the mirror image differ. Cost: O(constraints · weights + control points).
+// point instead of one weight for each point and displacement. With symmetry, it is one lattice if
+// that is its own mirror image, and otherwise a SymmetricLattice. Cost: O(constraints · weights +
+// control points).
 inline constexpr std::size_t kMostWeights = 32;
 Deformation compact(DragStep drag);
 

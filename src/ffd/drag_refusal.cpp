@@ -21,7 +21,8 @@ DragRefusal invalid_lattice() {
 
 DragRefusal too_many_constraints(std::size_t most) {
     return {"a drag can move and pin at most " + std::to_string(most) +
-            " different points; take fewer of them"};
+            " different points; a point with a twist or a scale counts as four of them, and with "
+            "symmetry each point beside the plane counts twice; take fewer"};
 }
 
 DragRefusal invalid_pin(const Vec3& pin) {

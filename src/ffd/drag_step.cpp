@@ -33,12 +33,9 @@ std::vector<LatticeField> merged_lattices(const DragStep& drag) {
 }
 
 std::vector<Box> zones_of(const DragStep& drag) {
-    std::vector<Box> zones{drag.field.lattice().influenced_zone()};
-    if (drag.symmetry) {
-        const Box mirrored = drag.symmetry->plane.image(zones.front());
-        if (mirrored != zones.front()) zones.push_back(mirrored);
-    }
-    return zones;
+    const Lattice& lattice = drag.field.lattice();
+    if (drag.symmetry) return symmetric_zones(drag.symmetry->plane, lattice);
+    return {lattice.influenced_zone()};
 }
 
 double reach_bound(const DragStep& drag) {

@@ -53,6 +53,13 @@ void symmetric_weights(const DragField& field, const Symmetry& symmetry, const V
     }
 }
 
+std::vector<Box> symmetric_zones(const MirrorPlane& plane, const Lattice& lattice) {
+    std::vector<Box> zones{lattice.influenced_zone()};
+    const Box mirrored = plane.image(zones.front());
+    if (mirrored != zones.front()) zones.push_back(mirrored);
+    return zones;
+}
+
 Lattice mirror_image(const MirrorPlane& plane, const Lattice& lattice) {
     Lattice mirrored = lattice;
     const Vec3 last = lattice.rest(lattice.deformable - 1);

@@ -65,6 +65,9 @@ struct Symmetry {
 void symmetric_weights(const DragField& field, const Symmetry& symmetry, const Vec3& x,
                        std::span<DragWeight> out);
 
+// The influenced zones of a lattice and of its mirror image; one box if they are equal.
+std::vector<Box> symmetric_zones(const MirrorPlane& plane, const Lattice& lattice);
+
 Lattice mirror_image(const MirrorPlane& plane, const Lattice& lattice);
 LatticeField mirror_image(const MirrorPlane& plane, const LatticeField& field);
 

@@ -37,15 +37,12 @@ bool path_exists(const fs::path& path) {
     return fs::symlink_status(path, error).type() != fs::file_type::not_found && !error;
 }
 
-bool is_picture(const OpenFile& file, const std::string& path) {
+bool is_picture(FileAccess& access, const OpenFile& file, const std::string& path,
+                const Progress& progress) {
     constexpr std::size_t kTail = 32;
-    std::string head(kSignatureBytes, '\0');
-    head.resize(read_bytes(file, path, head.data(), head.size()));
-    std::string tail(kTail, '\0');
     const std::size_t tail_begin = file.bytes - std::min(file.bytes, kTail);
-    ::lseek(file.descriptor.get(), static_cast<off_t>(tail_begin), SEEK_SET);
-    tail.resize(read_bytes(file, path, tail.data(), tail.size()));
-    ::lseek(file.descriptor.get(), 0, SEEK_SET);
+    const std::string head = access.read(file, path, 0, kSignatureBytes, progress);
+    const std::string tail = access.read(file, path, tail_begin, kTail, progress);
     return recognise_file(head, file.bytes).is_image() || is_tga(head, tail, file.bytes);
 }
 
@@ -74,7 +71,7 @@ class MaterialCopier {
     std::optional<std::string> read_library(const fs::path& library);
     bool find_textures_of(const fs::path& library);
     void copy_one(const fs::path& path, const Progress& progress);
-    void copy_bytes(const OpenFile& file, const fs::path& path, const Progress& progress) const;
+    void copy_bytes(const OpenFile& file, const fs::path& path, const Progress& progress);
     std::optional<OpenFile> open(const fs::path& path, std::uint64_t max_bytes,
                                  const Progress& progress);
     void refuse(const fs::path& path, std::string why) {
@@ -87,7 +84,7 @@ class MaterialCopier {
     fs::path from_, to_;
     const Progress& progress_;
     const MaterialLimits& limits_;
-    TimedFileQuery query_;
+    FileAccess access_;
     std::map<fs::path, int> errors_;                    // cached results of error_of()
     std::set<std::pair<fs::path, std::string>> names_;  // subfolder and name of those looked up
     std::set<fs::path> libraries_, textures_;           // exist in from_
@@ -102,7 +99,7 @@ int MaterialCopier::error_of(const fs::path& path) {
     if (known != errors_.end()) return known->second;
     int error = ETIMEDOUT;
     try {
-        error = query_.ask((from_ / path).string(), progress_).error;
+        error = access_.ask((from_ / path).string(), progress_).error;
     } catch (const FileError&) {
         // The system did not answer. open() will report it.
     }
@@ -196,7 +193,7 @@ std::optional<OpenFile> MaterialCopier::open(const fs::path& path, std::uint64_t
                                              const Progress& progress) {
     const std::string source = (from_ / path).string();
     try {
-        FileAnswer answer = query_.ask(source, progress);
+        FileAnswer answer = access_.ask(source, progress);
         const bool is_readable = answer.error == 0;
         try {
             OpenFile file = opened(source, std::move(answer));
@@ -222,8 +219,8 @@ std::optional<std::string> MaterialCopier::read_library(const fs::path& library)
     }
     const std::optional<OpenFile> file = open(library, limits_.library_bytes, progress_);
     if (!file) return std::nullopt;
-    std::string text(file->bytes, '\0');
-    text.resize(read_bytes(*file, (from_ / library).string(), text.data(), text.size()));
+    const std::string text =
+        access_.read(*file, (from_ / library).string(), 0, file->bytes, progress_.part(0.0, 0.0));
     if (may_be_material_library(text)) return text;
     refuse(library, "is no material library");
     return std::nullopt;
@@ -272,7 +269,8 @@ void MaterialCopier::copy_one(const fs::path& path, const Progress& progress) tr
     const std::optional<OpenFile> file =
         open(path, is_library ? limits_.library_bytes : limits_.texture_bytes, progress);
     if (!file) return;
-    if (!is_library && !is_picture(*file, (from_ / path).string())) {
+    if (!is_library &&
+        !is_picture(access_, *file, (from_ / path).string(), progress.part(0.0, 0.0))) {
         return refuse(path, "is no picture");
     }
     copy_bytes(*file, path, progress);
@@ -283,7 +281,7 @@ void MaterialCopier::copy_one(const fs::path& path, const Progress& progress) tr
 
 // Copies in pieces, because textures can be large.
 void MaterialCopier::copy_bytes(const OpenFile& file, const fs::path& path,
-                                const Progress& progress) const {
+                                const Progress& progress) {
     const std::string source = (from_ / path).string(), target = (to_ / path).string();
     std::error_code error;
     const fs::path folder = (to_ / path).parent_path();
@@ -292,10 +290,13 @@ void MaterialCopier::copy_bytes(const OpenFile& file, const fs::path& path,
         throw FileError(folder.string(), "the folder cannot be made: " + error.message());
     }
     AtomicFile out(target);
-    std::string piece(std::size_t{1} << 20, '\0');
-    while (const std::size_t got = read_bytes(file, source, piece.data(), piece.size())) {
-        out.write(std::string_view(piece).substr(0, got));
-        progress.advance(0.0);
+    constexpr std::size_t kPiece = std::size_t{1} << 20;
+    std::size_t done = 0;
+    while (true) {
+        const std::string piece = access_.read(file, source, done, kPiece, progress.part(0.0, 0.0));
+        if (piece.empty()) break;
+        out.write(piece);
+        done += piece.size();
     }
     out.commit_new();
 }
@@ -309,7 +310,7 @@ MaterialCopy copy_material_files(std::span<const std::string> material_libraries
     if (material_libraries.empty()) return {};
     try {
         // If the folder is on a drive that no longer answers, every further call would wait for it.
-        query_file(source.string(), progress);
+        FileAccess().ask(source.string(), progress);
     } catch (const FileError& error) {
         MaterialCopy result;
         result.failed.push_back({source.string(), error.message()});

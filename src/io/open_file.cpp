@@ -2,12 +2,10 @@
 
 #include <sys/stat.h>
 
+#include <algorithm>
+#include <atomic>
 #include <cerrno>
-#include <condition_variable>
-#include <exception>
-#include <mutex>
 #include <system_error>
-#include <thread>
 #include <utility>
 
 #include "io/file_error.h"
@@ -39,97 +37,73 @@ void refuse_irregular_file(const std::string& path, mode_t mode) {
     throw FileError(path, S_ISSOCK(mode) ? "is a socket, not a file" : "is a device, not a file");
 }
 
-}  // namespace
+// Reads a part of a file in pieces. A call that outlives its caller owns it.
+struct Reading {
+    // Pieces of this size make progress visible, also of slow servers.
+    static constexpr std::size_t kPiece = std::size_t{1} << 20;
 
-// Answers one question at a time. `ask` is set before the thread starts; `mutex` guards the rest.
-struct TimedFileQuery::Worker {
-    enum class State { idle, asked, answered, over };
-
-    std::function<FileAnswer(const std::string&)> ask;
-    std::mutex mutex;
-    std::condition_variable has_changed;
-    State state = State::idle;
-    std::string path;
-    FileAnswer answer;
-    std::exception_ptr failure;
+    decltype(FileOptions::read) read;
+    OpenFile file;
+    std::string path, bytes;
+    std::size_t offset = 0, most = 0;
+    std::atomic<std::size_t> done = 0;
+    std::atomic<bool> is_given_up = false;
 
     void run();
+    double fraction() const {
+        if (file.bytes == 0) return 0.0;
+        return std::min(1.0, static_cast<double>(offset + done) / static_cast<double>(file.bytes));
+    }
 };
 
-void TimedFileQuery::Worker::run() {
-    std::unique_lock lock(mutex);
-    while (true) {
-        has_changed.wait(lock, [this] { return state == State::asked || state == State::over; });
-        if (state == State::over) return;
-        const std::string question = std::move(path);
-        lock.unlock();
-        FileAnswer found;
-        std::exception_ptr what_failed;
-        try {
-            found = ask(question);
-        } catch (...) {
-            what_failed = std::current_exception();
-        }
-        lock.lock();
-        if (state == State::over) return;
-        answer = std::move(found);
-        failure = what_failed;
-        state = State::answered;
-        has_changed.notify_all();
+void Reading::run() {
+    bytes.resize(most);
+    while (done < most && !is_given_up) {
+        const ssize_t got =
+            read(file, offset + done, bytes.data() + done, std::min(kPiece, most - done));
+        if (got == 0) break;
+        if (got < 0 && errno != EINTR) fail_to_read(path, errno);
+        if (got > 0) done += static_cast<std::size_t>(got);
     }
+    bytes.resize(done);
 }
 
-TimedFileQuery::~TimedFileQuery() {
-    if (!worker_) return;
-    const std::lock_guard lock(worker_->mutex);
-    worker_->state = Worker::State::over;
-    worker_->has_changed.notify_all();
+FileError no_answer(const std::string& path) {
+    return FileError(path,
+                     "does not answer; is the drive or the server that it is on still there?");
 }
 
-// Returns whether there is a thread to ask.
-bool TimedFileQuery::start() {
-    if (worker_) return true;
-    const auto worker = std::make_shared<Worker>();
-    worker->ask = options_.ask;
-    try {
-        std::thread([worker] { worker->run(); }).detach();
-    } catch (const std::system_error&) {
-        return false;
-    }
-    worker_ = worker;
-    return true;
+}  // namespace
+
+FileAnswer FileAccess::ask(const std::string& path, const Progress& progress) {
+    const auto answer = std::make_shared<FileAnswer>();
+    const auto ask = [ask = options_.ask, path, answer] { *answer = ask(path); };
+    if (!calls_.run(ask, progress)) throw no_answer(path);
+    return std::move(*answer);
 }
 
-FileAnswer TimedFileQuery::ask(const std::string& path, const Progress& progress) {
-    const auto no_answer = [&path] {
-        return FileError(path,
-                         "does not answer; is the drive or the server that it is on still there?");
-    };
-    if (is_waiting_) throw no_answer();
-    if (!start()) return options_.ask(path);
-    constexpr std::chrono::milliseconds kBetweenChecks{20};
-    const auto end = std::chrono::steady_clock::now() + options_.timeout;
-    const auto is_answered = [this] { return worker_->state == Worker::State::answered; };
-    std::unique_lock lock(worker_->mutex);
-    worker_->path = path;
-    worker_->state = Worker::State::asked;
-    worker_->has_changed.notify_all();
-    is_waiting_ = true;
-    while (!worker_->has_changed.wait_for(lock, kBetweenChecks, is_answered)) {
-        lock.unlock();
-        progress.advance(0.0);
-        if (std::chrono::steady_clock::now() >= end) throw no_answer();
-        lock.lock();
-    }
-    is_waiting_ = false;
-    worker_->state = Worker::State::idle;
-    if (worker_->failure) std::rethrow_exception(std::exchange(worker_->failure, nullptr));
-    return std::move(worker_->answer);
+OpenFile FileAccess::open(const std::string& path, const Progress& progress) {
+    return opened(path, ask(path, progress));
 }
 
-FileAnswer query_file(const std::string& path, const Progress& progress,
-                      const QueryOptions& options) {
-    return TimedFileQuery(options).ask(path, progress);
+std::string FileAccess::read(const OpenFile& file, const std::string& path, std::size_t offset,
+                             std::size_t most, const Progress& progress) {
+    const auto reading = std::make_shared<Reading>();
+    reading->read = options_.read;
+    reading->file = file;
+    reading->path = path;
+    reading->offset = offset;
+    reading->most = most;
+    // If this function throws, the call ends after its present piece.
+    const struct GivesUp {
+        Reading& reading;
+        ~GivesUp() { reading.is_given_up = true; }
+    } gives_up{*reading};
+    const bool is_done = calls_.run([reading] { reading->run(); }, progress,
+                                    [&reading] { return reading->fraction(); });
+    if (!is_done) throw no_answer(path);
+    progress.advance(reading->fraction());
+    return std::move(reading->bytes);
 }
 
 FileAnswer ask_system(const std::string& path) {
@@ -138,11 +112,11 @@ FileAnswer ask_system(const std::string& path) {
     if (::stat(path.c_str(), &status) != 0) return {.error = errno};
     answer.mode = status.st_mode;
     if (!S_ISREG(status.st_mode)) return answer;
-    answer.file.descriptor = FileDescriptor(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY);
+    const auto file =
+        std::make_shared<const FileDescriptor>(path.c_str(), O_RDONLY | O_NONBLOCK | O_NOCTTY);
     // The path may name something else by now.
-    if (!answer.file.descriptor.is_open() || ::fstat(answer.file.descriptor.get(), &status) != 0) {
-        return {.error = errno};
-    }
+    if (!file->is_open() || ::fstat(file->get(), &status) != 0) return {.error = errno};
+    answer.file.descriptor = file;
     answer.mode = status.st_mode;
     answer.file.bytes = static_cast<std::size_t>(status.st_size);
     return answer;
@@ -154,20 +128,8 @@ OpenFile opened(const std::string& path, FileAnswer answer) {
     return std::move(answer.file);
 }
 
-OpenFile open_file(const std::string& path, const Progress& progress, const QueryOptions& options) {
-    return opened(path, query_file(path, progress, options));
-}
-
-std::size_t read_bytes(const OpenFile& file, const std::string& path, char* bytes,
-                       std::size_t most) {
-    std::size_t size = 0;
-    while (size < most) {
-        const ssize_t got = ::read(file.descriptor.get(), bytes + size, most - size);
-        if (got == 0) break;
-        if (got < 0 && errno != EINTR) fail_to_read(path, errno);
-        if (got > 0) size += static_cast<std::size_t>(got);
-    }
-    return size;
+ssize_t read_system(const OpenFile& file, std::size_t offset, char* to, std::size_t most) {
+    return ::pread(file.descriptor->get(), to, most, static_cast<off_t>(offset));
 }
 
 }  // namespace pectin

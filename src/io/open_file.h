@@ -1,4 +1,4 @@
-// Opens files for reading without waiting for pipes, devices or file systems that do not answer.
+// Opens and reads files without waiting for pipes, devices or file systems that do not answer.
 #pragma once
 
 #include <sys/types.h>
@@ -12,11 +12,13 @@
 
 #include "io/file_descriptor.h"
 #include "io/progress.h"
+#include "io/timed_calls.h"
 
 namespace pectin {
 
 struct OpenFile {
-    FileDescriptor descriptor;
+    // Shared with a call that reads the file and that may outlive the caller's interest.
+    std::shared_ptr<const FileDescriptor> descriptor;
     std::size_t bytes = 0;  // size when it was opened
 };
 
@@ -30,51 +32,40 @@ struct FileAnswer {
 // its writer, and opening a device can have side effects. Waits as long as the system does.
 FileAnswer ask_system(const std::string& path);
 
-// How open_file() asks the system and how long it waits for an answer. The default is longer than a
-// disk takes to start.
-struct QueryOptions {
+// Reads up to `most` bytes that begin at `offset` into `to`. Returns how many there are (0 at the
+// end of the file), or -1 and sets errno. Waits as long as the system does.
+ssize_t read_system(const OpenFile& file, std::size_t offset, char* to, std::size_t most);
+
+// How files are opened and read, and how long to wait without an answer. The default is longer than
+// a disk takes to start.
+struct FileOptions {
     std::chrono::milliseconds timeout{30'000};
     std::function<FileAnswer(const std::string&)> ask = ask_system;
+    std::function<ssize_t(const OpenFile&, std::size_t, char*, std::size_t)> read = read_system;
 };
 
-// Asks the system about files with a time limit. A file system may never answer, for instance if
-// its server is gone. So another thread asks the system, while the caller waits until `progress`
-// asks to stop or the time is over. The other thread then stays until the system answers. If no
-// thread can be made, the caller's thread asks.
-class TimedFileQuery {
+// Opens and reads files by TimedCalls. All members throw Cancelled, and FileError if the file
+// system does not answer. After that all further calls throw at once.
+class FileAccess {
   public:
-    explicit TimedFileQuery(QueryOptions options = {}) : options_(std::move(options)) {}
-    ~TimedFileQuery();
-    TimedFileQuery(const TimedFileQuery&) = delete;
-    TimedFileQuery& operator=(const TimedFileQuery&) = delete;
+    explicit FileAccess(FileOptions options = {})
+        : options_(std::move(options)), calls_(options_.timeout) {}
 
-    // Throws FileError if there is no answer. All later calls then throw at once, so that many
-    // files take no longer than one. Throws Cancelled.
     FileAnswer ask(const std::string& path, const Progress& progress = {});
+    // Opens the regular file at `path`. Throws FileError if that fails.
+    OpenFile open(const std::string& path, const Progress& progress = {});
+    // Returns up to `most` bytes that begin at `offset`; fewer only at the end of the file.
+    // Progress: the fraction of the file up to the last byte read. path: for messages. Throws
+    // FileError.
+    std::string read(const OpenFile& file, const std::string& path, std::size_t offset,
+                     std::size_t most, const Progress& progress = {});
 
   private:
-    struct Worker;
-    bool start();
-
-    QueryOptions options_;
-    std::shared_ptr<Worker> worker_;  // shared with the other thread, which may outlive this
-    bool is_waiting_ = false;         // whether an answer is pending
+    FileOptions options_;
+    TimedCalls calls_;
 };
-
-// Asks about one path with a TimedFileQuery.
-FileAnswer query_file(const std::string& path, const Progress& progress = {},
-                      const QueryOptions& options = {});
 
 // The file of the answer. Throws FileError if it is missing, unreadable or not a regular file.
 OpenFile opened(const std::string& path, FileAnswer answer);
-
-// Opens the regular file at `path`. Throws FileError, Cancelled.
-OpenFile open_file(const std::string& path, const Progress& progress = {},
-                   const QueryOptions& options = {});
-
-// Reads up to `most` bytes into `bytes` and returns how many; fewer only at the end of the file.
-// path: for messages. Throws FileError.
-std::size_t read_bytes(const OpenFile& file, const std::string& path, char* bytes,
-                       std::size_t most);
 
 }  // namespace pectin

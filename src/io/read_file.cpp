@@ -3,13 +3,13 @@
 #include <algorithm>
 
 #include "io/file_error.h"
-#include "io/open_file.h"
 
 namespace pectin {
 
 std::string read_whole_file(const std::string& path, const Progress& progress,
-                            std::size_t max_bytes) {
-    const OpenFile file = open_file(path, progress);
+                            std::size_t max_bytes, const FileOptions& options) {
+    FileAccess access(options);
+    const OpenFile file = access.open(path, progress);
     const auto refuse_beyond_most = [&](std::size_t size) {
         if (size <= max_bytes) return;
         throw FileError(path, "is larger than " + std::to_string(max_bytes >> 20) + " MB");
@@ -18,21 +18,16 @@ std::string read_whole_file(const std::string& path, const Progress& progress,
     refuse_beyond_most(expected);
 
     // One byte more than the file has, so that the read that fills it also finds the end.
-    constexpr std::size_t kMinBuffer = 4096;
-    constexpr std::size_t kMaxAtOnce = std::size_t{4} << 20;
-    std::string bytes(std::max(kMinBuffer, expected + 1), '\0');
-    std::size_t size = 0;
-    while (true) {
-        if (size == bytes.size()) bytes.resize(2 * bytes.size());
-        const std::size_t piece = std::min(kMaxAtOnce, bytes.size() - size);
-        const std::size_t got = read_bytes(file, path, bytes.data() + size, piece);
-        size += got;
-        refuse_beyond_most(size);
-        progress.advance(size < expected ? static_cast<double>(size) / static_cast<double>(expected)
-                                         : 1.0);
-        if (got < piece) break;
+    constexpr std::size_t kLeast = 4096;
+    std::size_t most = std::max(kLeast, expected + 1);
+    std::string bytes = access.read(file, path, 0, most, progress);
+    while (bytes.size() == most) {
+        refuse_beyond_most(bytes.size());
+        bytes += access.read(file, path, most, most, progress);
+        most *= 2;
     }
-    bytes.resize(size);
+    refuse_beyond_most(bytes.size());
+    progress.advance(1.0);
     return bytes;
 }
 

@@ -43,12 +43,12 @@ std::string describe_file(const FileKind& kind, std::string_view contents) {
 }  // namespace
 
 void check_may_replace(const std::string& path, MayReplace may_replace, std::string_view writes) {
-    FileAnswer answer = query_file(path);
+    FileAccess access;
+    FileAnswer answer = access.ask(path);
     if (answer.error == ENOENT || answer.error == ENOTDIR) return;
     if (answer.error == 0 && !S_ISREG(answer.mode)) return;
     const OpenFile file = opened(path, std::move(answer));
-    std::string contents(std::min(file.bytes, kMaxBytes), '\0');
-    contents.resize(read_bytes(file, path, contents.data(), contents.size()));
+    const std::string contents = access.read(file, path, 0, std::min(file.bytes, kMaxBytes));
     if (contents.empty()) return;
     const FileKind kind = recognise_file(contents, file.bytes);
     if (may_replace(kind, contents)) return;

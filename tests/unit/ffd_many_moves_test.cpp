@@ -118,6 +118,39 @@ TEST(ManyHandles, BecomeTheirDisplacedLatticeWhichMovesSpaceAlike) {
     }
 }
 
+// A lattice that is not its own mirror image cannot stand for a symmetric drag alone.
+TEST(ManySymmetricHandles, NeedNoWeightsAlsoIfTheLatticeIsNotItsMirrorImage) {
+    constexpr unsigned kSeed = 82;
+    SCOPED_TRACE("seed " + std::to_string(kSeed));
+    LatticeRandom random{kSeed};
+    const MirrorPlane plane{0, 0.0};
+    Lattice lattice = kLattice;
+    lattice.origin.x += 0.1;
+    std::vector<Handle> handles;
+    std::vector<HandleMotion> motions;
+    for (const Vec3& point : grid_of_points(4)) {
+        if (point.x < 0.0) continue;
+        handles.push_back({point});
+        motions.push_back({random.vector(-0.05, 0.05)});
+    }
+    const DragStep step =
+        std::get<DragSolver>(DragSolver::create(lattice, handles, {}, plane)).step(motions);
+    ASSERT_GT(weight_count(step), kMostWeights);
+    const Deformation drag = compact(step);
+    EXPECT_EQ(weight_count(drag), 0u);
+    EXPECT_EQ(zones_of(drag), zones_of(step));
+    for (int i = 0; i < 200; ++i) {
+        Vec3 x = random.point_in(lattice, 0.0);
+        std::vector<DragWeight> weights(step.displacements.size());
+        step.weights(x, weights);
+        EXPECT_LT(glm::distance(image(drag, x), displaced(x, weights, step.displacements)), 1e-6);
+        EXPECT_EQ(image(drag, plane.image(x)), plane.image(image(drag, x)));
+        EXPECT_EQ(jacobian(drag, plane.image(x)), plane.image_of_jacobian(jacobian(drag, x)));
+        x = plane.onto(x);
+        EXPECT_EQ(plane.onto(image(drag, x)), image(drag, x));
+    }
+}
+
 // The drag also runs frame by frame and without folds, and is undone.
 TEST(ManyHandles, ReachTheirTargetsHoweverTheyAreDragged) {
     for (const bool fold_free : {false, true}) {
@@ -140,6 +173,43 @@ TEST(ManyHandles, ReachTheirTargetsHoweverTheyAreDragged) {
         ASSERT_TRUE(done);
         for (std::uint32_t v = 0; v < before.vertex_slots(); ++v) {
             EXPECT_LT(glm::distance(session.mesh().position(VertexId{v}), targets[v]), 1e-9);
+        }
+        const TriMesh after = session.mesh();
+        ASSERT_FALSE(session.execute(command::Undo{}));
+        EXPECT_TRUE(session.mesh() == before);
+        ASSERT_FALSE(session.execute(*done));
+        EXPECT_TRUE(session.mesh() == after);
+    }
+}
+
+TEST(ManySymmetricHandles, ReachTheirTargetsOnBothSidesHoweverTheyAreDragged) {
+    for (const bool fold_free : {false, true}) {
+        Session session;
+        ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::cube, 3}));
+        ASSERT_FALSE(session.execute(command::Adapt{.enabled = false}));
+        ASSERT_FALSE(session.execute(command::Symmetry{command::Symmetry::Plane::x}));
+        ASSERT_FALSE(session.execute(command::Cage{command::Cage::Grid{
+            .origin = {-1.3, -1.5, -1.5}, .cell = Vec3{0.4}, .deformable = IVec3{8}}}));
+        const TriMesh before = session.mesh();
+        const auto target = [](const Vec3& at) {
+            return at + Vec3{0.1 * at.x * at.y, 0.05, 0.1 * at.x * at.x * at.z};
+        };
+        std::vector<Vec3> points, targets;
+        for (std::uint32_t v = 0; v < before.vertex_slots(); ++v) {
+            const Vec3 at = before.position(VertexId{v});
+            if (at.x < 0.0) continue;
+            points.push_back(at);
+            targets.push_back(target(at));
+        }
+        ASSERT_GT(2 * points.size(), kMostWeights);
+        ASSERT_FALSE(session.begin_drag(points, {}, {.fold_free = fold_free}));
+        ASSERT_FALSE(session.drag_to(points));
+        ASSERT_FALSE(session.drag_to(targets));
+        const auto done = session.end_drag();
+        ASSERT_TRUE(done);
+        for (std::uint32_t v = 0; v < before.vertex_slots(); ++v) {
+            const Vec3 expected = target(before.position(VertexId{v}));
+            EXPECT_LT(glm::distance(session.mesh().position(VertexId{v}), expected), 1e-9);
         }
         const TriMesh after = session.mesh();
         ASSERT_FALSE(session.execute(command::Undo{}));

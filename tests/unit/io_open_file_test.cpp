@@ -1,5 +1,5 @@
-// Tests that opening never blocks: anything but a regular file is refused at once, and a file
-// system that does not answer is given up after a time limit.
+// Tests that opening and reading never block: anything but a regular file is refused at once, and a
+// file system that does not answer is given up after a time limit.
 #include "io/open_file.h"
 
 #include <gtest/gtest.h>
@@ -8,6 +8,8 @@
 #include <sys/un.h>
 #include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <atomic>
 #include <cerrno>
 #include <chrono>
@@ -21,6 +23,8 @@
 #include <thread>
 #include <utility>
 
+#include "app/background_task.h"
+#include "io/atomic_file.h"
 #include "io/file_error.h"
 #include "io/obj_reader.h"
 #include "io/read_file.h"
@@ -75,13 +79,12 @@ TEST_F(OpenFileTest, RefusesDevicesSocketsAndFolders) {
 }
 
 TEST_F(OpenFileTest, OpensARegularFileAndReadsItToItsEnd) {
-    const OpenFile file = open_file(path("a.obj"));
+    FileAccess access;
+    const OpenFile file = access.open(path("a.obj"));
     EXPECT_EQ(file.bytes, fs::file_size(path("a.obj")));
-    std::string bytes(100, 'x');
-    EXPECT_EQ(read_bytes(file, path("a.obj"), bytes.data(), 4), 4u);
-    EXPECT_EQ(bytes.substr(0, 4), "v 0 ");
-    EXPECT_EQ(read_bytes(file, path("a.obj"), bytes.data(), 100), file.bytes - 4);
-    EXPECT_EQ(read_bytes(file, path("a.obj"), bytes.data(), 100), 0u);
+    EXPECT_EQ(access.read(file, path("a.obj"), 0, 4), "v 0 ");
+    EXPECT_EQ(access.read(file, path("a.obj"), 4, 100).size(), file.bytes - 4);
+    EXPECT_EQ(access.read(file, path("a.obj"), file.bytes, 100), "");
 }
 
 TEST_F(OpenFileTest, ReadsFilesWhoseReportedSizeIsZero) {
@@ -93,7 +96,7 @@ struct DeadMount {
     std::shared_ptr<std::atomic<bool>> is_back = std::make_shared<std::atomic<bool>>(false);
     std::shared_ptr<std::atomic<bool>> has_answered = std::make_shared<std::atomic<bool>>(false);
 
-    QueryOptions options(std::chrono::milliseconds timeout) const {
+    FileOptions options(std::chrono::milliseconds timeout) const {
         return {timeout, [is_back = is_back, has_answered = has_answered](const std::string& path) {
                     while (!*is_back) std::this_thread::sleep_for(1ms);
                     FileAnswer answer = ask_system(path);
@@ -111,7 +114,7 @@ TEST_F(OpenFileTest, GivesUpOnAFileSystemThatDoesNotAnswer) {
     const DeadMount mount;
     const auto begin = Clock::now();
     try {
-        open_file(path("a.obj"), {}, mount.options(100ms));
+        FileAccess(mount.options(100ms)).open(path("a.obj"));
         FAIL() << "was opened";
     } catch (const FileError& error) {
         EXPECT_TRUE(error.message().starts_with("does not answer; ")) << error.message();
@@ -127,20 +130,20 @@ TEST_F(OpenFileTest, CanBeCancelledWhileTheFileSystemDoesNotAnswer) {
         stop.request_stop();
     });
     const auto begin = Clock::now();
-    EXPECT_THROW(open_file(path("a.obj"), Progress(stop.get_token(), {}), mount.options(1h)),
+    EXPECT_THROW(FileAccess(mount.options(1h)).open(path("a.obj"), Progress(stop.get_token(), {})),
                  Cancelled);
     EXPECT_LT(Clock::now() - begin, 1s);
 }
 
 TEST_F(OpenFileTest, AsksAboutManyFilesOnOneOtherThread) {
     const auto threads = std::make_shared<std::set<std::thread::id>>();
-    TimedFileQuery query({1h, [threads](const std::string& path) {
-                              threads->insert(std::this_thread::get_id());
-                              return ask_system(path);
-                          }});
+    FileAccess access({1h, [threads](const std::string& path) {
+                           threads->insert(std::this_thread::get_id());
+                           return ask_system(path);
+                       }});
     for (int i = 0; i < 100; ++i) {
-        EXPECT_EQ(query.ask(path("a.obj")).error, 0);
-        EXPECT_EQ(query.ask(path("none.obj")).error, ENOENT);
+        EXPECT_EQ(access.ask(path("a.obj")).error, 0);
+        EXPECT_EQ(access.ask(path("none.obj")).error, ENOENT);
     }
     EXPECT_EQ(threads->size(), 1u);
     EXPECT_FALSE(threads->contains(std::this_thread::get_id()));
@@ -148,20 +151,100 @@ TEST_F(OpenFileTest, AsksAboutManyFilesOnOneOtherThread) {
 
 TEST_F(OpenFileTest, WaitsOnlyOnceForAFileSystemThatDoesNotAnswer) {
     const DeadMount mount;
-    TimedFileQuery query(mount.options(100ms));
+    FileAccess access(mount.options(100ms));
     const auto begin = Clock::now();
-    for (int i = 0; i < 100; ++i) EXPECT_THROW(query.ask(path("a.obj")), FileError);
+    for (int i = 0; i < 100; ++i) EXPECT_THROW(access.ask(path("a.obj")), FileError);
     EXPECT_LT(Clock::now() - begin, 5s);
 }
 
 TEST_F(OpenFileTest, RethrowsExceptionsOfTheOtherThread) {
     bool is_first = true;
-    TimedFileQuery query({1h, [&is_first](const std::string& path) {
-                              if (std::exchange(is_first, false)) throw std::bad_alloc();
-                              return ask_system(path);
-                          }});
-    EXPECT_THROW(query.ask(path("a.obj")), std::bad_alloc);
-    EXPECT_EQ(query.ask(path("a.obj")).error, 0);
+    FileAccess access({1h, [&is_first](const std::string& path) {
+                           if (std::exchange(is_first, false)) throw std::bad_alloc();
+                           return ask_system(path);
+                       }});
+    EXPECT_THROW(access.ask(path("a.obj")), std::bad_alloc);
+    EXPECT_EQ(access.ask(path("a.obj")).error, 0);
+}
+
+// A file that opens and whose reads then wait for a pipe that nobody writes to, as on a server that
+// stops answering.
+class StoppedServer {
+  public:
+    StoppedServer() {
+        if (::pipe(ends_->data()) != 0) ADD_FAILURE() << "no pipe";
+    }
+    ~StoppedServer() {
+        ::close((*ends_)[1]);
+        while (is_reading_.use_count() > 1) std::this_thread::sleep_for(1ms);
+        ::close((*ends_)[0]);
+    }
+    // answers: how many pieces are read before the server stops.
+    FileOptions options(std::chrono::milliseconds timeout, int answers = 0) const {
+        FileOptions options{.timeout = timeout};
+        options.read = [ends = ends_, is_reading = is_reading_, left = answers](
+                           const OpenFile& file, std::size_t offset, char* to,
+                           std::size_t most) mutable {
+            if (left-- > 0) return read_system(file, offset, to, std::min<std::size_t>(most, 1));
+            return ::read((*ends)[0], to, most);
+        };
+        return options;
+    }
+
+  private:
+    std::shared_ptr<std::array<int, 2>> ends_ = std::make_shared<std::array<int, 2>>();
+    std::shared_ptr<bool> is_reading_ = std::make_shared<bool>();
+};
+
+TEST_F(OpenFileTest, GivesUpOnAReadThatHangsAfterTheFileWasOpened) {
+    const StoppedServer server;
+    for (const int answers : {0, 3}) {
+        const auto begin = Clock::now();
+        try {
+            read_whole_file(path("a.obj"), {}, 1 << 20, server.options(100ms, answers));
+            ADD_FAILURE() << "was read";
+        } catch (const FileError& error) {
+            EXPECT_TRUE(error.message().starts_with("does not answer; ")) << error.message();
+        }
+        EXPECT_LT(Clock::now() - begin, 5s);
+    }
+}
+
+// The window opens models in such a task, whose destructor waits for its end.
+TEST_F(OpenFileTest, LetsATaskBeCancelledWhileItsReadHangs) {
+    const StoppedServer server;
+    BackgroundTask<std::string> task([&](const Progress& progress) {
+        return read_whole_file(path("a.obj"), progress, 1 << 20, server.options(1h));
+    });
+    EXPECT_FALSE(task.has_ended(100ms));
+    const auto begin = Clock::now();
+    task.cancel();
+    EXPECT_THROW(task.take(), Cancelled);
+    EXPECT_LT(Clock::now() - begin, 1s);
+}
+
+TEST_F(OpenFileTest, WaitsLongerThanTheTimeLimitForASlowServerThatGoesOn) {
+    FileOptions options{.timeout = 400ms};
+    options.read = [](const OpenFile& file, std::size_t offset, char* to, std::size_t most) {
+        std::this_thread::sleep_for(20ms);
+        return read_system(file, offset, to, std::min<std::size_t>(most, 1));
+    };
+    ASSERT_GT(fs::file_size(path("a.obj")) * 20, 400u);
+    EXPECT_EQ(read_whole_file(path("a.obj"), {}, 1 << 20, options), read_whole_file(path("a.obj")));
+}
+
+TEST_F(OpenFileTest, ReportsTheErrorOfARead) {
+    FileOptions options;
+    options.read = [](const OpenFile&, std::size_t, char*, std::size_t) -> ssize_t {
+        errno = EIO;
+        return -1;
+    };
+    try {
+        read_whole_file(path("a.obj"), {}, 1 << 20, options);
+        FAIL() << "was read";
+    } catch (const FileError& error) {
+        EXPECT_EQ(error.message(), "cannot be read: Input/output error");
+    }
 }
 
 }  // namespace
