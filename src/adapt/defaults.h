@@ -12,8 +12,8 @@ namespace pectin {
 // theta_max in degrees. The paper's examples (section 5) use pi/7.
 inline constexpr double kDefaultThetaMax = 180.0 / 7.0;
 
-// theta_min as a fraction of theta_max. The paper's examples use pi/9 beside pi/7.
-inline constexpr double kDefaultThetaMinFraction = 7.0 / 9.0;
+// theta_min for a given theta_max. The paper's examples use pi/9 beside pi/7.
+constexpr double default_theta_min(double theta_max) { return 7.0 / 9.0 * theta_max; }
 
 // L_max is the smallest extent of a cell of the lattice in use (section 4, point 1), so that no
 // feature of the deformation fits between the samples. World units.

@@ -4,7 +4,7 @@ namespace pectin {
 
 HalfEdgeId SplitOrder::first_edge(const ActiveSet& active, HalfEdgeId h, const Floor& floor) const {
     const TriMesh& mesh = active.mesh();
-    const auto at_rest = [&](HalfEdgeId side) {
+    const auto rest_edge_of = [&](HalfEdgeId side) {
         const EdgeId e = mesh.edge(side);
         return rest_edge(active, e, static_cast<double>(active.uncached_rest_length(e)));
     };
@@ -12,12 +12,12 @@ HalfEdgeId SplitOrder::first_edge(const ActiveSet& active, HalfEdgeId h, const F
         return floor.forbids_split(mesh.squared_length(mesh.edge(side)));
     };
     HalfEdgeId first = TriMesh::half_edge(TriMesh::face(h), 0);
-    RestEdge longest = at_rest(first);
+    RestEdge longest = rest_edge_of(first);
     bool is_first_below = is_below_floor(first);
     for (int corner = 1; corner < 3; ++corner) {
         const HalfEdgeId side = TriMesh::half_edge(TriMesh::face(h), corner);
         const bool is_below = is_below_floor(side);
-        const RestEdge candidate = at_rest(side);
+        const RestEdge candidate = rest_edge_of(side);
         const bool is_better =
             is_below == is_first_below ? precedes(candidate, longest) : is_first_below;
         if (!is_better) continue;

@@ -60,7 +60,7 @@ class Editor {
                     std::chrono::milliseconds max_blocking_time = kMaxBlockingTime);
 
     // --- Input.
-    void handle(const InputEvent& event, const UiClaims& claims = {});
+    void handle(const InputEvent& input, const UiClaims& claims = {});
     // Updates the active drag, the work on a file, a restoration and what is under the cursor. To
     // be called once per frame, after the frame's events.
     void advance();
@@ -160,7 +160,7 @@ class Editor {
     // --- Input (editor_input.cpp).
     void on(const event::Press& press, const UiClaims& claims);
     void on(const event::Release& release, const UiClaims& claims);
-    void on(const event::Move& move, const UiClaims& claims);
+    void on(const event::MouseMove& move, const UiClaims& claims);
     void on(const event::Leave& leave, const UiClaims& claims);
     void on(const event::Scroll& scroll, const UiClaims& claims);
     void on(const event::KeyDown& key, const UiClaims& claims);
@@ -204,8 +204,8 @@ class Editor {
     void save(const std::string& path, std::optional<Question> next);
     void use_chosen_file(FileBrowser::Purpose purpose, const std::string& path);
     void save_picture(const std::string& path);
-    void ask_or_do(Question question);
-    void do_without_asking(const Question& question);
+    void ask_or_do(Question asked);
+    void do_without_asking(const Question& asked);
 
     // --- Restoring (editor_recovery.cpp).
     void continue_restoring();

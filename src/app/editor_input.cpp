@@ -49,7 +49,7 @@ void Editor::on(const event::Release& release, const UiClaims&) {
     if (has_drag() && release.button == MouseButton::left) release_drag();
 }
 
-void Editor::on(const event::Move& move, const UiClaims& claims) {
+void Editor::on(const event::MouseMove& move, const UiClaims& claims) {
     cursor_ = move.at;
     modifiers_ = move.modifiers;
     cursor_in_viewport_ = !claims.mouse;

@@ -59,7 +59,7 @@ struct Release {
     Modifiers modifiers{};
 };
 // Also sent when a modifier is pressed or released while the cursor stays.
-struct Move {
+struct MouseMove {
     Vec2 at{0.0};
     Modifiers modifiers{};
 };
@@ -92,7 +92,7 @@ struct Close {};
 
 }  // namespace event
 
-using InputEvent = std::variant<event::Press, event::Release, event::Move, event::Leave,
+using InputEvent = std::variant<event::Press, event::Release, event::MouseMove, event::Leave,
                                 event::Scroll, event::KeyDown, event::KeyUp, event::Character,
                                 event::Drop, event::Resize, event::Focus, event::Close>;
 

@@ -148,7 +148,7 @@ void RefinePanel::draw_angles(Editor& editor) {
                       .is_on = settings.theta_min != never,
                       .is_automatic = settings.theta_min.is_automatic(),
                       .may_be_automatic = true,
-                      .value = value_of(settings.theta_min, theta_max * kDefaultThetaMinFraction),
+                      .value = value_of(settings.theta_min, default_theta_min(theta_max)),
                       .min = kMinThetaMin,
                       .max = static_cast<float>(theta_max * kThetaMinFraction),
                       .format = "%.1f°",

@@ -106,10 +106,11 @@ Workspace::Outcome Workspace::fail(const std::string& error) {
 void Workspace::finish(const Command& command, const std::string& fingerprint) {
     clear_command_message();
     update_file_state(command);
+    // The command is recorded even if the memory does not suffice for the message.
+    record(command, fingerprint);
     if (const auto* open = std::get_if<command::Open>(&command)) {
         set_message(input_summary(open->path, session_.input_report(), session_.read_report()));
     }
-    record(command, fingerprint);
 }
 
 void Workspace::record_drag(const Command& drag, bool has_changed) {

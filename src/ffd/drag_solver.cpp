@@ -282,19 +282,20 @@ std::optional<DragRefusal> DragSolver::check_symmetry(const CanonicalHandle& han
 
 // Handles at the same point must be asked for the same motion.
 std::optional<DragRefusal> DragSolver::check_agreement(
-    std::size_t index, std::span<const HandleMotion> motions) const {
-    const CanonicalHandle& handle = handles_[index];
+    std::size_t handle, std::span<const HandleMotion> motions) const {
+    const CanonicalHandle& canonical = handles_[handle];
     const auto canonical_motion = [&](std::size_t of) {
         return on_positive_side(handles_[of], motions[of]);
     };
-    const HandleMotion asked = canonical_motion(index);
-    if (asked.displacement != canonical_motion(handle.first_at_point).displacement) {
-        return refuse::different_displacements(
-            handle.given, motions[handle.first_at_point].displacement, motions[index].displacement);
+    const HandleMotion asked = canonical_motion(handle);
+    const std::size_t first = canonical.first_at_point;
+    if (asked.displacement != canonical_motion(first).displacement) {
+        return refuse::different_displacements(canonical.given, motions[first].displacement,
+                                               motions[handle].displacement);
     }
-    if (handle.prescribes_jacobian &&
-        asked.jacobian != canonical_motion(handle.first_jacobian).jacobian) {
-        return refuse::different_rotations(handle.given);
+    if (canonical.prescribes_jacobian &&
+        asked.jacobian != canonical_motion(canonical.first_jacobian).jacobian) {
+        return refuse::different_rotations(canonical.given);
     }
     return std::nullopt;
 }

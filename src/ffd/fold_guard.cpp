@@ -39,8 +39,8 @@ FoldGuard::FoldGuard(const DragSolver& solver) {
     proofs_.push_back({std::vector<Vec3>(solver.field().weight_count(), Vec3{0.0})});
 }
 
-void FoldGuard::bound_weights(const DragStep& of_solver) {
-    DragStep step = of_solver;
+void FoldGuard::bound_weights(const DragStep& step) {
+    DragStep unit = step;
     bounds_.assign(step.displacements.size(), 0.0);
     const bool is_tight = bounds_.size() <= kMostTightBounds;
     for (std::size_t c = 0; c < bounds_.size(); ++c) {
@@ -48,9 +48,9 @@ void FoldGuard::bound_weights(const DragStep& of_solver) {
             bounds_[c] = (step.symmetry ? 2.0 : 1.0) * step.field.gradient_bound(c);
             continue;
         }
-        std::fill(step.displacements.begin(), step.displacements.end(), Vec3{0.0});
-        step.displacements[c] = unit_displacement(step, c);
-        bounds_[c] = gradient_bound(step.lattice_fields());
+        std::fill(unit.displacements.begin(), unit.displacements.end(), Vec3{0.0});
+        unit.displacements[c] = unit_displacement(step, c);
+        bounds_[c] = gradient_bound(unit.lattice_fields());
     }
 }
 

@@ -150,7 +150,7 @@ class ObjWriter {
     void write_corner(HalfEdgeId h);
     void write_elements_before(std::uint32_t polygon);
     void write_element(const InputForm::Element& element);
-    void write_part(std::uint32_t part);
+    void write_part(std::uint32_t id);
     void write_name(std::string_view keyword, std::string_view name);
 
     const InputForm& form() const { return mesh_.input_form(); }

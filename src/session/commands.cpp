@@ -59,8 +59,11 @@ bool is_plain_json(const FileKind& kind, std::string_view contents) {
 }  // namespace
 
 Refusal Session::State::run(const command::Open& open) {
-    adopt(load_model(open));
-    remark = input_summary(open.path, input_report, read_report);
+    LoadedModel model = load_model(open);
+    // Where the memory does not suffice for the summary, the old object must still be there.
+    std::string summary = input_summary(open.path, model.report, model.read_report);
+    adopt(std::move(model));
+    remark = std::move(summary);
     return std::nullopt;
 }
 

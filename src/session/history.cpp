@@ -40,10 +40,13 @@ void History::add(Step&& step) {
     keep_limit();
 }
 
-void History::clear() {
-    const std::optional<std::size_t> limit = limit_;
-    *this = History{};
-    limit_ = limit;
+void History::clear() noexcept {
+    steps_.clear();  // assigning an empty deque would allocate
+    done_ = 0;
+    lost_undos_ = 0;
+    dropped_ = 0;
+    first_outcome_ = {};
+    bytes_ = 0;
 }
 
 void History::forget_outcomes() {

@@ -41,7 +41,7 @@ class History {
     // exceeded. Throws std::bad_alloc; neither the step nor the history has changed then.
     void add(Step&& step);
     // Drops all steps and counts. The limit stays.
-    void clear();
+    void clear() noexcept;
 
     std::size_t undo_count() const { return done_; }
     std::size_t redo_count() const { return steps_.size() - done_; }

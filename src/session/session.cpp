@@ -9,7 +9,7 @@
 
 namespace pectin {
 
-void Session::State::adopt(LoadedModel model) {
+void Session::State::adopt(LoadedModel model) noexcept {
     active = std::move(model.active);
     mesh = std::move(model.mesh);
     tree = std::move(model.tree);
@@ -102,7 +102,7 @@ std::optional<std::string> Session::execute(const Command& command) {
     return refusal;
 }
 
-void Session::adopt(LoadedModel model) {
+void Session::adopt(LoadedModel model) noexcept {
     assert(!is_dragging());
     state_->adopt(std::move(model));
 }

@@ -67,7 +67,7 @@ class Session {
     // Makes the model the object of the session, as opening its file does. The history is cleared,
     // and the settings stay. Precondition: no gesture is active. Cost: O(1), and the time to free
     // the object before it.
-    void adopt(LoadedModel model);
+    void adopt(LoadedModel model) noexcept;
     // For callers of save_model(): the folders in which material files are searched, and a record
     // of the path of a saved model. The save command uses both itself.
     const std::vector<std::string>& material_folders() const;

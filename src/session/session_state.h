@@ -92,7 +92,7 @@ struct Session::State {
     AdaptLimits limits_in_use() const {
         return limits(lattice_in_use ? lattice_in_use->smallest_cell_extent() : kOff);
     }
-    void adopt(LoadedModel model);
+    void adopt(LoadedModel model) noexcept;
     void record_saved(const std::string& path);
     const FaceTree& face_tree();
     void record(const Frame& frame);

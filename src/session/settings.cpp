@@ -10,13 +10,9 @@ namespace {
 double value_or_off(const Setting& s) { return s.kind == Setting::Kind::value ? s.value : kOff; }
 
 double theta_min_of(const AdaptSettings& s) {
-    const double theta_max = value_or_off(s.theta_max);
-    return s.theta_min.is_automatic() ? kDefaultThetaMinFraction * theta_max
+    return s.theta_min.is_automatic() ? default_theta_min(value_or_off(s.theta_max))
                                       : value_or_off(s.theta_min);
 }
-
-// An angle of 180 degrees or more disables its test.
-double angle_or_off(double degrees) { return degrees < 180.0 ? degrees : kOff; }
 
 }  // namespace
 
@@ -30,7 +26,8 @@ std::variant<AdaptSettings, std::string> AdaptSettings::with(const command::Adap
     s.floor = change.floor.value_or(floor);
     s.budget = change.budget.value_or(budget);
     s.propagation = change.propagation.value_or(propagation);
-    const double upper = angle_or_off(value_or_off(s.theta_max)), lower = theta_min_of(s);
+    const double upper = NormalDivergence::angle_or_off(value_or_off(s.theta_max)),
+                 lower = theta_min_of(s);
     if (s.theta_min.kind == Setting::Kind::value && upper < kOff && !(lower < upper)) {
         return "theta_min (" + decimal(lower) + ") must be less than theta_max (" + decimal(upper) +
                "); set both, or theta_min to \"auto\"";
@@ -42,8 +39,8 @@ AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
                                   double largest_coordinate) const {
     AdaptLimits limits;
     NormalDivergence::Angles angles;
-    angles.theta_max = angle_or_off(value_or_off(theta_max));
-    angles.theta_min = angle_or_off(
+    angles.theta_max = NormalDivergence::angle_or_off(value_or_off(theta_max));
+    angles.theta_min = NormalDivergence::angle_or_off(
         theta_min.is_automatic() && angles.theta_max == kOff ? kOff : theta_min_of(*this));
     limits.curvature = NormalDivergence(angles);
     limits.l_max = l_max.is_automatic() ? default_l_max(feature_extent) : value_or_off(l_max);

@@ -62,7 +62,7 @@ BENCHMARK(split)
     ->Args({6, 62, 1})
     ->UseManualTime();
 
-// Removals only: everything that a refinement has inserted.
+// Removals only: all vertices that a refinement has inserted are removed.
 void unsplit(benchmark::State& state) {
     const TriMesh mesh = sphere(static_cast<int>(state.range(0)));
     const AdaptLimits at = limits(static_cast<double>(state.range(1)) / 100.0, kOff);

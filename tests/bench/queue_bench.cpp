@@ -12,8 +12,8 @@
 namespace pectin::bench {
 namespace {
 
-// Ordered by length class, up to some thousands of edges at a time; FIFO within each partition of a
-// length class.
+// The refinement queue. It orders edges by length class and gives up to some thousands of edges at a
+// time. Within each partition of a length class the order is FIFO.
 class LengthClasses {
   public:
     void push(double squared, std::uint32_t e) {
@@ -36,7 +36,7 @@ class LengthClasses {
     std::vector<EdgeId> taken_;
 };
 
-// Ordered by length.
+// Orders edges by length and gives one at a time.
 class BinaryHeap {
   public:
     void push(double squared, std::uint32_t e) { heap_.emplace(squared, e); }

@@ -47,7 +47,8 @@ BENCHMARK(locality)
     ->Arg(9)
     ->Unit(benchmark::kMicrosecond);
 
-// Mouse down: faces in the zone, solve and weights; then a cancel, as by Esc.
+// The beginning of a drag: the faces in the zone are found, the linear system is solved, and the
+// weights are computed. The drag is then cancelled, which is not measured.
 void gesture_start(benchmark::State& state) {
     BrushScene& scene = BrushScene::kept(static_cast<int>(state.range(0)), 10'000, kFine);
     scene.begin();
@@ -121,9 +122,9 @@ BENCHMARK(whole_object_copy)
     ->UseRealTime()
     ->Unit(benchmark::kMicrosecond);
 
-// Only positions and normals of a frame. The counter is the memory traffic: per vertex the frame
-// reads the rest position, the weight with its gradient and the rest normal, and writes a position,
-// a normal and a mark. Ids are consecutive, so it reads none.
+// Computes only the positions and normals of a frame. The counter is the memory traffic: per vertex
+// the frame reads the rest position, the weight with its gradient and the rest normal, and writes a
+// position, a normal and a mark. Ids are consecutive, so it reads none.
 constexpr std::size_t kDeformReads = sizeof(Vec3) + sizeof(DragWeight) + sizeof(Vec3f);
 constexpr std::size_t kDeformWrites = sizeof(Vec3) + sizeof(Vec3f) + 1;
 

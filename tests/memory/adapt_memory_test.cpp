@@ -1,5 +1,6 @@
-// Adapting where memory runs out: nothing may be lost. Allocations fail at every one in a long run,
-// else at a sample (FailurePoints); pages run out every 5 MB.
+// Tests that nothing is lost if memory runs out during refinement or decimation. In a long run
+// every allocation fails in turn, otherwise a sample of them (see FailurePoints). The limit of the
+// address space grows in steps of 5 MB.
 #include <gtest/gtest.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -20,11 +21,13 @@
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
 #include "mesh/shapes.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
 
-// The process has as much address space as it takes now, and so much more.
+// Limits the address space of the process to what it uses now and `bytes` more, for the lifetime of
+// the object.
 class Shortage {
   public:
     explicit Shortage(std::size_t bytes) {
@@ -47,7 +50,7 @@ class Shortage {
 using test::FailingNew;
 using test::FailurePoints;
 
-// A mesh of which all is active, in a warp of two steps.
+// A mesh in a warp of two steps. The whole mesh is active.
 class Refined {
   public:
     explicit Refined(const TriMesh& mesh) : mesh_(mesh), active_(mesh_) {
@@ -81,7 +84,7 @@ class Refined {
     std::unique_ptr<Embedding> embedding_;
 };
 
-// Refines and decimates many at a time, on all threads; false where memory is short.
+// Splits and removes many elements at a time, on all threads. Returns false if memory has run out.
 bool adapt(Refined& refined) try {
     refined.refine(0.025);
     refined.decimate(0.06);
@@ -118,7 +121,8 @@ TEST(AdaptMemory, RollsBackWhicheverAllocationFails) {
     }
 }
 
-// Leaves the process: 0 if every roll back has brought back the mesh, however early memory ran out.
+// Ends the process. Its exit status is 0 if every roll back has restored the mesh, however early
+// memory ran out.
 [[noreturn]] void adapt_short_of_memory(const TriMesh& mesh) {
     Refined warm(mesh);  // starts the threads
     bool is_enough = !adapt(warm);
@@ -140,9 +144,9 @@ TEST(AdaptMemory, RollsBackWhicheverAllocationFails) {
     std::_Exit(shortages > 5 ? 0 : 1);
 }
 
-// Of large arrays, too.
+// The limit also applies to the pages of large arrays.
 TEST(AdaptMemoryDeathTest, RollsBackWhereverThePagesRunOut) {
-    if (std::getenv("PECTIN_TEST_SANITIZED")) {
+    if (test::is_sanitized()) {
         GTEST_SKIP() << "a sanitizer's allocator ends the program instead";
     }
     GTEST_FLAG_SET(death_test_style, "threadsafe");

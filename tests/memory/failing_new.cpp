@@ -8,6 +8,8 @@
 #include <new>
 #include <random>
 
+#include "support/test_run.h"
+
 namespace pectin::test {
 namespace {
 
@@ -43,10 +45,10 @@ FailingNew::~FailingNew() { armed = false; }
 bool FailingNew::has_failed() const { return failed; }
 
 FailurePoints::FailurePoints(std::size_t sparseness)
-    : sparseness_(sparseness), takes_all_(std::getenv("PECTIN_TEST_LONG") != nullptr) {
+    : sparseness_(test::is_sanitized() ? sparseness / 2 : sparseness), takes_all_(test::is_long()) {
     if (takes_all_) return;
     const char* const chosen = std::getenv("PECTIN_TEST_OFFSET");
-    offset_ = chosen ? std::strtoull(chosen, nullptr, 10) : std::random_device()() % sparseness;
+    offset_ = chosen ? std::strtoull(chosen, nullptr, 10) : std::random_device()() % sparseness_;
     std::printf("a sample of the allocations fails: PECTIN_TEST_OFFSET=%zu\n", offset_);
 }
 
@@ -54,7 +56,7 @@ void FailurePoints::advance() { served_ += takes_all_ ? 1 : 1 + (served_ + offse
 
 }  // namespace pectin::test
 
-// What large arrays ask the system for, by the linker's option --wrap.
+// GrowingArray allocates by these functions, which the linker option --wrap replaces.
 extern "C" {
 void* __real_realloc(void* block, std::size_t size);
 void* __wrap_realloc(void* block, std::size_t size) {
@@ -67,7 +69,7 @@ void* __wrap_mmap(void* at, std::size_t size, int protection, int flags, int fil
 }
 }
 
-// Those of alignments beyond malloc's stay the library's.
+// The operators for alignments beyond that of malloc are not replaced.
 void* operator new(std::size_t size) { return pectin::test::allocated(size); }
 void* operator new[](std::size_t size) { return pectin::test::allocated(size); }
 void* operator new(std::size_t size, const std::nothrow_t&) noexcept {

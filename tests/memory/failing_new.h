@@ -1,13 +1,13 @@
-// An allocator that can be told to fail, and where it is to.
+// Makes allocations fail, and chooses the allocations that fail.
 #pragma once
 
 #include <cstddef>
 
 namespace pectin::test {
 
-// While one lives, so many allocations are served and then one fails, or all from there on:
-// operator new throws std::bad_alloc, and large arrays get nothing from the system. On any thread;
-// one at a time.
+// During the lifetime of the object, `served` allocations succeed. Then one fails, or all following
+// ones fail. If an allocation fails, operator new throws std::bad_alloc, and large arrays get no
+// memory from the system. Allocations of all threads count. Only one object may exist at a time.
 class FailingNew {
   public:
     enum class How { once, from_there_on };
@@ -19,9 +19,10 @@ class FailingNew {
     bool has_failed() const;
 };
 
-// How many allocations are served before one fails: in a long run (PECTIN_TEST_LONG) every number
-// from 0 on. Otherwise a sample: every small number, then every nth of about n·sparseness. Its gaps
-// lie elsewhere in each process, by a random offset, which is printed; PECTIN_TEST_OFFSET sets it.
+// The numbers of allocations that succeed before one fails. In a long run (PECTIN_TEST_LONG) these
+// are all numbers from 0. Otherwise they are a sample: all small numbers, then about every nth
+// number near n·sparseness. A random offset, which is printed, gives each process another sample.
+// PECTIN_TEST_OFFSET sets the offset. Under sanitizers the sample is half as large.
 class FailurePoints {
   public:
     explicit FailurePoints(std::size_t sparseness);

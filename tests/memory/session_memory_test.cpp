@@ -1,19 +1,18 @@
-// A session where memory runs out in any command: the object is then as it was, and the same
-// command works once there is memory again. Every allocation fails in a long run, else a sample of
-// them (FailurePoints).
+// Tests a session in which memory runs out during a command. The object is then unchanged, and the
+// same command succeeds once there is memory again. In a long run every allocation fails in turn,
+// otherwise a sample of them (see FailurePoints).
 #include <gtest/gtest.h>
 
 #include <cstdio>
 #include <filesystem>
-#include <fstream>
 #include <functional>
-#include <iterator>
 #include <new>
 #include <string>
 #include <vector>
 
 #include "memory/failing_new.h"
 #include "session/session.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 namespace {
@@ -45,20 +44,11 @@ void prepare(Session& session) {
 
 class SessionMemory : public testing::Test {
   protected:
-    SessionMemory() {
-        std::string name = (fs::temp_directory_path() / "pectin memory XXXXXX").string();
-        folder_ = mkdtemp(name.data());
-    }
-    ~SessionMemory() override { fs::remove_all(folder_); }
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    std::string read(const std::string& name) const {
-        std::ifstream file(path(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    std::string path(const std::string& name) const { return folder_.path(name); }
 
-    // Runs `work` on a prepared session again and again, each time with a later allocation failing,
-    // until none does. Where it fails, the mesh must be as it was; and once more it must succeed
-    // and lead to the same mesh as without a failure.
+    // Runs `work` on prepared sessions until no allocation fails, each time with a later failure.
+    // If the work fails, the mesh must be unchanged. A second try must succeed and give the same
+    // mesh as without a failure.
     void expect_all_or_nothing(const std::function<void(Session&)>& work,
                                int least_failures = 5) const {
         Session undisturbed;
@@ -106,21 +96,20 @@ class SessionMemory : public testing::Test {
             least_failures);
     }
 
-  private:
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
-TEST_F(SessionMemory, ADragIsDoneOrTakenBack) {
+TEST_F(SessionMemory, ADragIsDoneOrChangesNothing) {
     expect_all_or_nothing(drag(Vec3(0, -1, 0), Vec3(0, -1.7, 0.2)));
 }
 
-// What they need the drag has had before.
+// All memory that they need was allocated by the drag.
 TEST_F(SessionMemory, UndoAndRedoOfADragNeedNoMemory) {
     expect_all_or_nothing(command::Undo{}, 0);
     expect_all_or_nothing(command::Redo{}, 0);
 }
 
-TEST_F(SessionMemory, ReadaptingIsDoneOrTakenBack) {
+TEST_F(SessionMemory, ReadaptingIsDoneOrChangesNothing) {
     expect_all_or_nothing([](Session& session) {
         const auto refusal = session.execute(command::Adapt{.theta_max = Setting::of(9.0)});
         if (refusal) FAIL() << *refusal;
@@ -128,9 +117,9 @@ TEST_F(SessionMemory, ReadaptingIsDoneOrTakenBack) {
     });
 }
 
-TEST_F(SessionMemory, BakingIsDoneOrNot) { expect_all_or_nothing(command::Bake{}); }
+TEST_F(SessionMemory, BakingIsDoneOrChangesNothing) { expect_all_or_nothing(command::Bake{}); }
 
-TEST_F(SessionMemory, ADragWithTheMouseIsDoneOrTakenBack) {
+TEST_F(SessionMemory, ADragWithTheMouseIsDoneOrChangesNothing) {
     expect_all_or_nothing([](Session& session) {
         const std::vector<Vec3> points{Vec3(0, -1, 0)};
         ASSERT_FALSE(session.begin_drag(points, {}, {.connected = true, .fold_free = true}));
@@ -155,15 +144,16 @@ TEST_F(SessionMemory, CancellingADragNeverFails) {
         session.cancel_drag();
     }
     EXPECT_TRUE(session.mesh() == before);
-    EXPECT_TRUE(session.take_dirty().everything) << "there was no memory to list what to draw anew";
+    EXPECT_TRUE(session.take_dirty().everything)
+        << "there was no memory for a list of what to draw again";
 }
 
-TEST_F(SessionMemory, ASaveIsWholeOrNotThere) {
+TEST_F(SessionMemory, ASaveWritesTheWholeFileOrNone) {
     int failures = 0;
     Session session;
     prepare(session);
     execute(session, command::Save{path("model.obj")});
-    const std::string whole = read("model.obj");
+    const std::string whole = folder_.read("model.obj");
     fs::remove(path("model.obj"));
     bool is_enough = false;
     for (FailurePoints points(32); !is_enough; points.advance()) {
@@ -179,19 +169,19 @@ TEST_F(SessionMemory, ASaveIsWholeOrNotThere) {
             is_enough = !failing.has_failed();
         }
         failures += is_done ? 0 : 1;
-        // It may also be there where only the report of it failed.
-        const bool is_there = fs::exists(path("model.obj"));
+        // The file may also exist if only the report of the save failed.
+        const bool is_there = folder_.holds("model.obj");
         EXPECT_TRUE(is_there || !is_done);
         if (is_there) {
-            EXPECT_EQ(read("model.obj"), whole);
+            EXPECT_EQ(folder_.read("model.obj"), whole);
         }
         fs::remove(path("model.obj"));
-        EXPECT_TRUE(fs::is_empty(path(""))) << "a temporary file stayed";
+        EXPECT_TRUE(folder_.files().empty()) << "a temporary file is left";
     }
     EXPECT_GT(failures, 5);
 }
 
-TEST_F(SessionMemory, OpeningAModelLeavesTheOldOneWhereItFails) {
+TEST_F(SessionMemory, AFailedOpenKeepsTheOldModel) {
     Session first;
     prepare(first);
     execute(first, command::Save{path("model.obj")});

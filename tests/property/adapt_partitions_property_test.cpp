@@ -1,4 +1,4 @@
-// Concurrent edits against the serial reference on random input: the same triangles come out.
+// Tests that concurrent edits give the same triangles as the serial reference on random input.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,6 +15,7 @@
 #include "mesh/shapes.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -24,7 +25,8 @@ using test::Random;
 using Point = std::array<double, 3>;
 using Triangle = std::array<Point, 3>;
 
-// The triangles of a mesh, independent of ids: sorted, each from its least corner on.
+// The triangles of a mesh in a form that does not depend on ids. They are sorted, and each begins
+// with its least corner.
 std::vector<Triangle> triangles(const TriMesh& mesh) {
     std::vector<Triangle> all;
     for (FaceId f : test::live_faces(mesh)) {
@@ -40,8 +42,8 @@ std::vector<Triangle> triangles(const TriMesh& mesh) {
     return all;
 }
 
-// A sphere, a plane with a boundary or a cube with creases, whose edges all have different lengths:
-// ties are broken by the order of splits.
+// A sphere, a plane with a boundary or a cube with creases. All edges have different lengths,
+// because the order of splits decides between equal ones.
 TriMesh irregular_shape(Random& random) {
     constexpr std::array kKinds{ShapeKind::sphere, ShapeKind::plane, ShapeKind::cube};
     const ShapeKind kind = kKinds[static_cast<std::size_t>(random.integer(0, 2))];
@@ -64,7 +66,7 @@ Scene random_scene(Random& random) {
         DragSolver::create(brush_lattice(grabbed[0], random.scale(0.5, 4.0), 3), grabbed, {}));
     Warp warp{{DragStep{solver.field(), {random.uniform(0.0, 0.4) * random.direction()}}}};
     const double theta_max = random.scale(4.0, 20.0), l_max = random.scale(0.05, 0.3);
-    // Without a floor that matters no edge is blocked. What is split beside a blocked edge depends
+    // The floor is so small that it blocks no edge. The splits beside a blocked edge would depend
     // on the order.
     const AdaptLimits refining{
         .curvature = NormalDivergence({.theta_max = theta_max}), .l_max = l_max, .floor = 1e-4};

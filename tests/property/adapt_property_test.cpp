@@ -6,6 +6,7 @@
 #include "session/gesture.h"
 #include "session/settings.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -52,7 +53,7 @@ std::uint64_t active_edges_needing_refinement(const ActiveSet& active, const Cri
     return count;
 }
 
-// Follows the chain from e to ever longer neighbours at rest that may be split. The last edge is
+// Follows the chain from e to neighbours that are longer at rest and may be split. The last edge is
 // rightly blocked if a longer edge of its faces is below the floor, and a split would make that
 // face thinner than 1:512.
 bool is_rightly_blocked(ActiveSet& active, const Criteria& criteria, EdgeId e) {

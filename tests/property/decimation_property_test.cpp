@@ -1,4 +1,5 @@
-// Decimation, vertex by vertex: it removes none that the rules keep, and sculpted detail stays.
+// Tests decimation vertex by vertex: it removes no vertex that the rules keep, and sculpted detail
+// is preserved.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -15,13 +16,14 @@
 #include "session/settings.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
 
 using test::Random;
 
-// Normals are floats: angles are known to about 1e-7 radians.
+// Normals are floats, so angles are exact to about 1e-7 radians.
 constexpr double kAngleSlack = 1e-4;  // degrees
 constexpr double kLengthSlack = 1e-9;
 
@@ -32,7 +34,7 @@ double angle_deg(const Vec3f& m, const Vec3f& n) {
 
 double distance_to_plane(const Vec3& p, const Vec3& a, const Vec3& b, const Vec3& c) {
     const double area = glm::length(glm::cross(b - a, c - a));
-    // Six times the volume of the tetrahedron over twice its base.
+    // This is six times the volume of the tetrahedron, divided by twice the area of its base.
     return area > 0.0 ? std::abs(glm::determinant(Mat3{a - p, b - p, c - p})) / area
                       : glm::distance(p, 0.5 * (b + c));
 }

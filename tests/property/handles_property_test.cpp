@@ -1,4 +1,4 @@
-// A vertex that a drag grabs arrives where it is dragged to, whoever has inserted it.
+// Tests that a grabbed vertex arrives at its target, even if an earlier drag has inserted it.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -8,6 +8,7 @@
 #include "session/session.h"
 #include "support/random_commands.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -37,8 +38,8 @@ const Vec3& any_of(const std::vector<Vec3>& positions, Random& random) {
         random.integer(0, static_cast<int>(positions.size()) - 1))];
 }
 
-// What a drag back and forth inserts is mostly flat afterwards, and decimation is eager to remove
-// it.
+// Drags a point forth and back. The surface around the inserted vertices is then nearly flat, so
+// decimation may remove most of them.
 void bend_and_straighten(Session& session, Random& random) {
     const Vec3 from = test::random_surface_point(session.mesh(), random);
     const Vec3 to = from + random.uniform(0.2, 0.6) * random.direction();
@@ -72,7 +73,7 @@ TEST(Handles, AreVerticesThatReachTheirTargets) {
             const Vec3 from = any_of(inserted, random);
             const Vec3 to = from + random.scale(0.001, 0.3) * random.direction();
             command::Drag drag{.moves = {{from, to}}, .fold_free = random.chance(0.3)};
-            // The budget may have left the mesh without it.
+            // If refinement has reached the budget, the mirror image may not be a vertex.
             const bool has_image =
                 is_symmetric &&
                 distance_to_nearest_vertex(session.mesh(), {-from.x, from.y, from.z}) < 1e-12;

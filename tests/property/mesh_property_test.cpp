@@ -7,6 +7,7 @@
 #include "mesh/tri_mesh.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {

@@ -1,22 +1,21 @@
 // Sculpting preserves everything that a model contains: random meshes with seams, creases, groups,
 // colours and cuts are read from a file and dragged at random, with undo and redo in between.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <filesystem>
 #include <map>
 
-#include "io/atomic_file.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
 #include "mesh/build_mesh.h"
 #include "session/session.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/scratch_folder.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -25,7 +24,7 @@ using test::Random;
 
 const std::vector<std::string> kValid;
 
-// What every later state of the mesh is compared with.
+// The data of the first mesh, with which every later one is compared.
 class Original {
   public:
     explicit Original(const TriMesh& mesh) : mesh_(mesh), text_(format_obj(mesh)) {
@@ -105,18 +104,6 @@ class Original {
     std::vector<Part> parts_;
 };
 
-class ScratchFile {
-  public:
-    ScratchFile()
-        : path_(std::filesystem::temp_directory_path() /
-                ("pectin-nothing-lost-" + std::to_string(::getpid()) + ".obj")) {}
-    ~ScratchFile() { std::filesystem::remove(path_); }
-    std::string path() const { return path_.string(); }
-
-  private:
-    std::filesystem::path path_;
-};
-
 Vec3 random_vertex(const TriMesh& mesh, Random& random) {
     while (true) {
         const VertexId v{static_cast<std::uint32_t>(
@@ -135,7 +122,7 @@ Command random_edit(const TriMesh& mesh, double size, Random& random) {
 }
 
 TEST(NothingIsLost, OverAThousandRandomDragsWithUndoAndRedo) {
-    const ScratchFile file;
+    const ScratchFolder folder;
     const int cases = test::case_count(40);
     int drags = 0, cut = 0;
     std::uint64_t inserted = 0;
@@ -144,9 +131,9 @@ TEST(NothingIsLost, OverAThousandRandomDragsWithUndoAndRedo) {
         Random random(seed);
         const auto [start, description] = test::random_mesh(random);
         SCOPED_TRACE("seed " + std::to_string(seed) + ": " + description);
-        write_file_atomically(file.path(), format_obj(start));
+        folder.write("a.obj", format_obj(start));
         Session session;
-        ASSERT_FALSE(session.execute(command::Open{.path = file.path()}).has_value());
+        ASSERT_FALSE(session.execute(command::Open{.path = folder.path("a.obj")}).has_value());
         const double size = session.mesh().bounding_box().diagonal();
         ASSERT_FALSE(
             session.execute(command::Adapt{.theta_max = Setting::of(random.scale(6.0, 30.0)),
@@ -226,13 +213,13 @@ TriMesh book(Random& random) {
 }
 
 TEST(NonManifoldCut, StaysClosedOverRandomDrags) {
-    const ScratchFile file;
+    const ScratchFolder folder;
     for (std::uint64_t seed = 61'000; seed < 61'003; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        write_file_atomically(file.path(), format_obj(book(random)));
+        folder.write("a.obj", format_obj(book(random)));
         Session session;
-        ASSERT_FALSE(session.execute(command::Open{.path = file.path()}).has_value());
+        ASSERT_FALSE(session.execute(command::Open{.path = folder.path("a.obj")}).has_value());
         ASSERT_FALSE(session.execute(command::Adapt{
             .theta_max = Setting::of(15.0), .floor = Setting::of(0.02), .budget = 20'000}));
         const Original original(session.mesh());

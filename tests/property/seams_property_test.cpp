@@ -1,12 +1,8 @@
 // Random drags of surfaces whose faces share no vertices open no gap along any seam.
 #include <gtest/gtest.h>
 
-#include <unistd.h>
-
 #include <cstdio>
-#include <filesystem>
 
-#include "io/atomic_file.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
 #include "mesh/build_mesh.h"
@@ -14,24 +10,14 @@
 #include "session/session.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/scratch_folder.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
 
 using command::Drag;
 using test::Random;
-
-class ScratchFile {
-  public:
-    ScratchFile()
-        : path_(std::filesystem::temp_directory_path() /
-                ("pectin-seams-" + std::to_string(::getpid()) + ".obj")) {}
-    ~ScratchFile() { std::filesystem::remove(path_); }
-    std::string path() const { return path_.string(); }
-
-  private:
-    std::filesystem::path path_;
-};
 
 struct Total {
     int drags = 0;
@@ -51,8 +37,8 @@ Command random_drag(const TriMesh& mesh, double size, Random& random) {
     }
 }
 
-// A polygon's side without a second side between the same positions must be an open edge of the
-// mesh: the two sides of a seam have bitwise equal positions.
+// The two sides of a seam must have bitwise equal positions. So a side of a polygon without another
+// side between the same two positions must be an open edge of the mesh.
 void expect_no_gap(const Session& session) {
     const IndexedFaceSet set = parse_obj(format_obj(session.mesh()), "saved.obj");
     ASSERT_LE(test::open_sides(set), test::open_edges(session.mesh()));
@@ -62,10 +48,10 @@ void expect_no_gap(const Session& session) {
 void drag_at_random(const IndexedFaceSet& shared, int drags, Random& random, Total& total) {
     IndexedFaceSet facets = shared;
     test::unshare_vertices(facets, random);
-    const ScratchFile file;
-    write_file_atomically(file.path(), format_obj(build_mesh(facets).mesh));
+    const ScratchFolder folder;
+    folder.write("a.obj", format_obj(build_mesh(facets).mesh));
     Session session;
-    ASSERT_FALSE(session.execute(command::Open{.path = file.path()}).has_value());
+    ASSERT_FALSE(session.execute(command::Open{.path = folder.path("a.obj")}).has_value());
     const std::string opened = format_obj(session.mesh());
     ASSERT_EQ(session.input_report().boundary_edges, build_mesh(shared).report.boundary_edges);
     const double size = session.mesh().bounding_box().diagonal();
@@ -113,7 +99,7 @@ TEST(UnsharedSeams, OfRealModelsNeverOpen) {
     if (models.empty()) GTEST_SKIP() << "no models in " << PECTIN_MODELS;
     Total total;
     // A long run makes 500 drags.
-    const int wanted = std::getenv("PECTIN_TEST_LONG") ? 500 : 12;
+    const int wanted = test::is_long() ? 500 : 12;
     const auto count = static_cast<int>(models.size());
     const int each = (wanted + count - 1) / count;
     for (int i = 0; i < count; ++i) {

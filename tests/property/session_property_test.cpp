@@ -1,4 +1,5 @@
-// Long random sessions: whatever is done is valid, and all of it can be undone and redone.
+// Tests long random sessions: the mesh is valid after every command, and all steps can be undone
+// and redone.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -11,6 +12,7 @@
 #include "support/mesh_figures.h"
 #include "support/random_commands.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -40,7 +42,8 @@ TEST_P(RandomSession, IsValidThroughoutAndUndoesAndRedoesToTheByte) {
         Random random(seed);
         Session session;
         ASSERT_FALSE(session.execute(GetParam().shape).has_value());
-        // Small from the start: by default a small brush dragged far folds into millions.
+        // The floor and the budget keep the mesh small. With the defaults, a long drag of a small
+        // brush may create millions of faces.
         ASSERT_FALSE(session.execute(command::Adapt{.floor = Setting::of(0.05), .budget = 5'000}));
         const std::string first = format_obj(session.mesh());
         const TriMesh base = session.mesh();
@@ -97,7 +100,8 @@ void expect_within_limit(const History& history) {
         << *history.limit();
 }
 
-// The mesh after each step, from the beginning on, beside a history that may not keep them all.
+// The test keeps the mesh after every step and compares it with the history, which keeps only the
+// newest ones.
 TEST(HistoryLimit, DropsTheOldestStepsAndKeepsTheOthersToTheByte) {
     const int cases = test::case_count(20);
     std::size_t lost = 0, kept = 0;
@@ -116,9 +120,9 @@ TEST(HistoryLimit, DropsTheOldestStepsAndKeepsTheOthersToTheByte) {
             SCOPED_TRACE("command " + std::to_string(k) + ": " + name(command));
             const std::size_t step = history.step_number();
             execute(session, command, random);
-            const bool goes_along_steps = std::holds_alternative<command::Undo>(command) ||
-                                          std::holds_alternative<command::Redo>(command);
-            if (!goes_along_steps && history.step_number() != step) {
+            const bool moves_along_steps = std::holds_alternative<command::Undo>(command) ||
+                                           std::holds_alternative<command::Redo>(command);
+            if (!moves_along_steps && history.step_number() != step) {
                 ASSERT_EQ(history.step_number(), step + 1);
                 after.resize(step + 1);
                 after.push_back(session.mesh());
@@ -135,7 +139,8 @@ TEST(HistoryLimit, DropsTheOldestStepsAndKeepsTheOthersToTheByte) {
         }
         const std::size_t last = history.step_number();
         const std::size_t steps = undo_everything(session);
-        // Undoing a bake may take more memory, and then cost the oldest steps.
+        // Undoing a bake may increase the memory of the history, so that the oldest steps are
+        // dropped.
         const std::size_t first = history.lost_undo_count();
         ASSERT_EQ(steps, last - first);
         ASSERT_TRUE(session.mesh() == after[first]);
@@ -146,13 +151,13 @@ TEST(HistoryLimit, DropsTheOldestStepsAndKeepsTheOthersToTheByte) {
         lost += first;
         kept += steps;
     }
-    // Both happen, however few the seeds.
+    // Even a few seeds must test both cases.
     EXPECT_GT(lost, kept / 10);
     EXPECT_GT(kept, lost / 10);
     std::printf("seeds 4800 to %d, %zu steps dropped, %zu kept\n", 4800 + cases - 1, lost, kept);
 }
 
-TEST(HistoryLimit, LeavesWhatWasUndoneToBeRedoneWithAnyLimit) {
+TEST(HistoryLimit, KeepsEveryUndoneStepForRedoWithAnyLimit) {
     const int cases = test::case_count(20);
     std::size_t redone = 0, dropped = 0;
     for (int i = 0; i < cases; ++i) {
@@ -194,7 +199,7 @@ TEST(HistoryLimit, LeavesWhatWasUndoneToBeRedoneWithAnyLimit) {
                 dropped);
 }
 
-// What a picture shows of each wedge.
+// The position and normal of each wedge in use, which determine a picture.
 std::map<WedgeId, std::pair<Vec3, Vec3f>> shown_wedges(const TriMesh& mesh) {
     std::map<WedgeId, std::pair<Vec3, Vec3f>> wedges;
     for (FaceId f : test::live_faces(mesh)) {
@@ -206,7 +211,8 @@ std::map<WedgeId, std::pair<Vec3, Vec3f>> shown_wedges(const TriMesh& mesh) {
     return wedges;
 }
 
-// What has changed since `seen` is named dirty; `seen` is then the present.
+// Expects that everything that has changed since `seen` is listed as dirty. Then sets `seen` to the
+// present mesh.
 void expect_all_named(Session& session, TriMesh& seen) {
     const DirtyElements dirty = session.take_dirty();
     const TriMesh& mesh = session.mesh();
@@ -231,7 +237,7 @@ void expect_all_named(Session& session, TriMesh& seen) {
             ASSERT_TRUE(same || has(dirty.faces, f)) << "face " << index(f);
         }
         for (FaceId f : test::live_faces(seen)) {
-            if (index(f) >= mesh.face_slots()) continue;  // cut off: nothing to show
+            if (index(f) >= mesh.face_slots()) continue;  // the slot no longer exists
             ASSERT_TRUE(mesh.is_live(f) || has(dirty.faces, f));
         }
     }

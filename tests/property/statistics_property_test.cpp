@@ -1,34 +1,19 @@
 // After any drag, also one that folds space, no edge is left that needs refinement and may be
 // split.
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <cstdio>
-#include <filesystem>
 
 #include "io/obj_writer.h"
 #include "session/session.h"
 #include "support/random_mesh.h"
+#include "support/scratch_folder.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
 
 using test::Random;
-
-// Writes a mesh to a temporary file for a session to open.
-class MeshFile {
-  public:
-    explicit MeshFile(const TriMesh& mesh)
-        : path_(std::filesystem::temp_directory_path() /
-                ("pectin_statistics_" + std::to_string(::getpid()) + ".obj")) {
-        write_obj(mesh, path_.string());
-    }
-    ~MeshFile() { std::filesystem::remove(path_); }
-    std::string path() const { return path_.string(); }
-
-  private:
-    std::filesystem::path path_;
-};
 
 VertexId random_vertex(const TriMesh& mesh, Random& random) {
     while (true) {
@@ -48,7 +33,9 @@ TEST(Statistics, ReportNoEdgeInNeedOfRefinementAfterAnyDrag) {
         SCOPED_TRACE("seed " + std::to_string(seed) + ": " + description);
         const double size = mesh.bounding_box().diagonal();
         Session session;
-        ASSERT_FALSE(session.execute(command::Open{.path = MeshFile(mesh).path()}));
+        const ScratchFolder folder;
+        folder.write("a.obj", format_obj(mesh));
+        ASSERT_FALSE(session.execute(command::Open{.path = folder.path("a.obj")}));
         ASSERT_FALSE(
             session.execute(command::Adapt{.theta_max = Setting::of(random.scale(4.0, 60.0)),
                                            .floor = Setting::of(size * random.scale(8e-3, 6e-2))}));

@@ -1,6 +1,9 @@
-// Symmetric drags where edges longer than L_max are refined and the border of the zone crosses
-// faces: every face keeps its mirror image, and what is refined does not depend on the order.
-// Source of the condition: Gain & Dodgson 1999, section 4 (b).
+// Tests drags in which edges longer than L_max are refined and the border of the zone crosses
+// faces. After symmetric drags every face has a mirror image. Without symmetry, the refined mesh
+// does not depend on the order of faces and their corners.
+//
+// Source of the condition: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form
+// Deformation. Eurographics UK 1999, section 4 (b).
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -19,6 +22,7 @@
 #include "session/session.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -33,7 +37,8 @@ using test::Random;
 
 const std::vector<std::string> kValid;
 
-// Corners as multiples of a length far below what tells them apart, in an order of their own.
+// The corners of a face, rounded to multiples of a length that is far smaller than their distances,
+// and sorted.
 using Corner = std::array<std::int64_t, 3>;
 using Corners = std::array<Corner, 3>;
 
@@ -49,8 +54,8 @@ Corners corners_of(const TriMesh& mesh, FaceId f, double length, double sign) {
     return corners;
 }
 
-// How many faces have no mirror image about x = 0. Rounding to a grid may part a pair, so a face
-// counts only where two grids of different length say so.
+// The number of faces without a mirror image about x = 0. Rounding to a grid may separate a corner
+// from its image, so a face is counted only if it has no image on any of three grids.
 std::size_t faces_without_image(const TriMesh& mesh) {
     const double size = mesh.bounding_box().diagonal();
     const std::vector<FaceId> faces = test::live_faces(mesh);
@@ -129,7 +134,7 @@ TEST(SymmetryWithLMax, GivesEveryFaceItsImageAfterDragsAndControlPointsOfACage) 
     expect_symmetric_sessions(6200, true);
 }
 
-// ---- Without symmetry: the same mesh with its faces and vertices in another order
+// --- Without symmetry: the same mesh with its faces and corners in another order
 
 IndexedFaceSet shuffled(const IndexedFaceSet& input, Random& random) {
     std::vector<std::uint32_t> order(input.polygon_count());
@@ -173,7 +178,7 @@ std::vector<Triangle> refined(const IndexedFaceSet& input, const std::vector<Vec
                               const AdaptLimits& limits) {
     TriMesh mesh = build_mesh(input).mesh;
     Warp warp;
-    for (const Vec3& point : points) {  // displaced lattices, one after another
+    for (const Vec3& point : points) {  // each step of the warp is a displaced lattice
         const Lattice lattice = brush_lattice(point, 0.5, 3);
         std::vector<Vec3> displacements(lattice.control_count(), Vec3{0.1, 0.02, 0.05});
         warp.steps.emplace_back(LatticeField{lattice, std::move(displacements)});
@@ -204,7 +209,7 @@ TEST(RefinementByLMax, GivesTheSameFacesForAnyOrderOfSplits) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
         IndexedFaceSet input = make_shape(ShapeKind::sphere, 2);
-        // No two edges are equally long then.
+        // The displacements make the lengths of all edges different.
         for (Vec3& p : input.positions) p += random.uniform(0.0, 0.05) * random.direction();
         input.normals.clear();
         for (auto& corner : input.corners) corner.normal = IndexedFaceSet::kNoIndex;

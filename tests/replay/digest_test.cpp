@@ -116,7 +116,7 @@ TEST_P(FixedBytes, AreTheSameOnEveryMachineAndInEveryBuild) {
     const ScratchFolder folder;
     std::vector<std::string> lines = script.lines;
     lines.push_back(R"({"cmd": "save", "path": "result.obj"})");
-    const Outcome outcome = run_program({"replay", folder.write_script("script.jsonl", lines)});
+    const Outcome outcome = run_program({"replay", write_script(folder, "script.jsonl", lines)});
     ASSERT_EQ(outcome.exit_status, 0) << outcome.err;
     const std::string bytes = folder.read("result.obj");
     const std::string found = literal(digest(bytes));

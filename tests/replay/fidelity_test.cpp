@@ -15,6 +15,7 @@
 #include "session/session.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 namespace {
@@ -215,17 +216,15 @@ struct Sculpted {
 // Drags a scaled and translated sphere three times. home: the positions of the same sphere at the
 // origin; filled if empty.
 Sculpted sculpt(double scale, const Vec3& offset, std::vector<Vec3>& home) {
-    const std::string path =
-        (std::filesystem::temp_directory_path() / "pectin-fidelity-test.obj").string();
+    const ScratchFolder folder;
     IndexedFaceSet set = make_shape(ShapeKind::sphere, 3);
     const auto placed = [&](const Vec3& p) { return scale * p + offset; };
     for (Vec3& p : set.positions) p = placed(p);
     set.normals.clear();
     for (auto& corner : set.corners) corner.normal = IndexedFaceSet::kNoIndex;
-    write_obj(build_mesh(set).mesh, path);
+    folder.write("a.obj", format_obj(build_mesh(set).mesh));
     Session session;
-    EXPECT_FALSE(session.execute(command::Open{.path = path}));
-    std::filesystem::remove(path);
+    EXPECT_FALSE(session.execute(command::Open{.path = folder.path("a.obj")}));
     for (const auto& [from, to] :
          {std::pair{Vec3{0, 0, 1}, Vec3{0, 0.2, 1.4}}, std::pair{Vec3{0, 1, 0}, Vec3{0.1, 0.7, 0}},
           std::pair{Vec3{-1, 0, 0}, Vec3{-1.3, 0.1, 0.1}}}) {

@@ -15,10 +15,10 @@ using namespace std::string_literals;
 
 // Opens the file and saves it as out.obj.
 Outcome open_and_save(const ScratchFolder& folder, const std::string& name) {
-    return run_program(
-        {"replay", folder.write_script("s.jsonl", {R"({"cmd": "open", "path": ")" + name + "\"}",
-                                                   R"({"cmd": "save", "path": "out.obj"})",
-                                                   R"({"cmd": "stats", "path": "out.json"})"})});
+    return run_program({"replay", write_script(folder, "s.jsonl",
+                                               {R"({"cmd": "open", "path": ")" + name + "\"}",
+                                                R"({"cmd": "save", "path": "out.obj"})",
+                                                R"({"cmd": "stats", "path": "out.json"})"})});
 }
 
 TEST(ForeignFiles, OpenWithoutAttributesThatTheirFacesReferTo) {
@@ -106,8 +106,8 @@ TEST(Messages, AreNotCutOffByAZeroByteInAName) {
     folder.write("a", "newmtl a\n");
     folder.write("c.mtl", "newmtl c\nmap_Kd d\0e.png\n"s);
     folder.write("to/own.txt", "");
-    const std::string script = folder.write_script(
-        "s.jsonl",
+    const std::string script = write_script(
+        folder, "s.jsonl",
         {R"({"cmd": "open", "path": "t.obj"})", R"({"cmd": "save", "path": "to/t.obj"})"});
     const Outcome outcome = run_program({"replay", script});
     EXPECT_EQ(outcome.exit_status, 0);

@@ -9,22 +9,20 @@
 #include <string>
 
 #include "replay/program.h"
+#include "support/small_files.h"
 
 namespace pectin {
 namespace {
 
 using Files = std::set<std::string>;
 
-const std::string kTriangle = "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
-const std::string kPicture = "\x89PNG\r\n\x1a\n";
-
 // Opens the model and saves it; both paths are relative to the folder.
 Outcome open_and_save(const ScratchFolder& folder, const std::string& model,
                       const std::string& saved) {
-    return run_program(
-        {"replay", folder.write_script("s.jsonl", {R"({"cmd": "open", "path": ")" + model + "\"}",
-                                                   R"({"cmd": "save", "path": ")" + saved + "\"}",
-                                                   R"({"cmd": "stats", "path": "s.json"})"})});
+    return run_program({"replay", write_script(folder, "s.jsonl",
+                                               {R"({"cmd": "open", "path": ")" + model + "\"}",
+                                                R"({"cmd": "save", "path": ")" + saved + "\"}",
+                                                R"({"cmd": "stats", "path": "s.json"})"})});
 }
 
 TEST(MaterialFiles, AreRefusedIfTheyWouldWriteAHiddenFile) {
@@ -46,7 +44,7 @@ TEST(MaterialFiles, DoNotIncludeHiddenFilesOfTheHomeFolder) {
     folder.write("home/w.obj", "mtllib .bashrc\nmtllib w.mtl\n" + kTriangle);
     folder.write("home/w.mtl", "newmtl a\nmap_Kd .ssh/id.png\nmap_Ks notes.txt\n");
     folder.write("home/.bashrc", "newmtl export TOKEN=secret\n");
-    folder.write("home/.ssh/id.png", kPicture);
+    folder.write("home/.ssh/id.png", kPngSignature);
     folder.write("home/notes.txt", "private\n");
     folder.write("stick/own.txt", "");
     const Outcome outcome = open_and_save(folder, "home/w.obj", "stick/w.obj");
@@ -65,7 +63,7 @@ TEST(MaterialFiles, AreReportedIfOutsideTheFolderOrMissing) {
     folder.write("from/w.obj", "mtllib w.mtl ../up.mtl gone.mtl\n" + kTriangle);
     folder.write("from/w.mtl", "newmtl a\nmap_Kd ../t.png\nmap_Ks lost.png\n");
     folder.write("up.mtl", "newmtl b\n");
-    folder.write("t.png", kPicture);
+    folder.write("t.png", kPngSignature);
     folder.write("to/own.txt", "");
     const Outcome outcome = open_and_save(folder, "from/w.obj", "to/w.obj");
     EXPECT_EQ(outcome.exit_status, 0) << outcome.err;
@@ -81,7 +79,7 @@ TEST(MaterialFiles, CauseExitStatusOneIfTheyCannotBeCopied) {
     const ScratchFolder folder;
     folder.write("from/w.obj", "mtllib w.mtl\n" + kTriangle);
     folder.write("from/w.mtl", "newmtl a\nmap_Kd t/x.png\n");
-    folder.write("from/t/x.png", kPicture);
+    folder.write("from/t/x.png", kPngSignature);
     folder.write("to/t", "a file where the folder has to be");
     const Outcome outcome = open_and_save(folder, "from/w.obj", "to/w.obj");
     EXPECT_EQ(outcome.exit_status, 1);

@@ -1,21 +1,20 @@
 // Tests that the program with little memory either does its work or says why it cannot.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-
 #include "replay/program.h"
 #include "support/process.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
 
 TEST(ReplayMemoryLimit, EndsWithAMessageAndNeverByASignal) {
-    if (std::getenv("PECTIN_TEST_SANITIZED")) {
+    if (test::is_sanitized()) {
         GTEST_SKIP() << "a sanitizer needs more memory than there is";
     }
     const ScratchFolder folder;
-    const std::string script = folder.write_script(
-        "s.jsonl",
+    const std::string script = write_script(
+        folder, "s.jsonl",
         {R"({"cmd": "shape", "kind": "sphere", "resolution": 5})",
          R"({"cmd": "brush", "radius": 1.5})", R"({"cmd": "adapt", "theta_max": 5})",
          R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0.3, 0, 2.2]}], "fold_free": true, "connected": true})",

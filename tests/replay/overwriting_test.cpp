@@ -18,8 +18,8 @@ const std::string kModel = "# by hand\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n";
 
 Outcome write_stats(const ScratchFolder& folder, const std::string& name) {
     return run_program(
-        {"replay",
-         folder.write_script("s.jsonl", {kShape, R"({"cmd": "stats", "path": ")" + name + "\"}"})});
+        {"replay", write_script(folder, "s.jsonl",
+                                {kShape, R"({"cmd": "stats", "path": ")" + name + "\"}"})});
 }
 
 TEST(Stats, RefusesToReplaceAFileOfAnotherKindAndSaysWhatItIs) {
@@ -62,8 +62,8 @@ TEST(Screenshot, ReplacesOnlyPngPictures) {
     const auto draw = [](const ScratchFolder& folder) {
         return run_program(
             {"replay",
-             folder.write_script(
-                 "s.jsonl",
+             write_script(
+                 folder, "s.jsonl",
                  {kShape, R"({"cmd": "screenshot", "path": "p.png", "size": [32, 32]})"})});
     };
     for (const std::string& contents : {kModel, "\xff\xd8\xff\xe0 JFIF"s, "{}"s}) {

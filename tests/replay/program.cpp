@@ -5,53 +5,16 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
-#include <fstream>
-#include <iterator>
 #include <stdexcept>
 
 namespace pectin {
 
-namespace fs = std::filesystem;
-
-ScratchFolder::ScratchFolder() {
-    // The path has a blank, so that every test also tests paths with blanks.
-    std::string name = (fs::temp_directory_path() / "pectin replay XXXXXX").string();
-    if (!mkdtemp(name.data())) throw std::runtime_error("no folder for a test: " + name);
-    folder_ = name;
-}
-
-ScratchFolder::~ScratchFolder() {
-    std::error_code ignored;
-    fs::remove_all(folder_, ignored);
-}
-
-void ScratchFolder::write(const std::string& name, const std::string& contents) const {
-    fs::create_directories(fs::path(path(name)).parent_path());
-    std::ofstream(path(name), std::ios::binary) << contents;
-}
-
-std::string ScratchFolder::write_script(const std::string& name,
-                                        const std::vector<std::string>& lines) const {
+std::string write_script(const ScratchFolder& folder, const std::string& name,
+                         const std::vector<std::string>& lines) {
     std::string text = "{\"pectin\": 1}\n";
     for (const std::string& line : lines) text += line + "\n";
-    write(name, text);
-    return path(name);
-}
-
-std::string ScratchFolder::read(const std::string& name) const {
-    std::ifstream file(path(name), std::ios::binary);
-    if (!file) throw std::runtime_error("cannot read " + path(name));
-    return {std::istreambuf_iterator<char>(file), {}};
-}
-
-bool ScratchFolder::holds(const std::string& name) const { return fs::exists(path(name)); }
-
-std::set<std::string> ScratchFolder::files() const {
-    std::set<std::string> names;
-    for (const auto& entry : fs::recursive_directory_iterator(folder_))
-        if (!entry.is_directory())
-            names.insert(entry.path().lexically_relative(folder_).generic_string());
-    return names;
+    folder.write(name, text);
+    return folder.path(name);
 }
 
 Outcome run_program(const std::vector<std::string>& arguments, const std::string& standard_input) {

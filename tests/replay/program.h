@@ -1,32 +1,16 @@
 // Runs the program in its own folder.
 #pragma once
 
-#include <filesystem>
-#include <set>
 #include <string>
 #include <vector>
 
+#include "support/scratch_folder.h"
+
 namespace pectin {
 
-// An empty folder, removed by the destructor.
-class ScratchFolder {
-  public:
-    ScratchFolder();
-    ~ScratchFolder();
-    ScratchFolder(const ScratchFolder&) = delete;
-    ScratchFolder& operator=(const ScratchFolder&) = delete;
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
-    void write(const std::string& name, const std::string& contents) const;
-    // Writes a script with the first line and these commands, and returns its path.
-    std::string write_script(const std::string& name, const std::vector<std::string>& lines) const;
-    std::string read(const std::string& name) const;
-    bool holds(const std::string& name) const;
-    std::set<std::string> files() const;  // paths relative to the folder, also in subfolders
-
-  private:
-    std::filesystem::path folder_;
-};
+// Writes a script with the first line and these commands into the folder, and returns its path.
+std::string write_script(const ScratchFolder& folder, const std::string& name,
+                         const std::vector<std::string>& lines);
 
 struct Outcome {
     int exit_status = -1;  // -1 if a signal ended it

@@ -151,7 +151,7 @@ TEST_P(BadInputs, StopReplayWithTheirLineAndAReason) {
     lines.push_back(bad.line);
     const std::size_t number = lines.size() + 1;  // the header is line 1
     lines.push_back(R"({"cmd": "save", "path": "after.obj"})");
-    const std::string script = folder_.write_script("bad.jsonl", lines);
+    const std::string script = write_script(folder_, "bad.jsonl", lines);
     std::set<std::string> expected = folder_.files();
     expected.insert("before.obj");
 

@@ -40,11 +40,11 @@ TEST(Replay, GivesTheSameBytesAfterUndoAndAfterRedo) {
         R"({"cmd": "drag", "moves": [{"from": [0, 1, 0], "to": [0, 1.2, 0]}], )"
         R"("pins": [[0.2, 0.98, 0]]})";
     expect_done(run_program(
-        {"replay", folder.write_script("s.jsonl",
-                                       {kSphere, save("0.obj"), kDrag, save("1.obj"), brush, again,
-                                        save("2.obj"), R"({"cmd": "undo"})", save("1 undone.obj"),
-                                        R"({"cmd": "undo"})", save("0 undone.obj"),
-                                        R"({"cmd": "redo", "count": 2})", save("2 redone.obj")})}));
+        {"replay", write_script(folder, "s.jsonl",
+                                {kSphere, save("0.obj"), kDrag, save("1.obj"), brush, again,
+                                 save("2.obj"), R"({"cmd": "undo"})", save("1 undone.obj"),
+                                 R"({"cmd": "undo"})", save("0 undone.obj"),
+                                 R"({"cmd": "redo", "count": 2})", save("2 redone.obj")})}));
     EXPECT_EQ(folder.read("0.obj"), folder.read("0 undone.obj"));
     EXPECT_EQ(folder.read("1.obj"), folder.read("1 undone.obj"));
     EXPECT_EQ(folder.read("2.obj"), folder.read("2 redone.obj"));
@@ -54,9 +54,10 @@ TEST(Replay, GivesTheSameBytesAfterUndoAndAfterRedo) {
 
 TEST(Replay, ReportsThatTheOldestStepsWereDropped) {
     const ScratchFolder folder;
-    const std::string script = folder.write_script(
-        "s.jsonl", {kSphere, kDrag, R"({"cmd": "history", "megabytes": 0.001})",
-                    R"({"cmd": "drag", "moves": [{"from": [0, 1, 0], "to": [0, 1.2, 0]}]})"});
+    const std::string script =
+        write_script(folder, "s.jsonl",
+                     {kSphere, kDrag, R"({"cmd": "history", "megabytes": 0.001})",
+                      R"({"cmd": "drag", "moves": [{"from": [0, 1, 0], "to": [0, 1.2, 0]}]})"});
     const Outcome outcome = run_program({"replay", script});
     EXPECT_EQ(outcome.exit_status, 0);
     EXPECT_EQ(outcome.err,
@@ -69,8 +70,8 @@ TEST(Replay, GivesTheSameBytesEveryTime) {
     const ScratchFolder folder;
     for (const char* name : {"a", "b"})
         expect_done(run_program(
-            {"replay", folder.write_script(std::string(name) + ".jsonl",
-                                           {kSphere, kDrag, save(name + std::string(".obj"))})}));
+            {"replay", write_script(folder, std::string(name) + ".jsonl",
+                                    {kSphere, kDrag, save(name + std::string(".obj"))})}));
     EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
 }
 
@@ -81,8 +82,8 @@ TEST(Replay, DragsFoldFreeSymmetricallyConnectedAndByControlPoints) {
         const std::string n = name;
         expect_done(run_program(
             {"replay",
-             folder.write_script(
-                 n + ".jsonl",
+             write_script(
+                 folder, n + ".jsonl",
                  {kSphere, save(n + "0.obj"), R"({"cmd": "brush", "radius": 0.4})",
                   R"({"cmd": "symmetry", "plane": "x", "through": [0, 0, 0]})",
                   R"({"cmd": "drag", "moves": [{"from": [0.6, 0.8, 0], "to": [1.4, 1.5, 0.2]}], )"
@@ -112,9 +113,9 @@ TEST(Replay, DragsFoldFreeSymmetricallyConnectedAndByControlPoints) {
 TEST(Replay, OpensItsSavedFiles) {
     const ScratchFolder folder;
     expect_done(run_program(
-        {"replay",
-         folder.write_script("s.jsonl", {kSphere, kDrag, save("a.obj"),
-                                         R"({"cmd": "open", "path": "a.obj"})", save("b.obj")})}));
+        {"replay", write_script(folder, "s.jsonl",
+                                {kSphere, kDrag, save("a.obj"),
+                                 R"({"cmd": "open", "path": "a.obj"})", save("b.obj")})}));
     EXPECT_EQ(folder.read("a.obj"), folder.read("b.obj"));
 }
 
@@ -125,10 +126,10 @@ TEST(Replay, ReportsFindingsInTheInputAndContinues) {
                  "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 -1 0\nv 0 0 1\nv 9 9 9\n"
                  "f 1 2 3\nf 2 1 4\nf 1 2 5\n");
     folder.write("clean.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    const std::string script =
-        folder.write_script("s.jsonl", {R"({"cmd": "open", "path": "clean.obj"})",
-                                        R"({"cmd": "open", "path": "fan.obj"})",
-                                        R"({"cmd": "stats", "path": "fan.json"})"});
+    const std::string script = write_script(
+        folder, "s.jsonl",
+        {R"({"cmd": "open", "path": "clean.obj"})", R"({"cmd": "open", "path": "fan.obj"})",
+         R"({"cmd": "stats", "path": "fan.json"})"});
     const Outcome outcome = run_program({"replay", script});
     EXPECT_EQ(outcome.exit_status, 0);
     EXPECT_TRUE(outcome.err.starts_with(script + ":3: open: fan.obj: 1 edge cut ")) << outcome.err;
@@ -149,9 +150,9 @@ TEST(Replay, ReadsTheScriptFromStandardInput) {
 
 TEST(Replay, WritesOnlyTheRequestedFiles) {
     const ScratchFolder folder;
-    expect_done(run_program(
-        {"replay", folder.write_script("s.jsonl", {kSphere, kDrag, save("a.obj"), save("a.obj"),
-                                                   R"({"cmd": "stats", "path": "a.json"})"})}));
+    expect_done(run_program({"replay", write_script(folder, "s.jsonl",
+                                                    {kSphere, kDrag, save("a.obj"), save("a.obj"),
+                                                     R"({"cmd": "stats", "path": "a.json"})"})}));
     EXPECT_EQ(folder.files(), (std::set<std::string>{"a.json", "a.obj", "s.jsonl"}));
 }
 

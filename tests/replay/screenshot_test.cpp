@@ -13,7 +13,7 @@ bool can_draw() {
     const ScratchFolder folder;
     const Outcome outcome = run_program(
         {"replay",
-         folder.write_script("s.jsonl", {kSphere, R"({"cmd": "screenshot", "path": "a.png"})"})});
+         write_script(folder, "s.jsonl", {kSphere, R"({"cmd": "screenshot", "path": "a.png"})"})});
     EXPECT_TRUE(outcome.exit_status == 0 || outcome.err.find("install") != std::string::npos)
         << outcome.err;
     return outcome.exit_status == 0;
@@ -24,8 +24,8 @@ TEST(ReplayScreenshot, WritesAPictureBesideTheScript) {
     const ScratchFolder folder;
     const Outcome outcome = run_program(
         {"replay",
-         folder.write_script(
-             "s.jsonl",
+         write_script(
+             folder, "s.jsonl",
              {kSphere, R"({"cmd": "screenshot", "path": "a.png", "size": [100, 50]})",
               R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0, 0, 1.2]}]})",
               R"({"cmd": "screenshot", "path": "b.png", "show": ["lattice", "wireframe"]})"})});
@@ -42,8 +42,9 @@ TEST(ReplayScreenshot, WritesAPictureBesideTheScript) {
 TEST(ReplayScreenshot, GivesTheSameBytesEveryTime) {
     if (!can_draw()) GTEST_SKIP() << "nothing can be drawn here";
     const ScratchFolder folder;
-    const std::string script = folder.write_script(
-        "s.jsonl", {kSphere, R"({"cmd": "screenshot", "path": "a.png", "show": ["wireframe"]})"});
+    const std::string script =
+        write_script(folder, "s.jsonl",
+                     {kSphere, R"({"cmd": "screenshot", "path": "a.png", "show": ["wireframe"]})"});
     run_program({"replay", script});
     const std::string once = folder.read("a.png");
     run_program({"replay", script});
@@ -53,8 +54,8 @@ TEST(ReplayScreenshot, GivesTheSameBytesEveryTime) {
 TEST(ReplayScreenshot, ReportsTheLineOfAPictureThatCannotBeWrittenAndLeavesNoFile) {
     if (!can_draw()) GTEST_SKIP() << "nothing can be drawn here";
     const ScratchFolder folder;
-    const std::string script =
-        folder.write_script("s.jsonl", {kSphere, R"({"cmd": "screenshot", "path": "none/a.png"})"});
+    const std::string script = write_script(
+        folder, "s.jsonl", {kSphere, R"({"cmd": "screenshot", "path": "none/a.png"})"});
     const Outcome outcome = run_program({"replay", script});
     EXPECT_EQ(outcome.exit_status, 1);
     EXPECT_TRUE(outcome.err.starts_with(script + ":3: screenshot: ")) << outcome.err;
@@ -65,8 +66,8 @@ TEST(ReplayScreenshot, ReportsTheLineOfAPictureThatCannotBeWrittenAndLeavesNoFil
 TEST(ReplayScreenshot, GivesTheSamePictureWithEitherHost) {
     ::setenv("LIBGL_ALWAYS_SOFTWARE", "1", 1);
     const ScratchFolder folder;
-    const std::string script = folder.write_script(
-        "s.jsonl",
+    const std::string script = write_script(
+        folder, "s.jsonl",
         {kSphere, R"({"cmd": "screenshot", "path": "a.png", "show": ["wireframe", "levels"]})"});
     std::vector<std::string> pictures;
     for (const char* host : {"osmesa", "egl"}) {
@@ -85,7 +86,7 @@ TEST(ReplayScreenshot, GivesTheSamePictureWithEitherHost) {
 TEST(ReplayScreenshot, RefusesAnUnknownHost) {
     const ScratchFolder folder;
     const std::string script =
-        folder.write_script("s.jsonl", {kSphere, R"({"cmd": "screenshot", "path": "a.png"})"});
+        write_script(folder, "s.jsonl", {kSphere, R"({"cmd": "screenshot", "path": "a.png"})"});
     ::setenv("PECTIN_OFFSCREEN", "glx", 1);
     const Outcome outcome = run_program({"replay", script});
     ::unsetenv("PECTIN_OFFSCREEN");

@@ -64,8 +64,9 @@ TEST(ReplaySignals, DuringASaveLeaveTheOldFileAndNoTemporaryFile) {
     const ScratchFolder folder;
     folder.write("large.obj", "old\n");
     const std::string script =
-        folder.write_script("s.jsonl", {R"({"cmd": "shape", "kind": "sphere", "resolution": 8})",
-                                        R"({"cmd": "save", "path": "large.obj"})"});
+        write_script(folder, "s.jsonl",
+                     {R"({"cmd": "shape", "kind": "sphere", "resolution": 8})",
+                      R"({"cmd": "save", "path": "large.obj"})"});
     Process program({PECTIN_BINARY, "replay", script}, {}, folder.path("err"));
     const auto writes = [&] {
         const auto files = folder.files();
@@ -140,8 +141,9 @@ TEST(ReplayStandardFiles, AreOpenEvenIfTheyWereClosedAtTheStart) {
 std::string talkative_script(const ScratchFolder& folder) {
     // A face that contains a vertex twice is kept and reported.
     folder.write("model.obj", "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\nf 1 1 2\n");
-    return folder.write_script("s.jsonl", {R"({"cmd": "open", "path": "model.obj"})",
-                                           R"({"cmd": "save", "path": "last.obj"})"});
+    return write_script(
+        folder, "s.jsonl",
+        {R"({"cmd": "open", "path": "model.obj"})", R"({"cmd": "save", "path": "last.obj"})"});
 }
 
 TEST(ReplaySignals, FromAClosedPipeDoNotPreventLaterCommands) {
@@ -163,8 +165,9 @@ TEST(ReplaySignals, FromAClosedPipeDoNotPreventLaterCommands) {
 TEST(ReplaySignals, FromAFileSizeLimitAreAnErrorOfThatFileOnly) {
     const ScratchFolder folder;
     const std::string script =
-        folder.write_script("s.jsonl", {R"({"cmd": "shape", "kind": "sphere", "resolution": 5})",
-                                        R"({"cmd": "save", "path": "large.obj"})"});
+        write_script(folder, "s.jsonl",
+                     {R"({"cmd": "shape", "kind": "sphere", "resolution": 5})",
+                      R"({"cmd": "save", "path": "large.obj"})"});
     Process shell(
         {"/bin/sh", "-c", "ulimit -f 8; exec \"$0\" replay \"$1\"", PECTIN_BINARY, script}, {},
         folder.path("err"));

@@ -1,20 +1,16 @@
-// One long session over many objects: whatever is asked of it, in whatever order, it stays valid,
-// refuses what cannot be done and gives back every step, to the byte. PECTIN_TEST_SEED begins with
-// another object than the first.
+// Tests one long session with many objects and random commands. The mesh stays valid, impossible
+// commands are refused, and undo and redo restore every step to the byte. PECTIN_TEST_SEED chooses
+// the object to begin with.
 #include <gtest/gtest.h>
-
-#include <unistd.h>
 
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
-#include <filesystem>
 #include <functional>
 #include <limits>
 #include <map>
 #include <numbers>
 
-#include "io/atomic_file.h"
 #include "io/file_error.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
@@ -24,6 +20,8 @@
 #include "support/mesh_figures.h"
 #include "support/random_commands.h"
 #include "support/random_mesh.h"
+#include "support/scratch_folder.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -35,7 +33,8 @@ struct Input {
     std::string description;
 };
 
-// The side walls are quads, the two ends are one polygon each: concave, and often spiky.
+// A prism. The side walls are quads. Each end is one polygon, which is concave and often has sharp
+// spikes.
 Input star_prism(Random& random) {
     IndexedFaceSet set;
     const auto corners = static_cast<std::uint32_t>(random.integer(3, 40));
@@ -66,8 +65,8 @@ Input star_prism(Random& random) {
     return {std::move(set), "prism of a star with " + std::to_string(corners) + " corners"};
 }
 
-// Surfaces that are generated, damaged, cut or made of separate facets, prisms with large polygons,
-// and real models where there are any, whole or with seams.
+// A random object as OBJ text: a prism with large polygons, a random mesh, or a real model if the
+// folder of models is present. Some vertices of a model may be duplicated, so that seams arise.
 std::string random_object(Random& random, std::string& description) {
     if (random.chance(0.25)) {
         const Input prism = star_prism(random);
@@ -91,7 +90,8 @@ std::string random_object(Random& random, std::string& description) {
     return format_obj(generated.mesh);
 }
 
-// What no person means: it has to be refused, or to do no harm.
+// A command with extreme or invalid values. It must be refused, or executed without making the mesh
+// invalid.
 Command hostile_command(const TriMesh& mesh, Random& random) {
     constexpr double kValues[] = {0.0,
                                   -1.0,
@@ -147,20 +147,15 @@ struct Totals {
 
 class Soak : public testing::Test {
   protected:
-    Soak()
-        : path_(std::filesystem::temp_directory_path() /
-                ("pectin-soak-" + std::to_string(::getpid()) + ".obj")) {}
-    ~Soak() override { std::filesystem::remove(path_); }
-
     void open(const std::string& obj) {
-        write_file_atomically(path_.string(), obj);
-        const auto refusal = session_.execute(command::Open{.path = path_.string()});
+        folder_.write("a.obj", obj);
+        const auto refusal = session_.execute(command::Open{.path = folder_.path("a.obj")});
         ASSERT_FALSE(refusal.has_value()) << *refusal;
         const double size = 0.3 * session_.mesh().bounding_box().diagonal();
         size_ = size > 0.0 ? size : 1.0;
-        // The larger objects need more; a runaway session still ends.
+        // Larger objects need a larger budget. It is limited, so that every session ends.
         budget_ = std::max<std::uint64_t>(5'000, 2 * session_.mesh().face_count());
-        // All of them: the object before has left its own.
+        // Every setting is given, because those used for the previous object remain in force.
         ASSERT_FALSE(session_.execute(command::Adapt{.enabled = true,
                                                      .theta_max = Setting::of(20.0),
                                                      .theta_min = Setting::automatic(),
@@ -186,7 +181,7 @@ class Soak : public testing::Test {
         }
     }
 
-    // Executes commands on the object that was opened, then goes back and forth through all steps.
+    // Executes commands on the open object, and then undoes and redoes all steps.
     void sculpt(int commands, Random& random) {
         std::map<std::size_t, std::size_t> seen{{0, digest(session_.mesh())}};
         for (int i = 0; i < commands; ++i) {
@@ -229,11 +224,11 @@ class Soak : public testing::Test {
     std::uint64_t budget_ = 5'000;
 
   private:
-    std::filesystem::path path_;
+    ScratchFolder folder_;
 };
 
-TEST_F(Soak, OfRandomCommandsKeepsEveryStep) {
-    const bool is_long = std::getenv("PECTIN_TEST_LONG") != nullptr;
+TEST_F(Soak, RandomCommandsKeepEveryStep) {
+    const bool is_long = test::is_long();
     const int wanted = is_long ? 100'000 : 1'000;
     const char* const first = std::getenv("PECTIN_TEST_SEED");
     std::uint64_t seed = first ? std::strtoull(first, nullptr, 10) : 90'000;
@@ -242,7 +237,7 @@ TEST_F(Soak, OfRandomCommandsKeepsEveryStep) {
         std::string description;
         const std::string obj = random_object(random, description);
         SCOPED_TRACE("seed " + std::to_string(seed) + ": " + description);
-        if (is_long) {  // a crash leaves no trace
+        if (is_long) {  // a crash would not print the traces
             std::printf("seed %llu\n", static_cast<unsigned long long>(seed));
             std::fflush(stdout);
         }

@@ -16,7 +16,7 @@
 
 namespace pectin {
 
-// Whether the library is loaded and this function of it says that a context of its is current.
+// Whether the library is loaded and its function says that one of its contexts is current.
 inline bool has_current_context(const char* library, const char* function) {
     void* const loaded = ::dlopen(library, RTLD_LAZY | RTLD_NOLOAD);
     if (!loaded) return false;
@@ -26,8 +26,8 @@ inline bool has_current_context(const char* library, const char* function) {
     return has_context;
 }
 
-// The host whose context is current, as PECTIN_OFFSCREEN names it, by asking the libraries; empty
-// if neither has one.
+// Asks the libraries which of them has the current context, and returns the name of its host as in
+// PECTIN_OFFSCREEN. Returns an empty name if neither has one.
 inline std::string current_offscreen_host() {
     if (has_current_context("libOSMesa.so.8", "OSMesaGetCurrentContext")) return "osmesa";
     if (has_current_context("libEGL.so.1", "eglGetCurrentContext")) return "egl";

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <map>
 
@@ -150,12 +149,6 @@ Vec3 Random::direction() {
         const double length = glm::length(v);
         if (length > 0.1 && length < 1.0) return v / length;
     }
-}
-
-int case_count(int count) {
-    if (std::getenv("PECTIN_TEST_SANITIZED")) count = std::max(8, count / 8);
-    if (std::getenv("PECTIN_TEST_LONG")) count *= 10;
-    return count;
 }
 
 void unshare_vertices(IndexedFaceSet& set, Random& random, double fraction) {

@@ -1,6 +1,7 @@
 // Random inputs for the property tests. The same seed gives the same input on every machine.
 #pragma once
 
+#include <cmath>
 #include <cstdint>
 #include <random>
 #include <string>
@@ -29,9 +30,6 @@ class Random {
   private:
     std::mt19937_64 engine_;
 };
-
-// The number of cases to run instead of `count`: more in a long run, fewer under sanitizers.
-int case_count(int count);
 
 // Gives polygons their own vertices, as in files of separate facets. `share`: the fraction of
 // polygons to which this applies.

@@ -174,7 +174,7 @@ TEST(Floor, IsKeptAndReported) {
     EXPECT_FALSE(frame.budget_hit);
     EXPECT_GT(frame.splits, 0u);
     for (EdgeId e : test::live_edges(frames.mesh)) {
-        // Halves are not shorter. The new edge across a face may be, since it may be its height.
+        // The halves are not shorter. The new edge may be, because it may be a height of the face.
         EXPECT_GE(frames.mesh.length(e), 0.5 * 0.02);
     }
     Frames coarse({.curvature = angles(0.5, 0.4), .floor = 1.0}, 0.8);
@@ -182,7 +182,7 @@ TEST(Floor, IsKeptAndReported) {
     EXPECT_EQ(coarse.active.splits(), 0u);
 }
 
-// Also where the warp crushes edges that are long at rest, which then precede others.
+// This holds even if the warp compresses edges that are long at rest and are therefore split first.
 TEST(Floor, IsNeverCrossedByASplit) {
     int crushed = 0;
     for (std::uint64_t seed = 700; seed < 800; ++seed) {

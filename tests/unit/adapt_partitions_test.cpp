@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <tuple>
 #include <utility>
@@ -21,6 +22,7 @@
 #include "mesh/mesh_change.h"
 #include "mesh/shapes.h"
 #include "support/mesh_figures.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -43,19 +45,24 @@ struct Scene {
     int steps = 0;             // of the warp
     bool is_mirrored = false;  // symmetric at x = 0, and refined so
 };
-// A smooth closed surface; creases and texture coordinates; a border of the active set; a boundary;
-// one drag, and two drags one after another; symmetry.
+// The scenes have creases and texture coordinates, a border of the active set, symmetry, two drags
+// one after another, a smooth closed surface, a boundary, or one drag.
 const Scene kScenes[] = {
-    {"sphere", ShapeKind::sphere, 5, kAll},
     {"cube", ShapeKind::cube, 40, kAll},
     {"part of a sphere", ShapeKind::sphere, 5, {.min = Vec3{-0.7}, .max = Vec3{2.0}}, false},
+    {"mirrored dragged sphere", ShapeKind::sphere, 5, kAll, true, 1, true},
+    {"sphere dragged twice", ShapeKind::sphere, 5, kAll, true, 2},
+    {"sphere", ShapeKind::sphere, 5, kAll},
     {"plane", ShapeKind::plane, 100, kAll},
     {"dragged sphere", ShapeKind::sphere, 5, kAll, true, 1},
-    {"sphere dragged twice", ShapeKind::sphere, 5, kAll, true, 2},
     {"mirrored sphere", ShapeKind::sphere, 5, kAll, true, 0, true},
     {"mirrored cube", ShapeKind::cube, 40, kAll, true, 0, true},
-    {"mirrored dragged sphere", ShapeKind::sphere, 5, kAll, true, 1, true},
 };
+
+// Sanitizers slow the scenes down by a factor of 10 to 30, so with them only the first few are run.
+std::span<const Scene> scenes() {
+    return std::span(kScenes).first(test::is_sanitized() ? 3 : std::size(kScenes));
+}
 
 TriMesh mesh_of(const Scene& scene) {
     return build_mesh(make_shape(scene.shape, scene.resolution)).mesh;
@@ -112,7 +119,7 @@ class Refined {
 AdaptLimits half_of(const TriMesh& mesh) { return {.l_max = 0.5 * mean_edge(mesh), .floor = 1e-6}; }
 
 TEST(Partitions, GiveTheSameMeshAsSerialEdits) {
-    for (const Scene& scene : kScenes) {
+    for (const Scene& scene : scenes()) {
         SCOPED_TRACE(scene.name);
         const TriMesh before = mesh_of(scene);
         Refined refined(scene);
@@ -152,9 +159,9 @@ TEST(Partitions, GiveTheSameMeshAsSerialEdits) {
     }
 }
 
-// With short batches too, whose partitions border on each other in many places.
+// Short batches are tested, too, because their partitions border on each other in many places.
 TEST(Partitions, KeepAMirroredMeshMirrored) {
-    for (const Scene& scene : kScenes) {
+    for (const Scene& scene : scenes()) {
         if (!scene.is_mirrored) continue;
         for (const std::size_t partition_batch : {kPartitionBatch, std::size_t{60}}) {
             SCOPED_TRACE(scene.name + (", " + std::to_string(partition_batch)));
@@ -174,7 +181,7 @@ TEST(Partitions, KeepAMirroredMeshMirrored) {
 }
 
 TEST(Partitions, UndoAllSplitsWithAllLimitsOff) {
-    for (const Scene& scene : kScenes) {
+    for (const Scene& scene : scenes()) {
         if (!scene.is_all_active) continue;  // splits beyond the scope are not undone
         if (scene.steps > 0) continue;       // base vertices have moved
         SCOPED_TRACE(scene.name);
@@ -190,7 +197,7 @@ TEST(Partitions, UndoAllSplitsWithAllLimitsOff) {
     }
 }
 
-// This includes free lists and logs.
+// The comparison includes free lists and logs.
 TEST(Partitions, GiveTheSameBytesOnAnyNumberOfThreads) {
     const auto refined_on = [](const Scene& scene, int threads) {
         const tbb::global_control control(tbb::global_control::max_allowed_parallelism,
@@ -207,22 +214,21 @@ TEST(Partitions, GiveTheSameBytesOnAnyNumberOfThreads) {
             return std::tuple(refined.mesh(), std::move(faces), refined.finish().edits);
         });
     };
-    for (const Scene& scene : kScenes) {
+    for (const Scene& scene : scenes()) {
         SCOPED_TRACE(scene.name);
         const auto one = refined_on(scene, 1);
-        for (int threads : {2, 8}) {
-            for (int time = 0; time < 2; ++time) {
-                const auto many = refined_on(scene, threads);
-                EXPECT_TRUE(std::get<0>(many) == std::get<0>(one));
-                EXPECT_EQ(std::get<1>(many), std::get<1>(one));
-                EXPECT_TRUE(std::get<2>(many) == std::get<2>(one));
-            }
+        const auto counts = test::is_sanitized() ? std::vector{8} : std::vector{2, 2, 8, 8};
+        for (const int threads : counts) {
+            const auto many = refined_on(scene, threads);
+            EXPECT_TRUE(std::get<0>(many) == std::get<0>(one));
+            EXPECT_EQ(std::get<1>(many), std::get<1>(one));
+            EXPECT_TRUE(std::get<2>(many) == std::get<2>(one));
         }
     }
 }
 
 TEST(Partitions, StayWithinTheBudget) {
-    for (const Scene& scene : kScenes) {
+    for (const Scene& scene : scenes()) {
         SCOPED_TRACE(scene.name);
         const TriMesh before = mesh_of(scene);
         AdaptLimits limits = half_of(before);
@@ -239,7 +245,7 @@ TEST(Partitions, StayWithinTheBudget) {
 // An accepted edge is the longest of its faces when its turn comes. All other edges are deferred:
 // returned, or queued again.
 TEST(ConcurrentSplits, SplitTheLongestEdgesOfTheirFacesAndDeferTheOthers) {
-    for (const Scene& scene : kScenes) {
+    for (const Scene& scene : scenes()) {
         if (scene.steps > 0) continue;  // at rest, lengths are those of the mesh
         SCOPED_TRACE(scene.name);
         Refined refined(scene);

@@ -92,7 +92,7 @@ TEST(Propagation, ComparesEachEdgeOfALongChainAFewTimesOnly) {
     EXPECT_GT(longest, 10'000u);
 }
 
-// Levels end. When they do, nothing in the fan may be split any more.
+// The level of a vertex is limited. At the limit, no edge of the fan may be split any more.
 TEST(Propagation, ComparesEachEdgeOfAChainThatMayNotBeSplitAFewTimesOnly) {
     constexpr std::uint32_t kSpokes = 80'000;
     TriMesh mesh = build_mesh(fan(kSpokes)).mesh;

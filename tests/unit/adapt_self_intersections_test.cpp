@@ -9,6 +9,7 @@
 #include "geometry/piercing.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {

@@ -1,4 +1,4 @@
-// BackgroundTask.
+// Tests BackgroundTask: its results, progress and cancellation.
 #include "app/background_task.h"
 
 #include <gtest/gtest.h>

@@ -3,15 +3,14 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
-#include <fstream>
 #include <sstream>
 #include <string>
 #include <utility>
 
 #include "app/editor.h"
 #include "command/script.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 
@@ -21,20 +20,11 @@ inline constexpr Vec2 kMiddle{640, 400}, kBeside{20, 780};
 
 class EditorTest : public testing::Test {
   protected:
-    EditorTest() {
-        std::string name = (fs::temp_directory_path() / "pectin editor XXXXXX").string();
-        folder_ = mkdtemp(name.data());
-    }
-    ~EditorTest() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
     void write(const std::string& name, const std::string& text) const {
-        std::ofstream(path(name), std::ios::binary) << text;
+        folder_.write(name, text);
     }
-    std::string read(const std::string& name) const {
-        std::ifstream file(path(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    std::string read(const std::string& name) const { return folder_.read(name); }
     // The editor shows a sphere of the given resolution.
     Editor editor(std::optional<Recorder> recorder = {}, int resolution = 3) const {
         Editor made(std::move(recorder),
@@ -50,13 +40,13 @@ class EditorTest : public testing::Test {
         editor.advance();
     }
     static void press(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
-        editor.handle(event::Move{at, modifiers});
+        editor.handle(event::MouseMove{at, modifiers});
         editor.advance();
         editor.handle(event::Press{MouseButton::left, at, modifiers});
         editor.advance();
     }
     static void move(Editor& editor, const Vec2& at, Modifiers modifiers = {}) {
-        editor.handle(event::Move{at, modifiers});
+        editor.handle(event::MouseMove{at, modifiers});
         editor.advance();
     }
     static void key(Editor& editor, Key key, Modifiers modifiers = {}) {
@@ -86,7 +76,7 @@ class EditorTest : public testing::Test {
     }
 
   private:
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
 }  // namespace pectin

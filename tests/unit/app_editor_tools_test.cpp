@@ -11,7 +11,7 @@ namespace {
 class EditorToolsTest : public EditorTest {
   protected:
     static void scroll(Editor& editor, double notches, const Vec2& at, Modifiers modifiers = {}) {
-        editor.handle(event::Move{at, modifiers});
+        editor.handle(event::MouseMove{at, modifiers});
         editor.handle(event::Scroll{notches, at});
         editor.advance();
     }
@@ -220,9 +220,10 @@ TEST_F(EditorToolsTest, AFoldFreeDragFollowsTheCursorPathBetweenTwoFrames) {
     const Vec2 corner = kMiddle + Vec2(220, 0), end = corner + Vec2(0, -220);
     press(editor, kMiddle);
     for (int i = 1; i <= 8; ++i) {
-        editor.handle(event::Move{kMiddle + i / 8.0 * (corner - kMiddle), {}});
+        editor.handle(event::MouseMove{kMiddle + i / 8.0 * (corner - kMiddle), {}});
     }
-    for (int i = 1; i <= 8; ++i) editor.handle(event::Move{corner + i / 8.0 * (end - corner), {}});
+    for (int i = 1; i <= 8; ++i)
+        editor.handle(event::MouseMove{corner + i / 8.0 * (end - corner), {}});
     editor.advance();
     EXPECT_GT(editor.figures().steps, 2u);
     release(editor, end);

@@ -1,12 +1,12 @@
-// FileBrowser.
+// Tests FileBrowser.
 #include "app/file_browser.h"
 
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 
 #include "io/file_error.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 namespace {
@@ -17,21 +17,16 @@ using Purpose = FileBrowser::Purpose;
 class FileBrowserTest : public testing::Test {
   protected:
     FileBrowserTest() {
-        std::string name = (fs::temp_directory_path() / "pectin files XXXXXX").string();
-        folder_ = mkdtemp(name.data());
-        fs::create_directory(folder_ / "models");
-        fs::create_directory(folder_ / "Attic");
+        fs::create_directory(path("models"));
+        fs::create_directory(path("Attic"));
         for (const char* file : {"b.obj", "A.OBJ", "notes.txt", ".hidden.obj", "models/c.obj"}) {
-            std::ofstream(folder_ / file) << "v 0 0 0\n";
+            folder_.write(file, "v 0 0 0\n");
         }
     }
-    ~FileBrowserTest() override { fs::remove_all(folder_); }
-    std::string path(const std::string& name = "") const {
-        return name.empty() ? folder_.string() : (folder_ / name).string();
-    }
+    std::string path(const std::string& name = "") const { return folder_.path(name); }
 
   private:
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
 TEST_F(FileBrowserTest, ListsFoldersFirstThenModelsWithoutRegardToCase) {

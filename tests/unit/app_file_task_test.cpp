@@ -2,12 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <functional>
 #include <thread>
 
 #include "app/editor.h"
 #include "io/obj_writer.h"
+#include "support/scratch_folder.h"
+#include "support/small_files.h"
 
 namespace pectin {
 namespace {
@@ -16,26 +17,16 @@ using namespace std::chrono_literals;
 namespace fs = std::filesystem;
 constexpr Vec2 kMiddle{640, 400};
 constexpr Modifiers kControl{.control = true};
-constexpr const char* kTetrahedron =
-    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 class FileTaskTest : public testing::Test {
   protected:
-    FileTaskTest() {
-        std::string name = (fs::temp_directory_path() / "pectin files XXXXXX").string();
-        folder_ = mkdtemp(name.data());
-        write("tetrahedron.obj", kTetrahedron);
-    }
-    ~FileTaskTest() override { fs::remove_all(folder_); }
+    FileTaskTest() { write("tetrahedron.obj", kTetrahedron); }
 
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
     void write(const std::string& name, const std::string& text) const {
-        std::ofstream(path(name), std::ios::binary) << text;
+        folder_.write(name, text);
     }
-    std::string read(const std::string& name) const {
-        std::ifstream file(path(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
+    std::string read(const std::string& name) const { return folder_.read(name); }
     // An editor that does all work on files in the background. It shows a sphere; one of resolution
     // 6 takes far longer to save than to cancel.
     Editor editor(int resolution = 3, std::optional<Recorder> recorder = {}) const {
@@ -45,9 +36,9 @@ class FileTaskTest : public testing::Test {
         return made;
     }
     static void drag(Editor& editor) {
-        editor.handle(event::Move{kMiddle, {}});
+        editor.handle(event::MouseMove{kMiddle, {}});
         editor.handle(event::Press{MouseButton::left, kMiddle, {}});
-        editor.handle(event::Move{kMiddle + Vec2(60, -80), {}});
+        editor.handle(event::MouseMove{kMiddle + Vec2(60, -80), {}});
         editor.handle(event::Release{MouseButton::left, kMiddle + Vec2(60, -80), {}});
         editor.advance();
     }
@@ -87,7 +78,7 @@ class FileTaskTest : public testing::Test {
     }
 
   private:
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
 TEST_F(FileTaskTest, AQuickFileIsDoneImmediately) {

@@ -1,5 +1,5 @@
-// How input reaches panels and dialogs when there are many events between two frames. The panels
-// are laid out without a window, and nothing is drawn.
+// Tests how input reaches panels and dialogs if there are many events between two frames. The
+// panels are laid out without a window, and nothing is drawn.
 #include "app/ui/interface.h"
 
 #include <thread>
@@ -35,7 +35,7 @@ class InterfaceTest : public EditorTest {
         }
     }
     void click(const Vec2& at) {
-        give(event::Move{at});
+        give(event::MouseMove{at});
         give(event::Press{MouseButton::left, at});
         give(event::Release{MouseButton::left, at});
     }
@@ -133,11 +133,11 @@ TEST_F(InterfaceTest, ASliderFollowsADragThatEndedBeforeTheNextFrame) {
     const auto theta_max = [this] { return editor_->session().adapt_settings().theta_max; };
     const auto before = theta_max();
     for (double y = 145; y < 260 && theta_max() == before; y += 10) {
-        give(event::Move{{1110, y}});
+        give(event::MouseMove{{1110, y}});
         give(event::Press{MouseButton::left, {1110, y}});
-        give(event::Move{{1085, y}});
+        give(event::MouseMove{{1085, y}});
         give(event::Release{MouseButton::left, {1085, y}});
-        give(event::Move{{600, 700}});
+        give(event::MouseMove{{600, 700}});
     }
     EXPECT_NE(theta_max(), before);
 }
@@ -145,9 +145,9 @@ TEST_F(InterfaceTest, ASliderFollowsADragThatEndedBeforeTheNextFrame) {
 TEST_F(InterfaceTest, AClickBesideThePanelsReachesTheObject) {
     drag(*editor_, kMiddle, kMiddle);  // dismisses the hint
     const std::size_t steps = editor_->session().undo_count();
-    give(event::Move{kMiddle});
+    give(event::MouseMove{kMiddle});
     give(event::Press{MouseButton::left, kMiddle});
-    give(event::Move{kMiddle + Vec2{50, -30}});
+    give(event::MouseMove{kMiddle + Vec2{50, -30}});
     give(event::Release{MouseButton::left, kMiddle + Vec2{50, -30}});
     EXPECT_EQ(editor_->session().undo_count(), steps + 1);
 }
@@ -157,7 +157,7 @@ TEST_F(InterfaceTest, TheCursorShapeDiffersOverTextFieldsAndButtons) {
     press_key(Key{'O'}, kControl);
     bool found = false;
     for (double y = 540; y < 660 && !found; y += 6) {
-        give(event::Move{{600, y}});
+        give(event::MouseMove{{600, y}});
         interface_.lay_out(*editor_, {});
         found = interface_.cursor_shape() == CursorShape::text;
     }

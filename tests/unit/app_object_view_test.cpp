@@ -24,11 +24,11 @@ TEST_F(ObjectViewTest, FramesOfADragUploadOnlyWhatTheyChange) {
     ASSERT_GT(whole, 30'000'000u);
     EXPECT_EQ(view.update(session).bytes, 0u) << "nothing has changed since";
 
-    editor.handle(event::Move{{640, 400}});
+    editor.handle(event::MouseMove{{640, 400}});
     editor.handle(event::Press{MouseButton::left, {640, 400}});
     ASSERT_TRUE(editor.sculptor().is_dragging());
     for (int i = 1; i <= 6; ++i) {
-        editor.handle(event::Move{{640 + i, 400 - i}});
+        editor.handle(event::MouseMove{{640 + i, 400 - i}});
         editor.advance();
         const std::size_t bytes = view.update(session).bytes;
         EXPECT_GT(bytes, 0u);
@@ -52,7 +52,7 @@ TEST_F(ObjectViewTest, ADragAndUndoRestoreThePicture) {
     };
     const auto before = picture();
     editor.handle(event::Press{MouseButton::left, {160, 120}});
-    editor.handle(event::Move{{190, 90}});
+    editor.handle(event::MouseMove{{190, 90}});
     editor.advance();
     view.update(session);
     EXPECT_NE(picture(), before);

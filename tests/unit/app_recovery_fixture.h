@@ -1,16 +1,16 @@
 // Sessions that end unexpectedly, and an Editor that restores them.
 #pragma once
 
-#include <signal.h>
-#include <sys/resource.h>
-
 #include <chrono>
 #include <filesystem>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/recovery_file.h"
 #include "io/file_error.h"
+#include "support/file_size_limit.h"
+#include "support/small_files.h"
 #include "unit/app_editor_fixture.h"
 
 namespace pectin {
@@ -18,8 +18,6 @@ namespace pectin {
 inline const command::Shape kSphere{command::Shape::Kind::sphere, 3};
 inline const command::Drag kDrag{.moves = {{.from = Vec3(0, 0, 1), .to = Vec3(0, 0, 1.4)}}};
 
-inline constexpr const char* kTetrahedron =
-    "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 inline constexpr const char* kCube =
     "v 0 0 0\nv 1 0 0\nv 1 1 0\nv 0 1 0\nv 0 0 1\nv 1 0 1\nv 1 1 1\nv 0 1 1\n"
     "f 1 4 3 2\nf 5 6 7 8\nf 1 2 6 5\nf 3 4 8 7\nf 2 3 7 6\nf 1 5 8 4\n";
@@ -27,29 +25,6 @@ inline const command::Brush kWide{.radius = 0.8};
 // Drags for both models. The second one grabs another point than the first.
 inline const command::Drag kFirst{.moves = {{.from = Vec3(0, 0, 1), .to = Vec3(0, 0.2, 1.4)}}};
 inline const command::Drag kSecond{.moves = {{.from = Vec3(1, 0, 0), .to = Vec3(1.3, 0, 0)}}};
-
-// Limits the size of all files that this process writes, for the lifetime of the object.
-class FileSizeLimit {
-  public:
-    explicit FileSizeLimit(std::uintmax_t bytes) {
-        struct sigaction ignore {};
-        ignore.sa_handler = SIG_IGN;
-        ::sigaction(SIGXFSZ, &ignore, &before_);
-        ::getrlimit(RLIMIT_FSIZE, &limit_);
-        const rlimit lower{static_cast<rlim_t>(bytes), limit_.rlim_max};
-        ::setrlimit(RLIMIT_FSIZE, &lower);
-    }
-    FileSizeLimit(const FileSizeLimit&) = delete;
-    FileSizeLimit& operator=(const FileSizeLimit&) = delete;
-    ~FileSizeLimit() {
-        ::setrlimit(RLIMIT_FSIZE, &limit_);
-        ::sigaction(SIGXFSZ, &before_, nullptr);
-    }
-
-  private:
-    rlimit limit_{};
-    struct sigaction before_ {};
-};
 
 class RecoveryTest : public EditorTest {
   protected:
@@ -65,10 +40,15 @@ class RecoveryTest : public EditorTest {
         for (const Command& command : commands) file.record(command);
     }
     std::vector<LostSession> lost() const { return find_lost_sessions(folder()).sessions; }
+    // An editor that keeps its commands in the state folder.
+    Editor recovering_editor() const {
+        Editor made({}, std::chrono::hours(1));
+        made.workspace().begin_recovery(folder());
+        return made;
+    }
     // Executes the commands in an editor that ends without end_recovery(), as after a crash.
     void crash_after(const std::vector<Command>& commands) const {
-        Editor editor({}, std::chrono::hours(1));
-        editor.workspace().begin_recovery(folder());
+        Editor editor = recovering_editor();
         for (const Command& command : commands) {
             ASSERT_TRUE(editor.execute(command)) << editor.workspace().message();
         }
@@ -76,11 +56,18 @@ class RecoveryTest : public EditorTest {
     static void finish_restoring(Editor& editor) {
         while (editor.restoration()) editor.advance();
     }
-    void restore(Editor& editor) const {
-        editor.offer(lost());
+    static void restore(Editor& editor, std::vector<LostSession> sessions) {
+        editor.offer(std::move(sessions));
         ASSERT_TRUE(editor.offered_session());
         editor.answer_recovery(Editor::RecoveryAnswer::restore);
         finish_restoring(editor);
+    }
+    void restore(Editor& editor) const { restore(editor, lost()); }
+    // As at the start of a window, whose commands are then kept, too.
+    void restore_and_begin_recovery(Editor& editor) const {
+        std::vector<LostSession> sessions = lost();
+        editor.workspace().begin_recovery(folder());
+        restore(editor, std::move(sessions));
     }
     // Returns the saved bytes that these commands give without any recovery.
     std::string bytes_after(const std::vector<Command>& commands) const {

@@ -130,7 +130,7 @@ TEST_F(RecoveryTest, ASessionThatCanNoLongerBeKeptIsReportedAndIsNotTakenForACra
 }
 
 TEST_F(RecoveryTest, AFullDiskLeavesOnlyCompleteLines) {
-    std::string file;
+    fs::path file;
     {
         RecoveryFile recovery(folder());
         recovery.record(kSphere);
@@ -139,7 +139,7 @@ TEST_F(RecoveryTest, AFullDiskLeavesOnlyCompleteLines) {
         const FileSizeLimit limit(fs::file_size(file) + 10);
         EXPECT_THROW(recovery.record(kDrag), FileError);
     }
-    EXPECT_TRUE(read(file.substr(path("").size())).ends_with("}\n"));
+    EXPECT_TRUE(read("state/" + file.filename().string()).ends_with("}\n"));
     EXPECT_EQ(lost().at(0).commands, (std::vector<Command>{kSphere, kDrag}));
 }
 

@@ -33,11 +33,7 @@ TEST_F(RestoringTest, ASessionThatHadSavedOverItsOwnModelIsRestored) {
         EXPECT_EQ(file_count(), 2u) << "commands and model";
         {
             Editor editor = this->editor();
-            auto sessions = lost();
-            editor.workspace().begin_recovery(folder());
-            editor.offer(std::move(sessions));
-            editor.answer_recovery(Editor::RecoveryAnswer::restore);
-            finish_restoring(editor);
+            restore_and_begin_recovery(editor);
             EXPECT_EQ(file_count(), 2u) << "the restoring session has its own files";
             ASSERT_TRUE(editor.execute(kSecond)) << editor.workspace().message();
         }  // which crashes, too
@@ -52,8 +48,7 @@ TEST_F(RestoringTest, ASessionThatHadSavedOverItsOwnModelIsRestored) {
 
 TEST_F(RestoringTest, OnlyTheOwnerCanReadCopiesOfModelsAndTheyAreRemovedWithTheSession) {
     write("a.obj", kTetrahedron);
-    Editor editor({}, std::chrono::hours(1));
-    editor.workspace().begin_recovery(folder());
+    Editor editor = recovering_editor();
     ASSERT_TRUE(editor.execute(command::Open{path("a.obj")}));
     EXPECT_EQ(file_count(), 1u) << "no copy before it is needed";
     ASSERT_TRUE(editor.execute(command::Save{path("b.obj")}));
@@ -88,8 +83,7 @@ TEST_F(RestoringTest, ASessionIsNotRestoredFromAModelThatHasChanged) {
 
 TEST_F(RestoringTest, SavingOverAModelThatAnotherProgramHasChangedWarnsThatItCannotBeRestored) {
     write("a.obj", kTetrahedron);
-    Editor editor({}, std::chrono::hours(1));
-    editor.workspace().begin_recovery(folder());
+    Editor editor = recovering_editor();
     ASSERT_TRUE(editor.execute(command::Open{path("a.obj")}));
     write("a.obj", kCube);
     EXPECT_TRUE(editor.execute(command::Save{path("a.obj")}));
@@ -209,11 +203,7 @@ TEST_F(RestoringTest, RestoringContinuesFrameByFrameAndCanBeCancelled) {
 TEST_F(RestoringTest, TheRestoringSessionIsItselfKeptForRecovery) {
     lose({kSphere, kDrag});
     Editor editor = this->editor();
-    auto sessions = lost();
-    editor.workspace().begin_recovery(folder());
-    editor.offer(std::move(sessions));
-    editor.answer_recovery(Editor::RecoveryAnswer::restore);
-    finish_restoring(editor);
+    restore_and_begin_recovery(editor);
     EXPECT_EQ(file_count(), 1u) << "this session's file also holds the restored commands";
     editor.workspace().end_recovery();
     EXPECT_EQ(file_count(), 0u);

@@ -5,11 +5,11 @@
 #include <bit>
 #include <cmath>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <random>
 
 #include "command/reference.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -155,7 +155,7 @@ TEST(CommandJson, ParsesFormattedCommandsBackToEqualOnes) {
     SCOPED_TRACE("seed " + std::to_string(seed));
     RecordProperty("seed", std::to_string(seed));
     RandomCommand random_command(seed);
-    const int count = std::getenv("PECTIN_TEST_LONG") ? 200'000 : 5'000;
+    const int count = test::is_long() ? 200'000 : 5'000;
     for (int i = 0; i < count; ++i) {
         const Command command = random_command();
         const std::string line = format_command(command);

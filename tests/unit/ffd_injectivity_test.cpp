@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cmath>
-#include <cstdlib>
 #include <limits>
 #include <numbers>
 
@@ -12,6 +11,7 @@
 #include "ffd/fold_guard.h"
 #include "ffd/injectivity.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 #include "unit/ffd_random.h"
 
 namespace pectin {

@@ -6,6 +6,7 @@
 
 #include "ffd/drag_plan.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {

@@ -16,7 +16,7 @@ TEST(Orientation, EqualsIntegerArithmeticForNearlyCollinearPoints) {
     test::Random random(11);
     int on_line = 0;
     for (int i = 0; i < 200'000; ++i) {
-        // Three points in a direction, each off the line by at most one step of the grid. The
+        // Three points in one direction, each at most one step of the grid off the line. The
         // products are below 2^62.
         const int most = 1 << 14;
         const std::int64_t u = random.integer(-most, most), v = random.integer(-most, most);

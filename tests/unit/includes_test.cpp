@@ -60,7 +60,7 @@ const std::vector<Restricted>& restricted_headers() {
     return kTable;
 }
 
-// What is wrong with a line of the file at `path`, relative to src/; nothing if it is right.
+// Returns what is wrong with a line of the file at `path`, relative to src/, or nothing.
 std::optional<std::string> complaint(const std::string& path, const std::string& line) {
     static const std::regex kInclude(R"(^\s*#\s*include\s*([<"])([^>"]*)[>"].*)");
     std::smatch match;

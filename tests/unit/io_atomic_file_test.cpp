@@ -1,35 +1,28 @@
 #include "io/atomic_file.h"
 
 #include <gtest/gtest.h>
-#include <sys/resource.h>
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <csignal>
 #include <filesystem>
 #include <iterator>
 #include <string>
 
 #include "io/file_error.h"
 #include "io/read_file.h"
+#include "support/file_size_limit.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 namespace {
 
 namespace fs = std::filesystem;
 
-// Gives each test its own folder and removes it afterwards.
 class AtomicFileTest : public testing::Test {
   protected:
-    AtomicFileTest() {
-        std::string name = (fs::temp_directory_path() / "pectin-test-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-    }
-    ~AtomicFileTest() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
     std::ptrdiff_t file_count() const {
-        return std::distance(fs::directory_iterator(folder_), fs::directory_iterator());
+        return std::distance(fs::directory_iterator(folder_.path()), fs::directory_iterator());
     }
     static mode_t mode_of(const std::string& path) {
         struct stat status {};
@@ -37,7 +30,7 @@ class AtomicFileTest : public testing::Test {
         return status.st_mode & 07777;
     }
 
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
 std::string refusal(const std::string& path) {
@@ -88,14 +81,10 @@ TEST_F(AtomicFileTest, LeavesTheOldFileAndNoTemporaryWithoutCommit) {
 
 TEST_F(AtomicFileTest, LeavesTheOldFileWhenWritingFailsHalfway) {
     write_file_atomically(path("a"), "old");
-    rlimit limit{};
-    ASSERT_EQ(::getrlimit(RLIMIT_FSIZE, &limit), 0);
-    const rlimit small{1000, limit.rlim_max};
-    const auto handler = std::signal(SIGXFSZ, SIG_IGN);
-    ASSERT_EQ(::setrlimit(RLIMIT_FSIZE, &small), 0);
-    EXPECT_THROW(write_file_atomically(path("a"), std::string(5000, 'x')), FileError);
-    EXPECT_EQ(::setrlimit(RLIMIT_FSIZE, &limit), 0);
-    std::signal(SIGXFSZ, handler);
+    {
+        const FileSizeLimit limit(1000);
+        EXPECT_THROW(write_file_atomically(path("a"), std::string(5000, 'x')), FileError);
+    }
     EXPECT_EQ(read_whole_file(path("a")), "old");
     EXPECT_EQ(file_count(), 1);
 }
@@ -107,7 +96,7 @@ TEST_F(AtomicFileTest, RefusesDevices) {
 
 TEST_F(AtomicFileTest, ReportsWhatIsWrongWithThePath) {
     EXPECT_NE(refusal(path("missing/a")).find("no folder"), std::string::npos);
-    EXPECT_NE(refusal(folder_.string()).find("is a folder"), std::string::npos);
+    EXPECT_NE(refusal(folder_.path()).find("is a folder"), std::string::npos);
     EXPECT_NE(refusal(path("missing/")).find("names a folder"), std::string::npos);
     EXPECT_NE(refusal(path(std::string(300, 'n'))).find("too long"), std::string::npos);
     EXPECT_EQ(file_count(), 0);
@@ -122,9 +111,9 @@ TEST_F(AtomicFileTest, RespectsPermissions) {
     write_file_atomically(path("a"), "old");
     fs::permissions(path("a"), fs::perms::owner_read);
     EXPECT_NE(refusal(path("a")).find("write-protected"), std::string::npos);
-    fs::permissions(folder_, fs::perms::owner_read | fs::perms::owner_exec);
+    fs::permissions(folder_.path(), fs::perms::owner_read | fs::perms::owner_exec);
     EXPECT_NE(refusal(path("b")).find("no permission"), std::string::npos);
-    fs::permissions(folder_, fs::perms::owner_all);
+    fs::permissions(folder_.path(), fs::perms::owner_all);
     EXPECT_EQ(read_whole_file(path("a")), "old");
 }
 
@@ -143,7 +132,7 @@ TEST_F(AtomicFileTest, GivesNewFilesTheModeOfAnyNewFile) {
 }
 
 TEST_F(AtomicFileTest, ReplacesTheTargetOfALinkAndKeepsTheLink) {
-    fs::create_directory(folder_ / "inner");
+    fs::create_directory(path("inner"));
     write_file_atomically(path("inner/target"), "old");
     fs::create_symlink("inner/target", path("link"));
     fs::create_symlink(path("link"), path("link to link"));
@@ -203,7 +192,7 @@ TEST_F(AtomicFileTest, IsReadBackOrRefusedWithAReason) {
         return std::string("read");
     };
     EXPECT_EQ(reason(path("missing")), "no such file");
-    EXPECT_EQ(reason(folder_.string()), "is a folder, not a file");
+    EXPECT_EQ(reason(folder_.path()), "is a folder, not a file");
     EXPECT_EQ(reason("/dev/zero"), "is a device, not a file");
     write_file_atomically(path("a"), "text");
     EXPECT_EQ(reason(path("a")), "read");

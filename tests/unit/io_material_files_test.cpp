@@ -6,7 +6,6 @@
 
 #include <chrono>
 #include <filesystem>
-#include <set>
 #include <stop_token>
 #include <string>
 #include <vector>
@@ -14,6 +13,8 @@
 #include "io/atomic_file.h"
 #include "io/file_error.h"
 #include "io/read_file.h"
+#include "support/scratch_folder.h"
+#include "support/small_files.h"
 
 namespace pectin {
 namespace {
@@ -21,23 +22,20 @@ namespace {
 namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
-// Gives each test two folders in a third one and removes them afterwards.
+// Each test copies files between two folders in a third one.
 class MaterialFilesTest : public testing::Test {
   protected:
     MaterialFilesTest() {
-        std::string name = (fs::temp_directory_path() / "pectin-test-XXXXXX").string();
-        root_ = ::mkdtemp(name.data());
-        fs::create_directory(from_ = root_ / "from");
-        fs::create_directory(to_ = root_ / "to");
+        fs::create_directory(from_);
+        fs::create_directory(to_);
     }
-    ~MaterialFilesTest() override { fs::remove_all(root_); }
 
     static void write(const fs::path& path, const std::string& text) {
         fs::create_directories(path.parent_path());
         write_file_atomically(path.string(), text);
     }
     // Writes a file that begins like a PNG file, so that it is recognised as a picture.
-    static std::string picture(const std::string& pixels) { return "\x89PNG\r\n\x1a\n" + pixels; }
+    static std::string picture(const std::string& pixels) { return kPngSignature + pixels; }
     static void write_picture(const fs::path& path, const std::string& pixels = "") {
         write(path, picture(pixels));
     }
@@ -53,16 +51,12 @@ class MaterialFilesTest : public testing::Test {
         return copy_material_files(statements, from_.string(), to_.string());
     }
     Names files(const fs::path& folder) const {
-        std::set<std::string> names;
-        for (const auto& entry : fs::recursive_directory_iterator(folder)) {
-            if (!entry.is_directory()) {
-                names.insert(entry.path().lexically_relative(folder).generic_string());
-            }
-        }
+        const auto names = folder_.files(folder.string());
         return {names.begin(), names.end()};
     }
 
-    fs::path root_, from_, to_;
+    ScratchFolder folder_;
+    fs::path root_ = folder_.path(), from_ = root_ / "from", to_ = root_ / "to";
 };
 
 TEST_F(MaterialFilesTest, CopiesLibrariesAndEveryTextureThatTheyName) {

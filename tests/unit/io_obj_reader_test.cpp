@@ -1,19 +1,17 @@
 #include "io/obj_reader.h"
 
 #include <gtest/gtest.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <filesystem>
 #include <random>
 #include <stop_token>
 #include <string>
 #include <vector>
 
-#include "io/atomic_file.h"
 #include "io/file_error.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 namespace {
@@ -345,20 +343,19 @@ TEST(ReadObj, StopsWhenItIsCancelled) {
 }
 
 TEST(ReadObj, ReportsProgressFromZeroToOneForAFile) {
-    const std::filesystem::path path =
-        std::filesystem::temp_directory_path() / ("pectin-" + std::to_string(::getpid()) + ".obj");
-    write_file_atomically(path.string(), long_text());
+    const ScratchFolder folder;
+    folder.write("long.obj", long_text());
+    const std::string path = folder.path("long.obj");
     std::vector<double> reports;
-    const IndexedFaceSet f = read_obj(
-        path.string(), Progress({}, [&](double fraction) { reports.push_back(fraction); }));
+    const IndexedFaceSet f =
+        read_obj(path, Progress({}, [&](double fraction) { reports.push_back(fraction); }));
     EXPECT_EQ(f.positions.size(), 100000u);
     EXPECT_TRUE(std::is_sorted(reports.begin(), reports.end()));
     EXPECT_LE(reports.back(), 1.0);
 
     std::stop_source stop;
     stop.request_stop();
-    EXPECT_THROW(read_obj(path.string(), Progress(stop.get_token(), {})), Cancelled);
-    std::filesystem::remove(path);
+    EXPECT_THROW(read_obj(path, Progress(stop.get_token(), {})), Cancelled);
 }
 
 }  // namespace

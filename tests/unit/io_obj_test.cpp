@@ -11,9 +11,9 @@
 #include "io/file_error.h"
 #include "io/obj_reader.h"
 #include "io/obj_writer.h"
-#include "io/read_file.h"
 #include "mesh/build_mesh.h"
 #include "mesh/shapes.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 namespace {
@@ -183,10 +183,9 @@ TEST(WriteObj, NumbersAttributesInCornerOrderForAnyTriangulation) {
 TEST(WriteObj, ReportsWhatIsWrongWithThePathAndLeavesNoFile) {
     const TriMesh mesh = mesh_of(kTriangle + "f 1 2 3");
     EXPECT_THROW(write_obj(mesh, "/nowhere/at/all.obj"), FileError);
-    const auto path = std::filesystem::temp_directory_path() / "pectin-write-obj-test.obj";
-    write_obj(mesh, path.string());
-    EXPECT_EQ(read_whole_file(path.string()), format_obj(mesh));
-    std::filesystem::remove(path);
+    const ScratchFolder folder;
+    write_obj(mesh, folder.path("a.obj"));
+    EXPECT_EQ(folder.read("a.obj"), format_obj(mesh));
 }
 
 // --- Round trip

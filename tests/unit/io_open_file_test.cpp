@@ -21,10 +21,11 @@
 #include <thread>
 #include <utility>
 
-#include "io/atomic_file.h"
 #include "io/file_error.h"
 #include "io/obj_reader.h"
 #include "io/read_file.h"
+#include "support/scratch_folder.h"
+#include "support/small_files.h"
 
 namespace pectin {
 namespace {
@@ -35,13 +36,8 @@ using Clock = std::chrono::steady_clock;
 
 class OpenFileTest : public testing::Test {
   protected:
-    OpenFileTest() {
-        std::string name = (fs::temp_directory_path() / "pectin-open-XXXXXX").string();
-        folder_ = ::mkdtemp(name.data());
-        write_file_atomically(path("a.obj"), "v 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
-    }
-    ~OpenFileTest() override { fs::remove_all(folder_); }
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    OpenFileTest() { folder_.write("a.obj", kTriangle); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
 
     static std::string refusal(const std::string& path) {
         try {
@@ -51,7 +47,7 @@ class OpenFileTest : public testing::Test {
         }
         return "read";
     }
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
 TEST_F(OpenFileTest, RefusesAPipeThatNobodyWritesToWithoutWaiting) {
@@ -67,7 +63,7 @@ TEST_F(OpenFileTest, RefusesAPipeThatNobodyWritesToWithoutWaiting) {
 TEST_F(OpenFileTest, RefusesDevicesSocketsAndFolders) {
     EXPECT_EQ(refusal("/dev/zero"), "is a device, not a file");
     EXPECT_EQ(refusal("/dev/null"), "is a device, not a file");
-    EXPECT_EQ(refusal(folder_.string()), "is a folder, not a file");
+    EXPECT_EQ(refusal(folder_.path()), "is a folder, not a file");
     const int socket = ::socket(AF_UNIX, SOCK_STREAM, 0);
     sockaddr_un address{.sun_family = AF_UNIX, .sun_path = {}};
     const std::string at = path("s");

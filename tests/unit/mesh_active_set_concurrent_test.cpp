@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "mesh/active_set.h"
+#include "support/test_run.h"
 #include "unit/mesh_active_set_random.h"
 
 namespace pectin {

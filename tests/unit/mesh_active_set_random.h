@@ -28,7 +28,8 @@ inline void begin(ActiveSet& active, const Box& zone) {
     active.begin(FaceTree(active.mesh()).faces_meeting(zone, active.mesh()), zone);
 }
 
-// Gives every influenced vertex and wedge any position, mark and normal.
+// Moves random influenced vertices and marks them as deformed. Gives random influenced wedges new
+// normals.
 inline void deform_at_random(ActiveSet& active, Random& random) {
     TriMesh& mesh = active.mesh();
     for (std::uint32_t i = 0; i < active.vertex_entries(); ++i) {
@@ -52,7 +53,8 @@ inline EdgeId random_edge(const TriMesh& mesh, Random& random) {
     return edges[static_cast<std::size_t>(random.integer(0, last))];
 }
 
-// Splits and measures anywhere in the mesh, as propagation may; unsplits only what has an entry.
+// Splits and measures random edges of the mesh, as propagation may. Unsplits only vertices that
+// have an entry.
 inline void edit_at_random(ActiveSet& active, Random& random, int edits) {
     for (int i = 0; i < edits; ++i) {
         if (random.chance(0.5)) active.rest_length(random_edge(active.mesh(), random));
@@ -68,7 +70,7 @@ inline void edit_at_random(ActiveSet& active, Random& random, int edits) {
     }
 }
 
-// Everything an active set says of itself.
+// Compares everything that the public interface of an active set shows.
 inline void expect_same(ActiveSet& x, ActiveSet& y) {
     ASSERT_EQ(x.vertex_entries(), y.vertex_entries());
     ASSERT_EQ(x.wedge_entries(), y.wedge_entries());

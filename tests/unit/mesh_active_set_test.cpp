@@ -11,6 +11,7 @@
 #include "mesh/shapes.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 #include "unit/mesh_active_set_random.h"
 
 namespace pectin {

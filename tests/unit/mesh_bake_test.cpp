@@ -8,6 +8,7 @@
 #include "mesh/unshared_vertices.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {

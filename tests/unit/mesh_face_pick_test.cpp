@@ -5,6 +5,7 @@
 #include "mesh/face_tree.h"
 #include "mesh/shapes.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {

@@ -12,6 +12,7 @@
 #include "session/gesture.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {

@@ -1,10 +1,10 @@
 #include "mesh/growing_array.h"
+#include "support/test_run.h"
 
 #include <gtest/gtest.h>
 
 #include <cstddef>
 #include <cstdint>
-#include <cstdlib>
 #include <limits>
 #include <new>
 #include <string>
@@ -58,7 +58,7 @@ TEST(GrowingArray, IsEmptyOnceMovedFrom) {
 TEST(GrowingArray, StaysAsItWasWhereThereIsNoMemory) {
     GrowingArray<std::uint64_t> array;
     array.push_back(42);
-    if (!std::getenv("PECTIN_TEST_SANITIZED")) {  // the sanitizer's allocator would abort
+    if (!test::is_sanitized()) {  // the sanitizer's allocator would abort
         EXPECT_THROW(array.reserve(std::numeric_limits<std::size_t>::max() / 16), std::bad_alloc);
     }
     // The number of bytes would overflow to a small one.

@@ -125,12 +125,13 @@ TEST(LargePolygon, BridgesToHolesAreCoveredExactly) {
 }
 
 TEST(LargePolygon, HolesThatTouchTheOutlineAtACornerAreCoveredExactly) {
-    // The square's corner (0, 0) is the hole's, too; a bridge joins them at another corner.
+    // The square and the hole share the corner (0, 0). A bridge joins two other corners of them.
     const Ring one{{0, 0, 0}, {10, 0, 0}, {10, 10, 0}, {8, 5, 0}, {0, 0, 0},
                    {5, 8, 0}, {8, 5, 0},  {10, 10, 0}, {0, 10, 0}};
     EXPECT_NEAR(area_of(one), 80.5, 1e-12);
     for (std::size_t by = 0; by < one.size(); ++by) expect_covered(rotated(one, by));
-    // Several of random size, all at the same corner, with bridges to either tip.
+    // Several holes of random size touch the same corner. Bridges lead to either of their other
+    // corners.
     Random random(15);
     for (int i = 0; i < 300; ++i) {
         const int holes = random.integer(1, 4);
@@ -155,8 +156,8 @@ TEST(LargePolygon, HolesThatTouchTheOutlineAtACornerAreCoveredExactly) {
     }
 }
 
-// The outline of triangles of a grid, each glued to one before along one side: it touches itself in
-// corners and along slits, at random.
+// The outline of random triangles of a grid. Each triangle is joined to an earlier one along one
+// side, so the outline touches itself at corners and along slits.
 Ring glued_triangles(Random& random, int size, int triangles) {
     using Corner = std::pair<int, int>;
     std::vector<std::array<Corner, 3>> grid;

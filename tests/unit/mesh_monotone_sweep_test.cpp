@@ -1,5 +1,5 @@
-// Large polygons cut by a sweep: the triangles are right and the steps grow like n log n, where
-// ears take long to find.
+// Tests the triangulation of large polygons by a plane sweep: the triangles cover the polygon, and
+// the number of steps grows like n log n even where finding ears takes more.
 #include "mesh/monotone_sweep.h"
 
 #include <gtest/gtest.h>
@@ -44,7 +44,8 @@ FlatPolygon flat(const Ring& ring) {
     return polygon;
 }
 
-// n - 2 triangles that turn counter-clockwise and have each side once and diagonals in pairs.
+// Expects n - 2 counter-clockwise triangles. Each side of the polygon occurs once, and each
+// diagonal twice, once in each direction.
 void expect_cover(const Ring& ring, const std::vector<CornerTriangle>& triangles) {
     const auto n = static_cast<std::uint32_t>(ring.size());
     ASSERT_EQ(triangles.size(), n - 2u);
@@ -66,7 +67,7 @@ void expect_cover(const Ring& ring, const std::vector<CornerTriangle>& triangles
     EXPECT_NEAR(sum, area_of(ring), 1e-12 * area_of(ring));
 }
 
-// A flat base and teeth of random height.
+// A flat base with teeth of random height.
 Ring sawtooth(int corners, Random& random) {
     Ring ring{{0, 0}, {1, 0}};
     for (int i = corners - 2; i-- > 0;)
@@ -81,7 +82,8 @@ Ring star(int corners, Random& random) {
     }
     return ring;
 }
-// Oblique, so that a sweep finds triangles that are far from Delaunay.
+// An ellipse whose axes are rotated, so that the triangles of the sweep are far from Delaunay
+// triangles.
 Ring ellipse(int corners) {
     Ring ring;
     for (int i = 0; i < corners; ++i) {
@@ -105,7 +107,7 @@ TEST(MonotoneSweep, CoversRandomPolygonsFromEveryFirstCorner) {
                  p.x * std::sin(angle) + p.y * std::cos(angle)};
         }
         std::rotate(ring.begin(), ring.begin() + random.integer(0, n - 1), ring.end());
-        if (area_of(ring) < 0.0) continue;  // a triangle that the origin is outside of
+        if (area_of(ring) < 0.0) continue;  // a triangle that does not contain the origin
         const auto swept = sweep_triangles(ring);
         ASSERT_TRUE(swept.has_value());
         expect_cover(ring, swept->triangles);
@@ -114,7 +116,7 @@ TEST(MonotoneSweep, CoversRandomPolygonsFromEveryFirstCorner) {
 }
 
 TEST(MonotoneSweep, TakesCornersAboveEachOther) {
-    // A plus sign of squares: all sides are upright or level.
+    // A plus sign that consists of squares. All its sides are vertical or horizontal.
     const Ring plus{{1, 0}, {2, 0}, {2, 1}, {3, 1}, {3, 2}, {2, 2},
                     {2, 3}, {1, 3}, {1, 2}, {0, 2}, {0, 1}, {1, 1}};
     const auto swept = sweep_triangles(plus);
@@ -141,7 +143,7 @@ TEST(MonotoneSweep, StepsGrowLikeNLogN) {
             area += area_of(ring[t[0]], ring[t[1]], ring[t[2]]);
         }
         EXPECT_NEAR(area, area_of(ring), 1e-12);
-        // What the search for ears takes grows faster.
+        // The number of steps of the search for ears grows faster.
         const std::size_t most = 4 * ring.size() * std::bit_width(ring.size());
         EXPECT_EQ(clip_ears(flat(ring), most).has_value(), ring.size() < 5'000) << ring.size();
     };
@@ -162,7 +164,7 @@ TEST(MonotoneSweep, EarsOfSmoothCurvesNeedFewFlips) {
 }
 
 TEST(MonotoneSweep, GivesTheTrianglesThatEarsGive) {
-    // Also where circles of many corners leave a choice, and mirrored.
+    // Corners on a circle or on a grid allow several Delaunay triangulations.
     Random random(8);
     const auto triangles_of = [](FlatPolygon polygon, std::vector<CornerTriangle> triangles) {
         flip_to_delaunay(polygon, triangles);
@@ -176,7 +178,7 @@ TEST(MonotoneSweep, GivesTheTrianglesThatEarsGive) {
         if (random.chance(0.3)) {  // corners on a circle
             ring = star(n, random);
             for (Vec2& p : ring) p /= glm::length(p);
-        } else if (random.chance(0.3)) {  // on a grid
+        } else if (random.chance(0.3)) {  // corners on a grid
             ring = {{0, 0}, {n, 0}};
             for (int x = n; x >= 0; --x) ring.push_back({x, random.integer(1, 4)});
         }

@@ -1,4 +1,5 @@
-// The diagonal of a quad depends on its geometry only, and is mirrored if the quad is.
+// Tests that the diagonal of a quad depends only on its geometry, and that mirrored quads get
+// mirrored diagonals.
 #include "mesh/quad_diagonal.h"
 
 #include <gtest/gtest.h>

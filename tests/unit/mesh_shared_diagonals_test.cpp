@@ -1,4 +1,5 @@
-// No diagonal has the ends of another edge where another diagonal is possible.
+// Tests that no diagonal of a polygon joins the ends of another edge if a different diagonal is
+// possible.
 #include "mesh/shared_diagonals.h"
 
 #include <gtest/gtest.h>
@@ -35,14 +36,14 @@ void expect_manifold(const BuiltMesh& built) {
     EXPECT_EQ(built.report.misoriented_edges, 0u);
 }
 
-TEST(SharedDiagonals, TwoQuadsThatShareThreeCornersGetDifferentOnes) {
+TEST(SharedDiagonals, QuadsThatShareThreeCornersGetDifferentDiagonals) {
     const BuiltMesh built = build(kDoublet);
     expect_manifold(built);
     EXPECT_EQ(built.report.boundary_edges, 4u);
     EXPECT_EQ(test::euler_characteristic(built.mesh), 1);
 }
 
-TEST(SharedDiagonals, PolygonsAreSavedAsTheyCameAndSplitOnesOpenAsManifolds) {
+TEST(SharedDiagonals, UntouchedPolygonsAreSavedAsReadAndSplitOnesOpenAsManifolds) {
     BuiltMesh built = build(kDoublet);
     const std::string text = format_obj(built.mesh);
     EXPECT_NE(text.find("\nf 1//1 4//2 3//3 2//4\n"), text.npos) << text;
@@ -53,16 +54,16 @@ TEST(SharedDiagonals, PolygonsAreSavedAsTheyCameAndSplitOnesOpenAsManifolds) {
     EXPECT_EQ(again.mesh.face_count(), built.mesh.face_count());
 }
 
-TEST(SharedDiagonals, AQuadGetsTheOtherOneWhereAnEdgeRunsAlongTheFirst) {
-    // The shorter diagonal 1-3 is a side of the triangle.
+TEST(SharedDiagonals, AQuadGetsTheOtherDiagonalIfAnEdgeJoinsTheEndsOfTheFirst) {
+    // The shorter diagonal of the quad joins its corners 2 and 4, which is a side of the triangle.
     const BuiltMesh built =
         build("v 0 0 0\nv 3 -1 0\nv 6 0 0\nv 3 1 0\nv 3 0 2\nf 1 2 3 4\nf 2 4 5\n");
     expect_manifold(built);
     EXPECT_EQ(test::edge_between(built.mesh, 0, 2), test::edge_between(built.mesh, 2, 0));
 }
 
-TEST(SharedDiagonals, LargerPolygonsChangeTheirTriangulationToo) {
-    // A hexagon whose triangles would use the side of the triangle that stands on it.
+TEST(SharedDiagonals, LargerPolygonsAlsoGetOtherDiagonals) {
+    // A triangle stands on the hexagon, along one of the diagonals that the hexagon would get.
     const std::string hexagon =
         "v 2 0 0\nv 1 1.2 0\nv -1 1.2 0\nv -2 0 0\nv -1 -1.2 0\nv 1 -1.2 0\nv 0 0 3\n"
         "f 1 2 3 4 5 6\n";
@@ -79,16 +80,17 @@ TEST(SharedDiagonals, LargerPolygonsChangeTheirTriangulationToo) {
     EXPECT_EQ(tried, 3);
 }
 
-TEST(SharedDiagonals, AreKeptWhereTheOtherOneWouldFoldTheQuad) {
-    // The arrowhead is only covered along 2-4, which the triangle's side shares.
+TEST(SharedDiagonals, AreKeptIfTheOtherDiagonalWouldFoldTheQuad) {
+    // Only the diagonal 2-4 divides the arrowhead without a fold, and it is also a side of the
+    // triangle.
     const BuiltMesh built =
         build("v 0 0 0\nv 2 1 0\nv 0 2 0\nv 1 1 0\nv 1 1 2\nf 1 2 3 4\nf 2 4 5\n");
     EXPECT_EQ(built.mesh.validate(), std::vector<std::string>{});
     EXPECT_EQ(built.report.nonmanifold_edges, 1u);
 }
 
-TEST(SharedDiagonals, BothQuadsExchangeWhereTheyMirrorEachOther) {
-    // Each other's image at y = 0; the shorter diagonal of both lies there.
+TEST(SharedDiagonals, BothOfTwoMirroredQuadsGetTheOtherDiagonal) {
+    // The quads are mirror images about y = 0, and the shorter diagonal of both lies in that plane.
     const BuiltMesh built =
         build("v -1 0 0\nv 0 -1 1\nv 1 0 0\nv 0 4 2\nv 0 1 1\nv 0 -4 2\nf 1 2 3 4\nf 3 5 1 6\n");
     expect_manifold(built);
@@ -97,8 +99,8 @@ TEST(SharedDiagonals, BothQuadsExchangeWhereTheyMirrorEachOther) {
 
 using Pairs = std::vector<std::pair<std::size_t, std::size_t>>;
 
-// A polygon in x > 0 and its image at x = 0, each with fins on the given diagonals. `first` and
-// `first_of_image` are the corners that they begin with.
+// A polygon in x > 0 and its mirror image about x = 0. On each, a triangle stands on every diagonal
+// in `fins`. The polygon begins with the corner `first`, and the image with `first_of_image`.
 std::string finned_polygons(const std::vector<Vec2>& corners, const Pairs& fins, std::size_t first,
                             std::size_t first_of_image, bool image_comes_first) {
     const std::size_t n = corners.size(), vertices = n + fins.size();
@@ -126,8 +128,8 @@ std::string finned_polygons(const std::vector<Vec2>& corners, const Pairs& fins,
     return text.str();
 }
 
-TEST(SharedDiagonals, NeighboursInOnePolygonGiveWayOneByOneAndMirrored) {
-    // Pentagons with the diagonals 0-2 and 0-3. In the second one both exchanges would give
+TEST(SharedDiagonals, TwoInOnePolygonAreExchangedOneAfterTheOtherAndSymmetrically) {
+    // Pentagons with the diagonals 0-2 and 0-3. In the second pentagon both exchanges would give
     // diagonals of the same length.
     const std::vector<std::vector<Vec2>> shapes{
         {{3, 0.8}, {1.6, 0.5}, {2.4, -0.6}, {3.7, -0.7}, {4.3, 0.4}},
@@ -144,7 +146,7 @@ TEST(SharedDiagonals, NeighboursInOnePolygonGiveWayOneByOneAndMirrored) {
     }
 }
 
-TEST(SharedDiagonals, OfRandomPolygonsGiveWayMirrored) {
+TEST(SharedDiagonals, OfRandomPolygonsAreExchangedSymmetrically) {
     Random random(61);
     for (int i = 0; i < 300; ++i) {
         const auto n = static_cast<std::size_t>(random.integer(5, 12));

@@ -1,4 +1,5 @@
-// Polygons to triangles: areas add up, nothing flips, nothing is left out.
+// Tests that the triangles of a polygon have its area together, that none is flipped, and that none
+// is missing.
 #include "mesh/triangulate.h"
 
 #include <gtest/gtest.h>
@@ -31,7 +32,8 @@ Vec3 area_vector(const std::vector<Vec3>& ring) {
     return sum;
 }
 
-// n - 2 triangles whose sides are those of the polygon once and diagonals twice, once each way.
+// Expects n - 2 triangles. Each side of the polygon occurs once, and each diagonal twice, once in
+// each direction.
 void expect_cover(const std::vector<Vec3>& polygon, const Triangles& triangles) {
     const auto n = static_cast<std::uint32_t>(polygon.size());
     ASSERT_EQ(triangles.size(), n - 2u);
@@ -72,7 +74,8 @@ std::vector<Vec3> rotated(std::vector<Vec3> polygon, std::size_t by) {
     return polygon;
 }
 
-// A ring about the origin in a plane across `normal`, with given radii.
+// A polygon around the origin in the plane with this normal. The directions of its corners are
+// evenly spaced and have the given radii.
 std::vector<Vec3> star_shaped(const Vec3& normal, const std::vector<double>& radii) {
     const Vec3 other = std::abs(normal.x) < 0.5 ? Vec3{1, 0, 0} : Vec3{0, 1, 0};
     const Vec3 u = glm::normalize(glm::cross(normal, other)), v = glm::cross(normal, u);
@@ -90,7 +93,7 @@ TEST(Triangulate, LeavesTrianglesAsTheyAre) {
 }
 
 TEST(Triangulate, CoversArrowheads) {
-    // Its reflex corner is each of the four in turn.
+    // The reflex corner is the first, second, third and fourth in turn.
     const std::vector<Vec3> arrow{{0, 0, 0}, {2, 1, 0}, {0, 2, 0}, {1, 1, 0}};
     for (std::size_t by = 0; by < 4; ++by) {
         const auto polygon = rotated(arrow, by);
@@ -129,7 +132,7 @@ TEST(Triangulate, CoversConcavePolygonsWithoutFlips) {
 }
 
 TEST(Triangulate, CoversCombsAndSpiralsWithoutFlips) {
-    std::vector<Vec3> comb;  // teeth as thin as a tenth of their gaps
+    std::vector<Vec3> comb;  // its teeth are a tenth as wide as the gaps
     for (int i = 0; i < 6; ++i) {
         comb.push_back({i, 0.1, 0});
         comb.push_back({i + 0.05, 3, 0});
@@ -157,7 +160,7 @@ TEST(Triangulate, CoversCombsAndSpiralsWithoutFlips) {
 }
 
 TEST(Triangulate, CoversPolygonsWithCollinearCorners) {
-    // A square with all its sides divided, as modelling programs leave behind.
+    // A square whose sides are divided, as some modelling programs write it.
     std::vector<Vec3> ring;
     const Vec3 corners[] = {{0, 0, 0}, {4, 0, 0}, {4, 4, 0}, {0, 4, 0}};
     for (int side = 0; side < 4; ++side) {
@@ -173,7 +176,7 @@ TEST(Triangulate, CoversPolygonsWithCollinearCorners) {
 }
 
 TEST(Triangulate, GivesPolygonsWithoutInteriorTheSameNumberOfTriangles) {
-    // A bow tie, a star that crosses itself, all corners in one place.
+    // A bow tie, a star that intersects itself, and a polygon whose corners coincide.
     const std::vector<Vec3> tie{{0, 0, 0}, {1, 1, 0}, {1, 0, 0}, {0, 1, 0}};
     EXPECT_EQ(triangles_of(tie).size(), 2u);
     const auto pentagon = star_shaped({0, 0, 1}, std::vector<double>(5, 1.0));
@@ -183,7 +186,7 @@ TEST(Triangulate, GivesPolygonsWithoutInteriorTheSameNumberOfTriangles) {
     expect_cover(point, triangles_of(point));
 }
 
-// Minutes each, if every ear were held against every corner.
+// Each polygon would take minutes if every ear were compared with every corner.
 TEST(Triangulate, HandlesLargePolygons) {
     Random random(77);
     std::vector<double> radii(20'000);
@@ -200,7 +203,7 @@ TEST(Triangulate, HandlesLargePolygons) {
     EXPECT_EQ(triangles_of(huge).size(), huge.size() - 2);
 }
 
-TEST(Triangulate, AppendsToWhatIsThere) {
+TEST(Triangulate, AppendsToTheGivenTriangles) {
     Triangles triangles{{7, 8, 9}};
     triangulate(std::vector<Vec3>{{0, 0, 0}, {1, 0, 0}, {0, 1, 0}}, triangles);
     EXPECT_EQ(triangles, (Triangles{{7, 8, 9}, {0, 1, 2}}));

@@ -2,27 +2,19 @@
 
 #include <gtest/gtest.h>
 
-#include <cstdlib>
-#include <filesystem>
-#include <fstream>
 #include <random>
 
 #include "io/file_error.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 namespace {
 
 class Png : public testing::Test {
   protected:
-    Png() {
-        std::string name = (std::filesystem::temp_directory_path() / "pectin png XXXXXX").string();
-        if (mkdtemp(name.data())) folder_ = name;
-    }
-    ~Png() override { std::filesystem::remove_all(folder_); }
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
 
-  private:
-    std::filesystem::path folder_;
+    ScratchFolder folder_;
 };
 
 std::vector<std::uint8_t> random_pixels(int count, bool opaque) {
@@ -45,7 +37,7 @@ TEST_F(Png, ReadsBackThePixelsThatWereWritten) {
 }
 
 TEST_F(Png, RefusesAFileThatIsNoPicture) {
-    std::ofstream(path("a.png")) << "hello";
+    folder_.write("a.png", "hello");
     try {
         read_png(path("a.png"));
         FAIL() << "was read";

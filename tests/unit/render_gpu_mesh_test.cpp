@@ -55,7 +55,7 @@ TEST_F(GpuMeshTest, JoinsRangesOnlyOverSmallGaps) {
     EXPECT_EQ(gpu_mesh.update(mesh, {}, {}).bytes, 0u);
 }
 
-// The upload for one split depends on the split and not on the mesh, although buffers must grow.
+// The upload for one split does not depend on the size of the mesh, although buffers must grow.
 TEST_F(GpuMeshTest, UploadsForASplitIndependentlyOfTheSizeOfTheMesh) {
     std::size_t bytes[2] = {};
     for (const int i : {0, 1}) {

@@ -10,6 +10,7 @@
 #include "mesh/build_mesh.h"
 #include "mesh/shapes.h"
 #include "support/offscreen.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 namespace {
@@ -235,7 +236,6 @@ TEST_F(RenderTest, DrawsLinesThatPassBesideTheEye) {
 class ScreenshotTest : public OffscreenTest {
   protected:
     ScreenshotTest() { session_.set_viewport(&viewport_); }
-    ~ScreenshotTest() override { std::filesystem::remove(path_); }
 
     PngPixels shoot(const command::Screenshot& screenshot) {
         command::Screenshot to_file = screenshot;
@@ -247,9 +247,8 @@ class ScreenshotTest : public OffscreenTest {
 
     OffscreenViewport viewport_;
     Session session_;
-    const std::string path_ =
-        (std::filesystem::temp_directory_path() / ("pectin" + std::to_string(getpid()) + ".png"))
-            .string();
+    ScratchFolder folder_;
+    const std::string path_ = folder_.path("a.png");
 };
 
 // A sphere of radius 1 seen from distance d fills a cone of half angle asin(1 / d), which

@@ -10,6 +10,7 @@
 #include "session/session.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -112,8 +113,9 @@ TEST(FoldFreeSession, DoesNotIntersectTrianglesThatWereLongBetweenItsSteps) {
     }
 }
 
-// Out and back by another way: edges are long between the steps, and short at the end.
-TEST(FoldFreeSession, RefinesWhatIsLongBetweenItsSteps) {
+// The path leads outwards and returns another way, so edges are longer between the steps than at
+// the end.
+TEST(FoldFreeSession, RefinesEdgesThatAreLongBetweenItsSteps) {
     Session session = sphere(2, 0.6);
     expect_done(session, Adapt{.theta_max = Setting::off(), .flatness = Setting::off()});
     Drag drag = fold_free({0, 0, 1.01});

@@ -1,4 +1,4 @@
-// The findings in the input, as a sentence and as counts.
+// Tests the report on an opened model, as a sentence and as counts.
 #include "session/input_summary.h"
 
 #include <gtest/gtest.h>

@@ -4,41 +4,28 @@
 #include <gtest/gtest.h>
 
 #include <filesystem>
-#include <fstream>
 #include <stop_token>
 #include <vector>
 
 #include "io/file_error.h"
 #include "io/obj_writer.h"
 #include "session/session.h"
+#include "support/scratch_folder.h"
+#include "support/small_files.h"
 
 namespace pectin {
 namespace {
 
 namespace fs = std::filesystem;
 
-const std::string kPicture = "\x89PNG\r\n\x1a\n";  // how one begins
-
 class ModelFile : public testing::Test {
   protected:
-    ModelFile() {
-        std::string name = (fs::temp_directory_path() / "pectin model XXXXXX").string();
-        folder_ = mkdtemp(name.data());
-    }
-    ~ModelFile() override { fs::remove_all(folder_); }
-
-    std::string path(const std::string& name) const { return (folder_ / name).string(); }
+    std::string path(const std::string& name) const { return folder_.path(name); }
     void write(const std::string& name, const std::string& text) const {
-        std::ofstream(path(name), std::ios::binary) << text;
+        folder_.write(name, text);
     }
-    std::string read(const std::string& name) const {
-        std::ifstream file(path(name), std::ios::binary);
-        return {std::istreambuf_iterator<char>(file), {}};
-    }
-    std::size_t file_count() const {
-        return static_cast<std::size_t>(
-            std::distance(fs::directory_iterator(folder_), fs::directory_iterator()));
-    }
+    std::string read(const std::string& name) const { return folder_.read(name); }
+    std::size_t file_count() const { return folder_.files().size(); }
     // A sphere of 20480 faces in a file of its own.
     std::string sphere() const {
         Session session;
@@ -48,7 +35,7 @@ class ModelFile : public testing::Test {
     }
 
   private:
-    fs::path folder_;
+    ScratchFolder folder_;
 };
 
 // The fractions that the work reports.
@@ -155,25 +142,25 @@ TEST_F(ModelFile, LoadingAFileThatIsNoModelIsAnErrorThatNamesIt) {
 
 TEST_F(ModelFile, SavedElsewhereHasItsMaterialFilesThere) {
     for (const char* folder : {"a", "b", "c", "d"}) fs::create_directory(path(folder));
-    write("a/model.obj", "mtllib m.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("a/model.obj", "mtllib m.mtl\n" + kTriangle);
     write("a/m.mtl", "map_Kd t.png\n");
-    write("a/t.png", kPicture + "pixels");
+    write("a/t.png", kPngSignature + "pixels");
     Session session;
     ASSERT_FALSE(session.execute(command::Open{path("a/model.obj")}));
     ASSERT_FALSE(session.execute(command::Save{path("b/model.obj")}));
-    EXPECT_EQ(read("b/t.png"), kPicture + "pixels");
+    EXPECT_EQ(read("b/t.png"), kPngSignature + "pixels");
     EXPECT_EQ(session.remark(), "model.obj: material files copied: m.mtl, t.png");
     EXPECT_FALSE(session.has_failed_partly());
-    // From now on they are there as well, and the folder of the later save comes first.
+    // Now the files are in both folders, and the folder of the later save is searched first.
     write("b/m.mtl", "map_Kd t.png\nmap_Ks u.png\n");
     fs::remove(path("b/t.png"));
-    write("b/u.png", kPicture + "more");
+    write("b/u.png", kPngSignature + "more");
     ASSERT_FALSE(session.execute(command::Save{path("c/model.obj")}));
     EXPECT_EQ(read("c/m.mtl"), read("b/m.mtl"));
-    EXPECT_EQ(read("c/t.png"), kPicture + "pixels");
-    EXPECT_EQ(read("c/u.png"), kPicture + "more");
+    EXPECT_EQ(read("c/t.png"), kPngSignature + "pixels");
+    EXPECT_EQ(read("c/u.png"), kPngSignature + "more");
     EXPECT_EQ(session.remark(), "model.obj: material files copied: m.mtl, t.png, u.png")
-        << "what one folder lacks and another has is not missing";
+        << "a file that one folder lacks and another has is not missing";
     // The files of another object are not copied.
     ASSERT_FALSE(session.execute(command::Shape{}));
     EXPECT_TRUE(session.material_folders().empty());
@@ -181,10 +168,9 @@ TEST_F(ModelFile, SavedElsewhereHasItsMaterialFilesThere) {
 
 TEST_F(ModelFile, SavedElsewhereReportsOnEachMaterialFile) {
     for (const char* folder : {"a", "b", "a/.ssh"}) fs::create_directory(path(folder));
-    write("a/model.obj",
-          "mtllib m.mtl .ssh/k.mtl\nmtllib ../up.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("a/model.obj", "mtllib m.mtl .ssh/k.mtl\nmtllib ../up.mtl\n" + kTriangle);
     write("a/m.mtl", "newmtl m\nmap_Kd t.png\nmap_Ks gone\x1b[1m.png\nmap_Ka run.png\n");
-    write("a/t.png", kPicture);
+    write("a/t.png", kPngSignature);
     write("a/run.png", "#!/bin/sh\n");
     write("a/.ssh/k.mtl", "newmtl k\n");
     write("up.mtl", "newmtl u\n");
@@ -200,7 +186,7 @@ TEST_F(ModelFile, SavedElsewhereReportsOnEachMaterialFile) {
 
 TEST_F(ModelFile, IsSavedAlsoIfItsMaterialFilesCannotBe) {
     for (const char* folder : {"a", "b"}) fs::create_directory(path(folder));
-    write("a/model.obj", "mtllib m/m.mtl other.mtl\nv 0 0 0\nv 1 0 0\nv 0 1 0\nf 1 2 3\n");
+    write("a/model.obj", "mtllib m/m.mtl other.mtl\n" + kTriangle);
     fs::create_directory(path("a/m"));
     write("a/m/m.mtl", "");
     write("a/other.mtl", "newmtl red\n");

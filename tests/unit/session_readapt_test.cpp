@@ -1,4 +1,5 @@
-// Where the readapt command refines by length. A length that the user sets applies everywhere.
+// Tests where the readapt command refines by length. A length that the user sets applies
+// everywhere.
 #include <gtest/gtest.h>
 
 #include <string>

@@ -4,14 +4,15 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <filesystem>
-#include <fstream>
+#include <sstream>
+#include <string>
 
 #include "command/json.h"
 #include "ffd/lattice_field.h"
 #include "session/session.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
+#include "support/scratch_folder.h"
 
 namespace pectin {
 namespace {
@@ -71,7 +72,7 @@ TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverFortyDrags) {
             const std::vector<Vec3> all = positions(session.mesh());
             const Vec3 from =
                 all[static_cast<std::size_t>(random.integer(0, static_cast<int>(all.size()) - 1))];
-            const Vec3 direction = random.direction();  // compilers differ in what comes first
+            const Vec3 direction = random.direction();  // the order of evaluation is unspecified
             Vec3 to = from + random.uniform(0.02, 0.15) * direction;
             if (std::abs(from.x) < 1e-6) to.x = from.x;
             if (to.x * from.x < 0.0) to.x = from.x;
@@ -141,9 +142,8 @@ TEST(SymmetricSession, RefusesToGoAcrossUntilItIsSwitchedOff) {
 
 // --- Connected
 
-std::string two_sheets_path() {
-    const auto path = std::filesystem::temp_directory_path() / "pectin_two_sheets.obj";
-    std::ofstream out(path);
+std::string two_sheets() {
+    std::ostringstream out;
     constexpr int kSide = 21;
     for (const double y : {0.0, 0.1}) {
         for (int i = 0; i < kSide * kSide; ++i) {
@@ -160,13 +160,19 @@ std::string two_sheets_path() {
             }
         }
     }
-    return path.string();
+    return out.str();
+}
+
+void open_two_sheets(Session& session) {
+    const ScratchFolder folder;
+    folder.write("sheets.obj", two_sheets());
+    expect_done(session, command::Open{folder.path("sheets.obj")});
 }
 
 TEST(ConnectedDrag, DoesNotMoveADisconnectedSheetWithinTheRadius) {
     for (const bool fold_free : {false, true}) {
         Session session;
-        expect_done(session, command::Open{two_sheets_path()});
+        open_two_sheets(session);
         expect_done(session, Brush{.radius = 0.6});
         const TriMesh before = session.mesh();
         const Drag drag{
@@ -206,7 +212,7 @@ TEST(ConnectedDrag, DoesNotMoveADisconnectedSheetWithinTheRadius) {
 
 TEST(ConnectedDrag, MovesThePartOfEveryHandleAndOfItsMirrorImage) {
     Session session;
-    expect_done(session, command::Open{two_sheets_path()});
+    open_two_sheets(session);
     expect_done(session, Brush{.radius = 0.6});
     const TriMesh before = session.mesh();
     expect_done(session, command::Symmetry{.plane = Plane::y, .through = {0, 0.05, 0}});
@@ -373,7 +379,7 @@ TEST(ControlPoints, ThatDoNotExistAreRefused) {
     EXPECT_FALSE(refusal_of(session, Control{{{{0, 0, 0}, {1e30, 0, 0}}}}).empty());
 }
 
-// Mirror images of lattices at such a plane are beyond what numbers hold.
+// The mirror images of lattices about such a plane overflow.
 TEST(SymmetricSession, RefusesToDragWithAPlaneAMillionTimesTheSizeOfTheObjectAway) {
     for (const double at : {1e9, -1e9, 1e300}) {
         SCOPED_TRACE(at);

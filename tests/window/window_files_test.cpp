@@ -1,10 +1,10 @@
 // Opening and saving in the real window.
 #include <gtest/gtest.h>
 
-#include <cstdlib>
 #include <filesystem>
 #include <string>
 
+#include "support/test_run.h"
 #include "window/window_fixture.h"
 
 namespace pectin {
@@ -44,7 +44,7 @@ TEST_F(WindowTest, DroppingAModelOpensItAndAnyOtherFileKeepsTheObject) {
 
 TEST_F(WindowTest, ALargeFileIsOpenedInTheBackgroundAndCanBeCancelled) {
     // With sanitizers, a quarter of the size takes as long.
-    const int resolution = std::getenv("PECTIN_TEST_SANITIZED") ? 7 : 8;
+    const int resolution = test::is_sanitized() ? 7 : 8;
     const std::string script = folder().write_script(
         "large.jsonl",
         {R"({"cmd": "shape", "kind": "sphere", "resolution": )" + std::to_string(resolution) + "}",

@@ -19,7 +19,8 @@ constexpr double kOpposedDivergence = 1.5;
 constexpr double kRoundedDown = 1.0 - 1e-6;
 
 double one_minus_cosine(double degrees) {
-    return degrees >= 180.0 ? kOff : 1.0 - std::cos(degrees * std::numbers::pi / 180.0);
+    const double angle = NormalDivergence::angle_or_off(degrees);
+    return angle == kOff ? kOff : 1.0 - std::cos(angle * std::numbers::pi / 180.0);
 }
 
 bool is_defined(const Vec3f& n) { return n != Vec3f{0.0f}; }

@@ -20,11 +20,14 @@ namespace pectin {
 // rest and now.
 class NormalDivergence {
   public:
-    // In degrees. A limit of 180 or more is off.
+    // In degrees. A limit of 180 or more is off, see angle_or_off().
     struct Angles {
         double theta_max = kOff;  // edges that diverge by more are refined
         double theta_min = kOff;  // below theta_max: edges that diverge by less may be decimated
     };
+
+    // Returns kOff for a limit of 180 degrees or more, since no normals diverge by more than that.
+    static double angle_or_off(double degrees) { return degrees < 180.0 ? degrees : kOff; }
 
     NormalDivergence() = default;  // both limits off
     explicit NormalDivergence(const Angles& angles);

@@ -279,7 +279,7 @@ void WindowHost::listen_to_mouse() {
     glfwSetCursorPosCallback(window, [](GLFWwindow* w, double x, double y) {
         WindowHost& host = host_of(w);
         host.cursor_ = {x, y};
-        host.add(event::Move{host.cursor_, held_modifiers(w)});
+        host.add(event::MouseMove{host.cursor_, held_modifiers(w)});
     });
     glfwSetCursorEnterCallback(window, [](GLFWwindow* w, int entered) {
         if (!entered) host_of(w).add(event::Leave{});
@@ -306,7 +306,7 @@ void WindowHost::listen_to_keyboard() {
         WindowHost& host = host_of(w);
         const Key which = key_of(key, scancode);
         if (is_modifier(key)) {
-            host.add(event::Move{host.cursor_, held_modifiers(w)});
+            host.add(event::MouseMove{host.cursor_, held_modifiers(w)});
         } else if (action == GLFW_RELEASE) {
             host.add(event::KeyUp{which});
         } else {

@@ -107,7 +107,7 @@ void scroll_wheel(double amount) {
 }
 
 struct PassToImGui {
-    void operator()(const event::Move& move) const {
+    void operator()(const event::MouseMove& move) const {
         set_modifiers(move.modifiers);
         set_mouse(move.at);
     }

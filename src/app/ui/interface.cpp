@@ -19,7 +19,7 @@ constexpr float kShortestLayout = 1e-6f;  // seconds; Dear ImGui requires a posi
 
 // Of several such events in a row, only the last one matters.
 bool is_movement(const InputEvent& input) {
-    return std::holds_alternative<event::Move>(input) ||
+    return std::holds_alternative<event::MouseMove>(input) ||
            std::holds_alternative<event::Leave>(input) ||
            std::holds_alternative<event::Resize>(input);
 }
@@ -82,7 +82,7 @@ void Interface::handle(Editor& editor, const InputEvent& input) {
     const bool moves = is_movement(input);
     // The panels must know what is under the mouse now before they handle a press.
     if (!moves && has_moved_) settle(editor, 1);
-    if (const auto* move = std::get_if<event::Move>(&input)) cursor_ = move->at;
+    if (const auto* move = std::get_if<event::MouseMove>(&input)) cursor_ = move->at;
     if (const auto* resize = std::get_if<event::Resize>(&input)) {
         ImGui::GetIO().DisplaySize = to_imgui(Vec2(resize->size));
     }
