@@ -12,8 +12,8 @@
 namespace pectin::bench {
 namespace {
 
-// The refinement queue. It orders edges by length class and gives up to some thousands of edges at a
-// time. Within each partition of a length class the order is FIFO.
+// The refinement queue. It orders edges by length class and gives up to some thousands of edges at
+// a time. Within each partition of a length class the order is FIFO.
 class LengthClasses {
   public:
     void push(double squared, std::uint32_t e) {
