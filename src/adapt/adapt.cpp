@@ -110,7 +110,7 @@ Assessment assess(const ActiveSet& active, const Criteria& criteria,
         if (!mesh.is_live(e) || !is_first(e)) continue;
         const HalfEdgeId h = mesh.half_edge(e);
         if (mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h))) {
-            greatest = std::max(greatest, NormalDivergence::largest_on_any_side(mesh, e));
+            greatest = std::max(greatest, criteria.largest_divergence(mesh, e));
         }
         const bool needs = criteria.needs_refinement(active, e);
         if (!needs && !criteria.diverges_on_any_side(mesh, e)) continue;

@@ -39,9 +39,9 @@ Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
       floor_(limits.floor),
       length_(limits.l_max, with_images(std::move(zones), limits.symmetry), between,
               SplitOrder(limits.propagation, limits.symmetry), floor_),
-      harmless_squared_difference_(
-          ask_curvature([](const auto& trigger) { return trigger.harmless_squared_difference(); })),
-      harmless_squared_length_(length_.harmless_squared_length()) {
+      squared_difference_bound_(
+          ask_curvature([](const auto& trigger) { return trigger.fast_path_bound(); })),
+      squared_length_bound_(length_.fast_path_bound()) {
     if (scope) scope_ = with_images(*std::move(scope), limits.symmetry);
 }
 
@@ -61,6 +61,10 @@ bool Criteria::diverges_on_any_side(const TriMesh& mesh, EdgeId e) const {
         [&](const auto& trigger) { return trigger.diverges_on_any_side(mesh, e); });
 }
 
+double Criteria::largest_divergence(const TriMesh& mesh, EdgeId e) const {
+    return ask_curvature([&](const auto& trigger) { return trigger.largest_on_any_side(mesh, e); });
+}
+
 //          a
 //         /|\        All edges at m pass the decimation test. Along a cut, bm and mc pass or fail
 //        / | \       for all sheets at once; ma and md differ from sheet to sheet. On a boundary
@@ -73,8 +77,8 @@ bool Criteria::edges_pass(const ActiveSet& active, const Star& star) const {
         const TriMesh& mesh = active.mesh();
         const auto passes = [&](HalfEdgeId h) {
             const EdgeId e = mesh.edge(h);
-            return trigger.passes_decimation(active, e) &&  // condition (a)
-                   length_.passes_decimation(mesh, e);      // condition (b)
+            return trigger.passes_decimation(active, e) &&  // decimation condition (a)
+                   length_.passes_decimation(mesh, e);      // decimation condition (b)
         };
         return passes(star.bm) && passes(star.mc) && all_sheets(mesh, star, [&](const Star& sheet) {
                    return passes(TriMesh::prev(sheet.mc)) &&
@@ -83,7 +87,7 @@ bool Criteria::edges_pass(const ActiveSet& active, const Star& star) const {
     });
 }
 
-// The merged-edge guard for condition (a). EdgeLength has the one for condition (b).
+// The merged-edge guard for refinement condition (a). EdgeLength has the one for (b).
 bool Criteria::merged_edge_satisfies_criteria(const ActiveSet& active, const Star& star) const {
     return ask_curvature(
         [&](const auto& trigger) { return !trigger.merged_edge_needs_refinement(active, star); });

@@ -1,7 +1,8 @@
 // What adaptive meshing asks of edges and vertices: triggers and guards.
 //
 // Sources: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
-// Eurographics UK 1999. Section 4, conditions (a) and (b).
+// Eurographics UK 1999. Section 4, refinement conditions (a) and (b), decimation conditions (a) and
+// (b).
 // J. Griessmair, W. Purgathofer. Deformation of solids with trivariate B-splines. Eurographics
 // 1989. For the distance of a midpoint from the faces at its edge (the paper's figure 5), which the
 // flatness guard uses.
@@ -27,15 +28,34 @@ namespace pectin {
 
 class Embedding;
 
-// The curvature trigger in use, condition (a). Each alternative is one file in adapt/triggers and
-// has these members of NormalDivergence: needs_refinement, passes_decimation,
-// merged_edge_needs_refinement, harmless_squared_difference and diverges_on_any_side.
+// The curvature trigger in use: conditions (a) of refinement and of decimation. Each alternative is
+// one file in adapt/triggers and has these members of NormalDivergence: needs_refinement,
+// passes_decimation, merged_edge_needs_refinement, fast_path_bound, diverges_on_any_side and
+// largest_on_any_side.
+//
+// What a trigger may depend on:
+// - needs_refinement(e) and passes_decimation(e): the two ends of e with their positions, wedges
+//   and deformed marks, now and at rest, and nothing of the faces at e. Only the new edges bm, mc,
+//   am and dm are tested after a split (EdgeClassifier::classify_one_ring); a trigger that depends
+//   on faces has to be tested like EdgeLength there.
+// - The image of a point that is no vertex, such as a midpoint before it is inserted, is not known
+//   to an active set. Embedding::image computes it, but AdaptLimits are made before the embedding.
+//   Criteria would have to pass it on; `between` is not enough, since only warps of several steps
+//   have it.
+// - The answer must not depend on the order of splits, and several threads ask at a time.
+// - merged_edge_needs_refinement(star) must give the answer that needs_refinement() gives for bc
+//   once m is gone. Otherwise refinement and decimation undo each other's work in turn.
+// - fast_path_bound(): if the trigger does not follow from the difference of the end normals, it
+//   returns 0; then the fast path accepts no edge.
+//
+// An alternative takes the place of NormalDivergence. A condition beside (a) and (b) is a member of
+// Criteria as EdgeLength is: need(), edges_pass(), may_unsplit() and classify_one_ring() ask it.
 using CurvatureTrigger = std::variant<NormalDivergence>;
 
 // Lengths in world units. kOff switches a limit off, in refinement and in decimation.
 struct AdaptLimits {
-    CurvatureTrigger curvature{};  // condition (a)
-    double l_max = kOff;           // condition (b): an edge in the zone that is longer is refined
+    CurvatureTrigger curvature{};  // conditions (a)
+    double l_max = kOff;           // conditions (b): an edge in the zone that is longer is refined
     double flatness = kOff;    // how far an unsplit may move the surface, in lengths of its edge
     double floor = 0.0;        // an edge shorter than twice this is not split
     double propagation = 1.0;  // rho in [1, 1.5), see Propagation
@@ -65,7 +85,7 @@ class Criteria {
 
     const AdaptLimits& limits() const { return limits_; }
 
-    // --- Refinement: e needs it by condition (a) or by condition (b). Cost: O(sides).
+    // --- Refinement: e needs it by refinement condition (a) or (b). Cost: O(sides).
     bool needs_refinement(const ActiveSet& active, EdgeId e) const {
         return need(active, e) == SplitNeed::itself;
     }
@@ -73,13 +93,13 @@ class Criteria {
     SplitNeed need(const ActiveSet& active, EdgeId e) const {
         return curvature_needs_refinement(active, e) ? SplitNeed::itself : length_.need(active, e);
     }
-    // Condition (a) by itself. It depends on the ends of e and not on its faces.
+    // Refinement condition (a) by itself. It depends on the ends of e and not on its faces.
     bool curvature_needs_refinement(const ActiveSet& active, EdgeId e) const;
-    // Condition (b) by itself.
+    // The trigger of conditions (b).
     const EdgeLength& length() const { return length_; }
     // Fast path of needs_refinement() for smooth edges (ActiveSet::smooth_edges). True means that e
-    // needs no refinement; false is inconclusive. may_be_long: false if it is
-    // known that no edge is longer than l_max. Cost: O(1), within one face.
+    // needs no refinement; false is inconclusive. may_be_long: false if it is known that no edge is
+    // longer than l_max. Cost: O(1), within one face.
     bool satisfies_criteria_fast(const TriMesh& mesh, EdgeId e, bool may_be_long) const;
     // Whether the floor forbids to split e, whether e needs refinement or not.
     bool is_below_floor(const TriMesh& mesh, EdgeId e) const {
@@ -89,15 +109,19 @@ class Criteria {
         return floor_.forbids_split(squared_length);
     }
 
-    // --- Decimation: the tests of the edges of a star, and the guards. The tests of its
-    // connectivity are those of TriMesh::removable(), from which `star` comes.
+    // --- Decimation: decimation conditions (a) and (b) for the edges of a star, and the guards.
+    // The star's connectivity and levels have been tested by TriMesh::removable(), from which it
+    // comes.
     bool may_unsplit(const ActiveSet& active, const Star& star) const;
     // Decimation removes none of these. A vertex that is dragged arrives where it is dragged to.
     void keep(std::vector<VertexId> vertices);
 
-    // --- Statistics: e would need refinement by condition (a) if sides with opposed normals
+    // --- Statistics.
+    // Whether e would need refinement by refinement condition (a) if sides with opposed normals
     // counted as well.
     bool diverges_on_any_side(const TriMesh& mesh, EdgeId e) const;
+    // The largest divergence of e over all sides: 1 - cos(angle).
+    double largest_divergence(const TriMesh& mesh, EdgeId e) const;
 
   private:
     // The only place that asks which curvature trigger is in use.
@@ -116,9 +140,9 @@ class Criteria {
     EdgeLength length_;
     std::optional<std::vector<Box>> scope_;
     std::vector<VertexId> kept_;  // sorted
-    // Bounds of the fast path, from the triggers.
-    float harmless_squared_difference_;
-    double harmless_squared_length_;
+    // Bounds of the fast path, from the triggers: of |n1 - n2|^2 and of the squared length.
+    float squared_difference_bound_;
+    double squared_length_bound_;
 };
 
 inline bool Criteria::curvature_needs_refinement(const ActiveSet& active, EdgeId e) const {
@@ -132,11 +156,11 @@ inline bool Criteria::satisfies_criteria_fast(const TriMesh& mesh, EdgeId e,
     const HalfEdge& c = mesh.half_edge(TriMesh::next(h));
     const Vec3f &m = mesh.normal(b.wedge), &n = mesh.normal(c.wedge);
     const float x = m.x - n.x, y = m.y - n.y, z = m.z - n.z;
-    if (!(x * x + y * y + z * z < harmless_squared_difference_)) return false;
+    if (!(x * x + y * y + z * z < squared_difference_bound_)) return false;
     if (!may_be_long) return true;
     const Vec3 &p = mesh.position(b.origin), &q = mesh.position(c.origin);
     const double u = p.x - q.x, v = p.y - q.y, w = p.z - q.z;
-    return u * u + v * v + w * w <= harmless_squared_length_;
+    return u * u + v * v + w * w <= squared_length_bound_;
 }
 
 }  // namespace pectin

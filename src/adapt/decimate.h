@@ -36,7 +36,9 @@ struct Decimation {
 Decimation decimate(ActiveSet& active, const Criteria& criteria,
                     SelfIntersections* self_intersections = nullptr);
 
-// The star of m, if m may be removed; none otherwise. Cost: O(1) for each sheet.
+// The star of m, if m may be removed; none otherwise. The paper's conditions (a) and (b) for a
+// candidate vertex are called removal conditions here, to tell them from those for edges. Cost:
+// O(1) for each sheet.
 std::optional<Star> removable_star(const ActiveSet& active, const Criteria& criteria, VertexId m);
 
 }  // namespace pectin

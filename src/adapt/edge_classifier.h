@@ -1,4 +1,4 @@
-// Which edges wait for a split, before and after splits, and in which octave of length.
+// Which edges wait for a split, before and after splits, and in which length class.
 #pragma once
 
 #include <cstdint>
@@ -12,7 +12,7 @@ namespace pectin {
 // Changes nothing, so several threads may use it at a time. All calls cost O(1) for each side.
 class EdgeClassifier {
   public:
-    // Stands for the octave of an edge that the floor keeps from being split.
+    // Stands for the length class of an edge that the floor keeps from being split.
     static constexpr std::uint16_t kBelowFloor = 0xfffe;
 
     EdgeClassifier(const ActiveSet& active, const Criteria& criteria)
@@ -20,24 +20,24 @@ class EdgeClassifier {
 
     // Whether an edge taken from the queue has to be split now. It may have been split since it was
     // queued, so that its id stands for one of its halves, or its faces may meet the zone no more.
-    bool still_needs_split(EdgeId e, std::size_t octave) const {
+    bool still_needs_split(EdgeId e, std::size_t length_class) const {
         const double squared_length = mesh_.squared_length(e);
-        return RefinementQueue::octave_of(squared_length) == octave &&
+        return RefinementQueue::length_class_of(squared_length) == length_class &&
                !criteria_.is_below_floor(squared_length) && criteria_.needs_refinement(active_, e);
     }
 
-    std::uint16_t octave_of(EdgeId e) const {
+    std::uint16_t length_class_of(EdgeId e) const {
         const double squared_length = mesh_.squared_length(e);
         if (criteria_.is_below_floor(squared_length)) return kBelowFloor;
-        return static_cast<std::uint16_t>(RefinementQueue::octave_of(squared_length));
+        return static_cast<std::uint16_t>(RefinementQueue::length_class_of(squared_length));
     }
 
-    //          a        The split of bc inserted m. Calls visit(edge, octave or kBelowFloor) for
-    //         /|\       the edges that need refinement now: bm, mc, am and dm by condition (a), and
-    //        / | \      any edge of the faces at m by condition (b). An edge may be visited twice.
-    //       b--m--c     Precondition: m has been embedded.
-    //        \ | /
-    //         \|/
+    //          a        The split of bc inserted m. Calls visit(edge, length class or kBelowFloor)
+    //         /|\       for the edges that need refinement now. Refinement condition (a) is tested
+    //        / | \      for bm, mc, am and dm alone, since it depends on the ends of an edge.
+    //       b--m--c     Refinement condition (b) is tested for every edge of the faces at m, since
+    //        \ | /      it depends on faces. An edge may be visited twice. Precondition: m has been
+    //         \|/       embedded.
     //          d
     template <typename Visit>
     void classify_one_ring(const ActiveSet::Inserted& made, Visit visit) const {
@@ -46,7 +46,7 @@ class EdgeClassifier {
             if (!exists(e)) continue;
             const bool is_smooth = k >= 2 || made.is_smooth;
             if (is_smooth && criteria_.satisfies_criteria_fast(mesh_, e, false)) continue;
-            if (criteria_.curvature_needs_refinement(active_, e)) visit(e, octave_of(e));
+            if (criteria_.curvature_needs_refinement(active_, e)) visit(e, length_class_of(e));
         }
         if (!criteria_.length().is_on()) return;
         // Each new face has one of the edges am and dm, the second pair.
@@ -58,13 +58,14 @@ class EdgeClassifier {
     // A split calls visit at most this often for each sheet.
     static constexpr std::size_t kMaxNeeded = 8;
 
-    // Calls visit(edge, octave or kBelowFloor) for the other edges that have to be split because
-    // of e, where Criteria::need() says SplitNeed::another.
+    // Calls visit(edge, length class or kBelowFloor) for the other edges of e's faces that have to
+    // be split because of e, where Criteria::need() says SplitNeed::neighbour.
     template <typename Visit>
-    void for_each_needed_adjacent(EdgeId e, Visit visit) const {
+    void for_each_needed_neighbour(EdgeId e, Visit visit) const {
         mesh_.for_each_side(e, [&](HalfEdgeId h) {
-            visit_needed(h, [&](EdgeId first, std::uint16_t octave) {
-                if (first != e && !criteria_.length().is_long(mesh_, first)) visit(first, octave);
+            visit_needed(h, [&](EdgeId first, std::uint16_t length_class) {
+                if (first != e && !criteria_.length().is_long(mesh_, first))
+                    visit(first, length_class);
             });
         });
     }
@@ -73,7 +74,7 @@ class EdgeClassifier {
     template <typename Visit>
     void visit_needed(HalfEdgeId h, Visit visit) const {
         const HalfEdgeId first = criteria_.length().needed_split(active_, h);
-        if (exists(first)) visit(mesh_.edge(first), octave_of(mesh_.edge(first)));
+        if (exists(first)) visit(mesh_.edge(first), length_class_of(mesh_.edge(first)));
     }
 
     const ActiveSet& active_;

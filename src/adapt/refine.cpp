@@ -57,7 +57,7 @@ class Refiner {
         pending_.partition = batch.partition;
         pending_.splits.clear();
         for (EdgeId e : batch.serial_edges()) {
-            if (classifier_.still_needs_split(e, batch.octave))
+            if (classifier_.still_needs_split(e, batch.length_class))
                 pending_.splits.push_back({e, end_of(e)});
         }
     }
@@ -68,7 +68,8 @@ class Refiner {
         partition_ = pending.partition;
         for (const PendingSplit& next : pending.splits) {
             if (result_.budget_hit) break;
-            // Another chain may have split the edge; its halves have been tested since.
+            // Another chain may have split the edge since then. Its halves are tested when their
+            // new end is embedded.
             if (end_of(next.edge) == next.end) split_with_propagation(next.edge);
         }
         embed_inserted();
@@ -101,8 +102,8 @@ class Refiner {
                    });
         queue_edges_found(needs);
         if (!may_be_long) return;
-        for_each_equal(needs, SplitNeed::another,
-                       [&](std::size_t i) { push_needed_adjacent(active_.edges()[i]); });
+        for_each_equal(needs, SplitNeed::neighbour,
+                       [&](std::size_t i) { push_needed_neighbours(active_.edges()[i]); });
     }
 
     // Writes a SplitNeed for each edge. An edge along a cut is only marked here, as `itself`, and
@@ -131,23 +132,23 @@ class Refiner {
             const EdgeId e = active_.edges()[i];
             if (!is_first(e)) return;
             const SplitNeed need = is_along_cut(e) ? criteria_.need(active_, e) : SplitNeed::itself;
-            if (need == SplitNeed::itself) push(e, classifier_.octave_of(e));
-            if (need == SplitNeed::another) push_needed_adjacent(e);
+            if (need == SplitNeed::itself) push(e, classifier_.length_class_of(e));
+            if (need == SplitNeed::neighbour) push_needed_neighbours(e);
         });
     }
 
     bool is_along_cut(EdgeId e) const { return active_.mesh().sibling(e) != e; }
 
-    void push_needed_adjacent(EdgeId e) {
-        classifier_.for_each_needed_adjacent(
-            e, [this](EdgeId adjacent, std::uint16_t octave) { push(adjacent, octave); });
+    void push_needed_neighbours(EdgeId e) {
+        classifier_.for_each_needed_neighbour(
+            e, [this](EdgeId first, std::uint16_t length_class) { push(first, length_class); });
     }
 
-    void push(EdgeId e, std::uint16_t octave) {
-        if (octave == EdgeClassifier::kBelowFloor) {
+    void push(EdgeId e, std::uint16_t length_class) {
+        if (length_class == EdgeClassifier::kBelowFloor) {
             result_.floor_hit = true;
         } else {
-            queue_.push(e, octave, partition_);
+            queue_.push(e, length_class, partition_);
         }
     }
 
@@ -240,7 +241,7 @@ class Refiner {
         for (const ActiveSet::Inserted& made : inserted_) {
             not_embedded_[made.vertex_entry] = 0;
             classifier_.classify_one_ring(
-                made, [this](EdgeId e, std::uint16_t octave) { push(e, octave); });
+                made, [this](EdgeId e, std::uint16_t length_class) { push(e, length_class); });
         }
         inserted_.clear();
     }

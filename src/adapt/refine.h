@@ -31,7 +31,9 @@
 //    times as long as the edge at rest.
 // 5. An edge is split only if its deformed length is at least twice the floor. By 3 and 4, no edge
 //    at a depth k > log2(A S^2 / (2 Q floor^2)) is that long. So the trees are finite, and so is
-//    the number of splits. Edges are queued only after splits, a few for each.
+//    the number of splits. And the queue empties: an edge is queued by the scan at the beginning,
+//    or because of a split, a few for each. A deferred edge is queued again only by a batch in
+//    which most edges were split (ConcurrentSplits::split).
 // 6. The last resort is the budget, and that levels end (TriMesh::may_split). They also stop what
 //    the argument leaves out: a floor of 0; rounding, where S is so large that rest edges are as
 //    short as a few units in the last place; and a propagation rho > 1, for which the bound in 3 is

@@ -30,23 +30,24 @@ struct PendingSplits {
     std::size_t partition = 0;
 };
 
-// Takes the place of the paper's heap by decreasing edge length: a bucket queue, ordered by octave
-// of squared length, longest first, and FIFO within an octave. It is several times as fast as a
-// binary heap (tests/bench/queue_bench.cpp).
+// Takes the place of the paper's heap by decreasing edge length: a bucket queue, ordered by length
+// class, longest first, and FIFO within a class. A length class holds the edges whose squared
+// lengths have the same binary exponent, so lengths in it differ by a factor of less than sqrt(2).
+// The queue is several times as fast as a binary heap (tests/bench/queue_bench.cpp).
 //
-// Each octave is divided into partitions, so that threads can drain them independently. New edges
-// join the partition of the edge that produced them; an empty partition takes over half of the
-// longest one. This keeps each partition's part of the surface in one thread's cache. push costs
-// O(1); take costs O(1) apart from octaves passed over and edges taken over.
+// Each length class is divided into partitions, so that threads can drain them independently. New
+// edges join the partition of the edge that produced them; an empty partition takes over half of
+// the longest one. This keeps each partition's part of the surface in one thread's cache. push
+// costs O(1); take costs O(1) apart from classes passed over and edges taken over.
 class RefinementQueue {
   public:
-    static constexpr std::size_t kOctaves = 2048;      // the exponents of a double
-    static constexpr std::size_t kSerialBatch = 1024;  // edges in a serial batch, at most
+    static constexpr std::size_t kLengthClasses = 2048;  // the exponents of a double
+    static constexpr std::size_t kSerialBatch = 1024;    // edges in a serial batch, at most
 
-    // Edges of one octave, taken together. A serial batch has edges of one partition.
+    // Edges of one length class, taken together. A serial batch has edges of one partition.
     struct Batch {
         std::array<std::span<const EdgeId>, kPartitions> partitions;
-        std::size_t octave = 0;
+        std::size_t length_class = 0;
         bool is_serial = false;
         std::size_t partition = 0;  // of a serial batch
 
@@ -55,36 +56,36 @@ class RefinementQueue {
 
     explicit RefinementQueue(const Partitioning& partitioning = {}) : partitioning_(partitioning) {}
 
-    void push(EdgeId e, std::size_t octave, std::size_t partition = 0) {
-        if (buckets_.empty()) lowest_ = octave;
-        if (octave < lowest_) {
-            buckets_.insert(buckets_.begin(), lowest_ - octave, {});
-            longest_ += lowest_ - octave;
-            lowest_ = octave;
+    void push(EdgeId e, std::size_t length_class, std::size_t partition = 0) {
+        if (buckets_.empty()) lowest_ = length_class;
+        if (length_class < lowest_) {
+            buckets_.insert(buckets_.begin(), lowest_ - length_class, {});
+            longest_ += lowest_ - length_class;
+            lowest_ = length_class;
         }
-        const std::size_t bucket = octave - lowest_;
+        const std::size_t bucket = length_class - lowest_;
         if (bucket >= buckets_.size()) buckets_.resize(bucket + 1);
         buckets_[bucket].push(e, partition);
         longest_ = std::max(longest_, bucket);
     }
 
-    // Also advances to the longest octave in which edges wait.
+    // Also advances to the longest length class in which edges wait.
     bool is_empty() {
         if (buckets_.empty()) return true;
         while (buckets_[longest_].is_empty() && longest_ > 0) --longest_;
         return buckets_[longest_].is_empty();
     }
 
-    // Removes edges of the longest octave. The batch is valid until the next push. Precondition:
-    // is_empty() has just returned false.
+    // Removes edges of the longest length class. The batch is valid until the next push.
+    // Precondition: is_empty() has just returned false.
     Batch take() {
         Batch batch = buckets_[longest_].take(partitioning_);
-        batch.octave = lowest_ + longest_;
+        batch.length_class = lowest_ + longest_;
         return batch;
     }
 
-    static std::size_t octave_of(double squared_length) {
-        return (std::bit_cast<std::uint64_t>(squared_length) >> 52) & (kOctaves - 1);
+    static std::size_t length_class_of(double squared_length) {
+        return (std::bit_cast<std::uint64_t>(squared_length) >> 52) & (kLengthClasses - 1);
     }
 
   private:
@@ -113,7 +114,7 @@ class RefinementQueue {
         }
     };
 
-    // One octave.
+    // One length class.
     class Bucket {
       public:
         bool is_empty() const { return waiting_ == 0; }
@@ -156,7 +157,7 @@ class RefinementQueue {
     };
 
     Partitioning partitioning_;
-    std::vector<Bucket> buckets_;  // one for each octave from lowest_ on
+    std::vector<Bucket> buckets_;  // one for each length class from lowest_ on
     std::size_t lowest_ = 0;
     std::size_t longest_ = 0;  // no bucket after this one has edges
 };

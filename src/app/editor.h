@@ -199,7 +199,8 @@ class Editor {
     void reset_for_new_object();
     void execute_keeping_message(const Command& command);
     void perform_on_file(Action action);
-    void begin_save();
+    std::string path_to_propose() const;
+    void begin_save(std::optional<Question> next);
     void save(const std::string& path, std::optional<Question> next);
     void use_chosen_file(FileBrowser::Purpose purpose, const std::string& path);
     void save_picture(const std::string& path);

@@ -78,16 +78,12 @@ void Editor::perform_on_file(Action action) {
             browser.emplace(FileBrowser::Purpose::open, workspace_.path());
             break;
         case Action::save:
-            begin_save();
+            begin_save(std::nullopt);
             break;
         case Action::save_as:
-        case Action::export_obj: {
-            const std::string& path = workspace_.path();
-            browser.emplace(
-                FileBrowser::Purpose::save,
-                path.empty() ? workspace_.object_name() + writable_extensions().front() : path);
+        case Action::export_obj:
+            browser.emplace(FileBrowser::Purpose::save, path_to_propose());
             break;
-        }
         case Action::save_picture:
             browser.emplace(
                 FileBrowser::Purpose::save_picture,
@@ -103,11 +99,22 @@ void Editor::perform_on_file(Action action) {
 
 void Editor::open(const std::string& path) { ask_or_do({command::Open{.path = absolute(path)}}); }
 
-void Editor::begin_save() {
-    if (workspace_.path().empty()) {
-        perform(Action::save_as);
+// The path that the dialog for saving begins with.
+std::string Editor::path_to_propose() const {
+    const std::string extension = writable_extensions().front();
+    const std::string& path = workspace_.path();
+    if (path.empty()) return workspace_.object_name() + extension;
+    if (has_writable_format(path)) return path;
+    return std::filesystem::path(path).replace_extension(extension).string();
+}
+
+// Asks for a path if the object has none, or one in a format that is only read.
+void Editor::begin_save(std::optional<Question> next) {
+    if (has_writable_format(workspace_.path())) {
+        save(workspace_.path(), std::move(next));
     } else {
-        save(workspace_.path(), std::nullopt);
+        perform(Action::save_as);
+        after_save_ = std::move(next);
     }
 }
 
@@ -200,13 +207,7 @@ void Editor::answer(Answer answer) {
     const Question asked = *std::exchange(question, std::nullopt);
     enter_pressed_ = false;
     if (answer == Answer::discard) do_without_asking(asked);
-    if (answer != Answer::save) return;
-    if (workspace_.path().empty()) {
-        perform(Action::save_as);
-        after_save_ = asked;
-    } else {
-        save(workspace_.path(), asked);
-    }
+    if (answer == Answer::save) begin_save(asked);
 }
 
 }  // namespace pectin

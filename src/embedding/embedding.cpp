@@ -28,15 +28,15 @@ void for_each_wedge(std::span<const ActiveSet::Inserted> sheets, Visit visit) {
 }  // namespace
 
 void Embedding::embed() {
-    stages_.assign(warp_.steps.size(), {});
+    step_starts_.assign(warp_.steps.size(), {});
     normals_.clear();
     has_folded_.clear();
-    for (std::size_t step = 0; step < stages_.size(); ++step) {
-        stages_[step].zones = zones_of(warp_.steps[step]);
+    for (std::size_t step = 0; step < step_starts_.size(); ++step) {
+        step_starts_[step].zones = zones_of(warp_.steps[step]);
     }
     evaluator_.reset();
     weights_.clear();
-    if (stages_.empty()) return;
+    if (step_starts_.empty()) return;
     weight_count_ = weight_count(warp_.steps.back());
     if (const LatticeField* field = streamed_lattice(warp_.steps.back())) {
         evaluator_.emplace(*field);
@@ -45,7 +45,7 @@ void Embedding::embed() {
     weights_.resize(active_.vertex_entries() * weight_count_);
     fit_to_entries();
     for (std::uint32_t w = 0; w < normals_.size(); ++w) normals_[w] = active_.rest_normal_at(w);
-    for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
+    for (std::size_t step = 0; step + 1 < step_starts_.size(); ++step) {
         dispatch(warp_.steps[step],
                  [&](const auto& deformation) { embed_before_last(deformation, step); });
     }
@@ -60,42 +60,42 @@ void Embedding::embed() {
 }
 
 void Embedding::fit_to_entries() {
-    if (stages_.empty()) return;
+    if (step_starts_.empty()) return;
     const std::size_t count = active_.vertex_entries() * weight_count_;
     if (weights_.size() < count) weights_.grow(count - weights_.size());
-    if (stages_.size() < 2) return;
-    for (std::size_t step = 1; step < stages_.size(); ++step) {
-        stages_[step].positions.resize(active_.vertex_entries());
+    if (step_starts_.size() < 2) return;
+    for (std::size_t step = 1; step < step_starts_.size(); ++step) {
+        step_starts_[step].positions.resize(active_.vertex_entries());
     }
     normals_.resize(active_.wedge_entries());
     has_folded_.resize(active_.vertex_entries());
 }
 
 void Embedding::reserve_splits(std::uint32_t count) {
-    if (stages_.empty()) return;
+    if (step_starts_.empty()) return;
     const auto reserve = [](auto& values, std::size_t size) {
         if (size > values.size()) values.reserve_additional(size - values.size());
     };
     const std::size_t vertices = active_.vertex_entries() + std::size_t{count};
     reserve(weights_, vertices * weight_count_);
-    if (stages_.size() < 2) return;
-    for (std::size_t step = 1; step < stages_.size(); ++step) {
-        reserve(stages_[step].positions, vertices);
+    if (step_starts_.size() < 2) return;
+    for (std::size_t step = 1; step < step_starts_.size(); ++step) {
+        reserve(step_starts_[step].positions, vertices);
     }
     reserve(normals_, active_.wedge_entries() + std::size_t{count});
     reserve(has_folded_, vertices);
 }
 
 const Vec3& Embedding::start_position(std::size_t step, std::uint32_t entry) const {
-    return step == 0 ? active_.rest_position_at(entry) : stages_[step].positions[entry];
+    return step == 0 ? active_.rest_position_at(entry) : step_starts_[step].positions[entry];
 }
 
 std::span<const Vec3> Embedding::start_positions() const {
-    return stages_.size() < 2 ? active_.rest_positions() : stages_.back().positions;
+    return step_starts_.size() < 2 ? active_.rest_positions() : step_starts_.back().positions;
 }
 
 std::span<const Vec3f> Embedding::start_normals() const {
-    return stages_.size() < 2 ? active_.rest_normals() : normals_;
+    return step_starts_.size() < 2 ? active_.rest_normals() : normals_;
 }
 
 std::span<DragWeight> Embedding::weights_of(std::uint32_t entry) {
@@ -128,7 +128,7 @@ template <typename D>
 void Embedding::advance(const D& deformation, std::size_t step, std::uint32_t entry,
                         std::span<const DragWeight> w) {
     const Vec3& from = start_position(step, entry);
-    Vec3& to = stages_[step + 1].positions[entry];
+    Vec3& to = step_starts_[step + 1].positions[entry];
     bool folds = false;
     if (!active_.is_influenced_at(entry)) {
         to = from;
@@ -148,17 +148,17 @@ void Embedding::transform_normal(const D& deformation, std::size_t step, std::ui
 }
 
 bool Embedding::is_long_between_steps(VertexId a, VertexId b, VertexId c, double l_max) const {
-    for (std::size_t step = 1; step < stages_.size(); ++step) {
+    for (std::size_t step = 1; step < step_starts_.size(); ++step) {
         const auto position = [&](VertexId v) {
             const auto entry = active_.entry_of(v);
-            return entry ? stages_[step].positions[*entry] : active_.mesh().position(v);
+            return entry ? step_starts_[step].positions[*entry] : active_.mesh().position(v);
         };
         const Vec3 p = position(a), q = position(b), r = position(c);
         const auto is_long = [&](const Vec3& from, const Vec3& to) {
             return glm::dot(to - from, to - from) > l_max * l_max;
         };
         if (!is_long(p, q) && !is_long(q, r) && !is_long(r, p)) continue;
-        for (const Box& zone : stages_[step].zones) {
+        for (const Box& zone : step_starts_[step].zones) {
             if (triangle_meets_box(p, q, r, zone)) return true;
         }
     }
@@ -168,7 +168,7 @@ bool Embedding::is_long_between_steps(VertexId a, VertexId b, VertexId c, double
 // --- The last step
 
 void Embedding::deform() {
-    if (stages_.empty()) return;
+    if (step_starts_.empty()) return;
     const Deformation& last_step = warp_.steps.back();
     if (evaluator_) {
         evaluator_->update(*streamed_lattice(last_step));
@@ -220,10 +220,10 @@ void Embedding::deform_wedges(const D& deformation, std::uint32_t first, std::ui
     }
 }
 
-// The largest number of handles of a step before the last.
+// The largest number of weights per vertex in a step before the last.
 std::size_t Embedding::scratch_size() const {
     std::size_t size = 0;
-    for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
+    for (std::size_t step = 0; step + 1 < step_starts_.size(); ++step) {
         size = std::max(size, weight_count(warp_.steps[step]));
     }
     return size;
@@ -231,7 +231,7 @@ std::size_t Embedding::scratch_size() const {
 
 void Embedding::embed_inserted(std::span<const ActiveSet::Inserted> inserted,
                                std::span<DragWeight> scratch) {
-    if (stages_.empty()) return;
+    if (step_starts_.empty()) return;
     dispatch(warp_.steps.back(), [&](const auto& deformation) {
         for (std::size_t i = 0, next = 0; i < inserted.size(); i = next) {
             next = i + 1;
@@ -246,10 +246,10 @@ void Embedding::embed_vertex(const D& deformation, std::span<const ActiveSet::In
                              std::span<DragWeight> scratch) {
     const std::uint32_t entry = sheets.front().vertex_entry;
     const bool is_influenced = active_.is_influenced_at(entry);
-    if (is_influenced && stages_.size() == 1 && weight_count_ == 1) {
+    if (is_influenced && step_starts_.size() == 1 && weight_count_ == 1) {
         return embed_by_one_weight(deformation, sheets);
     }
-    if (stages_.size() > 1) bring_to_last_step(sheets, scratch);
+    if (step_starts_.size() > 1) bring_to_last_step(sheets, scratch);
     if (!is_influenced) {
         std::ranges::fill(weights_of(entry), DragWeight{});
         return;
@@ -283,7 +283,7 @@ void Embedding::bring_to_last_step(std::span<const ActiveSet::Inserted> sheets,
     const std::uint32_t entry = sheets.front().vertex_entry;
     for_each_wedge(sheets, [&](std::uint32_t w) { normals_[w] = active_.rest_normal_at(w); });
     const bool is_influenced = active_.is_influenced_at(entry);
-    for (std::size_t step = 0; step + 1 < stages_.size(); ++step) {
+    for (std::size_t step = 0; step + 1 < step_starts_.size(); ++step) {
         dispatch(warp_.steps[step], [&](const auto& deformation) {
             const std::span<DragWeight> weights = scratch.first(weight_count(deformation));
             if (is_influenced) {
@@ -304,23 +304,23 @@ Vec3 Embedding::image(const Vec3& rest) const {
 }
 
 std::uint64_t Embedding::folded_vertices() const {
-    if (stages_.empty()) return 0;
+    if (step_starts_.empty()) return 0;
     return dispatch(warp_.steps.back(), [&](const auto& deformation) {
         std::uint64_t folded = 0;
         for (std::uint32_t i = 0; i < active_.vertex_entries(); ++i) {
             if (!exists(active_.vertex(i)) || !active_.is_influenced_at(i)) continue;
             const bool folds_last =
                 jacobian_determinant(deformation, start_position(last(), i), weights(i)) <= 0.0;
-            if (folds_last || (stages_.size() > 1 && has_folded_[i] != 0)) ++folded;
+            if (folds_last || (step_starts_.size() > 1 && has_folded_[i] != 0)) ++folded;
         }
         return folded;
     });
 }
 
 double Embedding::longest_edge_bound() const {
-    if (stages_.empty()) return active_.longest_rest_length();
+    if (step_starts_.empty()) return active_.longest_rest_length();
     constexpr double kUnknown = std::numeric_limits<double>::infinity();
-    if (stages_.size() > 1) return kUnknown;
+    if (step_starts_.size() > 1) return kUnknown;
     const double reach = reach_bound(warp_.steps.back());
     const double stretch = lipschitz_bound(warp_.steps.back());
     if (reach == kUnknown || stretch == kUnknown) return kUnknown;
@@ -334,7 +334,7 @@ std::size_t Embedding::memory_bytes() const {
     std::size_t bytes = normals_.capacity() * sizeof(Vec3f) +
                         weights_.capacity() * sizeof(DragWeight) + has_folded_.capacity() +
                         runs_.capacity() + (evaluator_ ? evaluator_->memory_bytes() : 0);
-    for (const Stage& stage : stages_) bytes += stage.positions.capacity() * sizeof(Vec3);
+    for (const StepStart& start : step_starts_) bytes += start.positions.capacity() * sizeof(Vec3);
     return bytes;
 }
 

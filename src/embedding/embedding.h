@@ -51,7 +51,7 @@ class Embedding {
     // The image of a point under the warp with its present displacements.
     Vec3 image(const Vec3& rest) const;
     // Whether the warp has no steps, so that nothing moves.
-    bool is_identity() const { return stages_.empty(); }
+    bool is_identity() const { return step_starts_.empty(); }
     // The number of influenced vertices with det J <= 0 in some step, at the present displacements.
     // Cost: O(entries).
     std::uint64_t folded_vertices() const;
@@ -69,12 +69,12 @@ class Embedding {
 
   private:
     // The state before a step.
-    struct Stage {
+    struct StepStart {
         GrowingArray<Vec3> positions;  // of the vertex entries; empty for the first step (rest)
         std::vector<Box> zones;        // of the step
     };
 
-    std::size_t last() const { return stages_.size() - 1; }
+    std::size_t last() const { return step_starts_.size() - 1; }
 
     // --- A step before the last: `deformation` is that step. weights: those of the entry.
     template <typename D>
@@ -106,8 +106,8 @@ class Embedding {
 
     ActiveSet& active_;
     const Warp& warp_;
-    std::vector<Stage> stages_;         // one for each step
-    std::size_t weight_count_ = 0;      // per vertex, in the last step
+    std::vector<StepStart> step_starts_;  // one for each step
+    std::size_t weight_count_ = 0;        // per vertex, in the last step
     GrowingArray<Vec3f> normals_;       // of the wedge entries before the last step; empty for one
     GrowingArray<DragWeight> weights_;  // of the last step: vertex entries x weight_count_
     std::vector<std::uint8_t> runs_;  // lasting_runs(), if the last step has one weight per vertex

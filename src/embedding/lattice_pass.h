@@ -1,7 +1,7 @@
 // The passes of a frame over an active set that a field of control points deforms.
 //
 // Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
-// Eurographics UK 1999. Equations 1 to 7.
+// Eurographics UK 1999. Equations 1 and 3 to 7.
 #pragma once
 
 #include <cstdint>

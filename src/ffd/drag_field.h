@@ -1,7 +1,7 @@
 // The displacement field of a drag, linear in what is dragged: D(x) = Σ_c w_c(x) d_c.
 // Source: W. M. Hsu, J. F. Hughes, H. Kaufman. Direct Manipulation of Free-Form Deformations.
 // SIGGRAPH 1992, rearranged; J. Gain, N. Dodgson. Adaptive Refinement and Decimation under
-// Free-Form Deformation. Eurographics UK 1999: equations 1–7.
+// Free-Form Deformation. Eurographics UK 1999: equations 1 and 4–7.
 //
 // Let b(x) be the basis values of all control points at x, and B the rows of the constraints. Then
 // D(x) = b(x)ᵀ Bᵀ(BBᵀ)⁻¹ d, so w(x) = (BBᵀ)⁻¹ B b(x) depends only on the rest position. A gesture

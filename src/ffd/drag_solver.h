@@ -55,10 +55,10 @@ class DragSolver {
                                                         std::span<const Vec3> points,
                                                         std::span<const Vec3> pins);
 
-    // The field has one weight for each driven constraint: the displacement of each handle, and for
-    // a handle that prescribes its Jacobian also ∂D/∂x, ∂D/∂y and ∂D/∂z. With a plane each of these
-    // is divided into its components within and across the plane. Handles at the same point share
-    // their weights.
+    // The field has one weight for each driven constraint, whose value a handle prescribes (those
+    // of pins stay zero): the displacement of each handle, and for a handle that prescribes its
+    // Jacobian also ∂D/∂x, ∂D/∂y and ∂D/∂z. With a plane each of these is divided into components
+    // within and across the plane. Handles at the same point share their weights.
     const DragField& field() const { return field_; }
     const std::optional<Symmetry>& symmetry() const { return symmetry_; }
 
@@ -81,9 +81,9 @@ class DragSolver {
     // The displacements of deformation(motions).
     std::vector<Vec3> displacements(std::span<const HandleMotion> motions) const;
 
-    // ΔP = Bᵀ(BBᵀ)⁻¹ d, the smallest displacement of the control points in the least-squares sense
-    // that meets all constraints exactly: control_count of the lattice, in the order of
-    // control_index. displacements: one for each handle.
+    // ΔP = Bᵀ(BBᵀ)⁻¹ d: of all displacements of the control points that meet all constraints
+    // exactly, the one with the smallest sum of squares (the minimum-norm solution): control_count
+    // of the lattice, in the order of control_index. displacements: one for each handle.
     std::vector<Vec3> control_displacements(std::span<const Vec3> displacements) const;
 
   private:

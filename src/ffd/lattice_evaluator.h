@@ -1,6 +1,6 @@
 // Evaluates a lattice field at many points: the 4 × 4 × 4 sum as a streaming pass.
 // Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
-// Eurographics UK 1999: equations 1–7.
+// Eurographics UK 1999: equations 1 and 3–7.
 #pragma once
 
 #include <cstddef>

@@ -1,7 +1,7 @@
 // The deformation by a displaced lattice, evaluated directly. It is the reference for all faster
 // paths, and the field of control points that are moved by hand.
 // Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
-// Eurographics UK 1999: equations 1–7.
+// Eurographics UK 1999: equations 1 and 3–7 (2 becomes 3 for a lattice along the world's axes).
 #pragma once
 
 #include <cstddef>

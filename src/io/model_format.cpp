@@ -56,6 +56,11 @@ std::vector<std::string> writable_extensions() {
     return extensions([](const ModelFormat& format) { return format.write != nullptr; });
 }
 
+bool has_writable_format(const std::string& path) {
+    const ModelFormat* const format = format_of(path);
+    return format && format->write != nullptr;
+}
+
 bool has_extension(std::string_view path, std::string_view extension) {
     if (path.size() < extension.size()) return false;
     return std::equal(
@@ -74,9 +79,8 @@ IndexedFaceSet read_model(const std::string& path, const Progress& progress, Rea
 }
 
 void write_model(const TriMesh& mesh, const std::string& path, const Progress& progress) {
-    const ModelFormat* const format = format_of(path);
-    if (!format || format->write == nullptr) throw FileError(path, refusal_to_write());
-    format->write(mesh, path, progress);
+    if (!has_writable_format(path)) throw FileError(path, refusal_to_write());
+    format_of(path)->write(mesh, path, progress);
 }
 
 }  // namespace pectin

@@ -33,6 +33,9 @@ std::span<const ModelFormat> model_formats();
 std::vector<std::string> readable_extensions();
 std::vector<std::string> writable_extensions();
 
+// Whether write_model() writes files with the extension of this path.
+bool has_writable_format(const std::string& path);
+
 // Whether the path ends in the extension, in upper or lower case. extension: in lower case.
 bool has_extension(std::string_view path, std::string_view extension);
 

@@ -170,8 +170,8 @@ class RestState {
     void enter(std::uint32_t entry, EdgeId e, float length);
     // Enters am or dm.
     void enter_spoke(std::uint32_t entry, EdgeId e, VertexId apex, const Vec3& m);
-    // Removes an element; returns its entry. free() then makes the entry available again if it was
-    // not there at the beginning.
+    // Removes an element; returns its entry. If is_inserted_vertex(entry) or is_inserted_wedge(),
+    // the caller then frees it: push_free() or set_free() of vertex_table() or wedge_table().
     std::uint32_t remove(VertexId v);
     std::uint32_t remove(WedgeId w);
     // Removes a wedge that may have no entry; its normal is then kept for restore().

@@ -3,11 +3,14 @@
 // Two or more sheets share the vertices b and c of a cut, and each has an edge bc of its own. These
 // siblings form a ring (TriMesh::sibling). The apex of sheet i is ai:
 //
-//      a1 a2             a1 a2
-//      | / |    split    |\./|
-//      b===c   ------->  b=m=c
-//              unsplit
-//              <------
+//         a1                        a1
+//        / \                       /|\.
+//       /   \        split        / | \.        Sheet 1.
+//      b-----c      ------->     b--m--c
+//      b-----c      unsplit      b--m--c        Sheet 2. Here it is drawn apart from sheet 1, but
+//       \   /       <------       \ | /         both share the vertices b and c, and after the
+//        \ /                       \|/          split also m. Each has edges of its own.
+//         a2                        a2
 //
 // After the split the halves along bm are siblings of each other, and so are those along mc, in the
 // order that the edges had in the ring. A sheet whose half-edge runs from c to b has its own bm

@@ -1,17 +1,17 @@
 // A triangle mesh whose edges split at their midpoint and whose splits can be undone exactly.
 //
 // Half-edges occupy fixed slots of their face: face f has the half-edges 3f, 3f+1 and 3f+2, in
-// counter-clockwise order seen from outside. A wedge is a vertex as one face corner sees it.
-// Positions belong to vertices; normals and texture coordinates belong to wedges. All corners at a
-// vertex share one wedge where the surface is smooth; along a crease or a UV seam the corners on
-// its two sides have different wedges at the same vertex.
+// counter-clockwise order seen from outside. Positions belong to vertices; normals and texture
+// coordinates belong to wedges. A wedge is shared by the face corners at a vertex between which the
+// surface is smooth; along a crease or a UV seam the corners on its two sides have different wedges
+// at the same vertex.
 //
 // Non-manifold input is cut into sheets by build_mesh. The edges along a cut are boundary edges of
 // their sheets, and they are siblings of each other: they have the same two ends, since the sheets
 // share the vertices along the cut. Siblings split and unsplit together, about one midpoint. The
 // sibling with the lowest id is their representative.
 //
-// Invariants (validate() checks exactly these):
+// Invariants (validate() checks exactly these; invariant 12 only while every edge may be split):
 //  1. A dead slot is cleared and is listed once in its free list; every other slot is live.
 //  2. A live face has three live, pairwise different vertices.
 //  3. Twins are mutual, run in opposite directions and share their edge; no twin is a boundary.
@@ -82,7 +82,7 @@ class TriMesh {
     bool is_live(FaceId f) const { return exists(origin(half_edge(f, 0))); }
     bool is_base(VertexId v) const { return index(v) < base_vertices_; }
 
-    // --- Connectivity. O(1).
+    // --- Connectivity. O(1). half_edge() gives a record by its id, or an id by face, edge, vertex.
     const HalfEdge& half_edge(HalfEdgeId h) const { return faces_.half_edges[index(h)]; }
     VertexId origin(HalfEdgeId h) const { return half_edge(h).origin; }
     VertexId target(HalfEdgeId h) const { return origin(next(h)); }
@@ -122,7 +122,7 @@ class TriMesh {
         }
     }
     // Whether e has two sides and they share the wedges at both ends: no crease, UV seam or
-    // boundary.
+    // boundary. (ActiveSet::smooth_edges counts boundaries as smooth, too.)
     bool is_smooth(EdgeId e) const;
 
     // --- Attributes. O(1). Writing them changes no connectivity.

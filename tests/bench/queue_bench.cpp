@@ -12,12 +12,12 @@
 namespace pectin::bench {
 namespace {
 
-// The refinement queue. It orders edges by octave of their squared length and gives up to some
-// thousands of edges at a time. Within each partition of an octave the order is FIFO.
-class Octaves {
+// The refinement queue. It orders edges by length class and gives up to some thousands of edges at
+// a time. Within each partition of a length class the order is FIFO.
+class LengthClasses {
   public:
     void push(double squared, std::uint32_t e) {
-        queue_.push(EdgeId{e}, RefinementQueue::octave_of(squared));
+        queue_.push(EdgeId{e}, RefinementQueue::length_class_of(squared));
     }
     // Calls visit(edge) for the next edges. Returns false if there are none.
     template <typename Visit>
@@ -109,7 +109,7 @@ void longest_first(benchmark::State& state) {
     state.counters["edges"] = through / static_cast<double>(state.iterations());
     state.counters["M_per_s"] = benchmark::Counter(1e-6 * through, benchmark::Counter::kIsRate);
 }
-BENCHMARK(longest_first<Octaves>)->Unit(benchmark::kMillisecond);
+BENCHMARK(longest_first<LengthClasses>)->Unit(benchmark::kMillisecond);
 BENCHMARK(longest_first<BinaryHeap>)->Unit(benchmark::kMillisecond);
 
 }  // namespace

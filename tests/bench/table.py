@@ -31,7 +31,7 @@ PROMISES = [
      ("openmesh_decimate", "M_per_s"), ""),
     ("unsplits : meshoptimizer's collapses", ("unsplit_all/manual_time", "M_per_s"),
      ("meshoptimizer_simplify", "M_per_s"), ">= 5"),
-    ("edges through the queue : through a binary heap", ("longest_first<Octaves>", "M_per_s"),
+    ("edges through the queue : through a binary heap", ("longest_first<LengthClasses>", "M_per_s"),
      ("longest_first<BinaryHeap>", "M_per_s"), ""),
     ("brush step, 650 vertices : 0.1 ms", ("brush_step/resolution:6/vertices:650", "time"), 1e-4,
      "<= 1"),

@@ -257,14 +257,14 @@ TEST(ConcurrentSplits, SplitTheLongestEdgesOfTheirFacesAndDeferTheOthers) {
         RefinementQueue queue;
         for (EdgeId e : refined.active().edges()) {
             if (criteria.needs_refinement(refined.active(), e))
-                queue.push(e, classifier.octave_of(e));
+                queue.push(e, classifier.length_class_of(e));
         }
         const RefinementQueue::Batch next = queue.take();
         ASSERT_FALSE(next.is_serial);
         std::size_t needed = 0;
         for (const auto& partition : next.partitions) {
             for (EdgeId e : partition)
-                needed += classifier.still_needs_split(e, next.octave) ? 1 : 0;
+                needed += classifier.still_needs_split(e, next.length_class) ? 1 : 0;
         }
         ConcurrentSplits concurrent(refined.active(), refined.embedding(), classifier, limits);
         RefinementQueue queued;
@@ -279,7 +279,7 @@ TEST(ConcurrentSplits, SplitTheLongestEdgesOfTheirFacesAndDeferTheOthers) {
         std::size_t queued_again = 0;
         for (; !queued.is_empty() && returned == 0;) {
             const RefinementQueue::Batch batch = queued.take();
-            if (batch.octave != next.octave) break;
+            if (batch.length_class != next.length_class) break;
             for (const auto& partition : batch.partitions) queued_again += partition.size();
         }
         EXPECT_GE(done.splits + returned + queued_again, needed);

@@ -12,7 +12,7 @@ namespace {
 
 using Queue = RefinementQueue;
 
-TEST(RefinementQueue, ReturnsEveryEdgeOnceLongestOctaveFirst) {
+TEST(RefinementQueue, ReturnsEveryEdgeOnceLongestClassFirst) {
     for (std::uint64_t seed = 1; seed <= 30; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         test::Random random(seed);
@@ -31,7 +31,7 @@ TEST(RefinementQueue, ReturnsEveryEdgeOnceLongestOctaveFirst) {
                 taken.insert(taken.end(), partition.begin(), partition.end());
             ASSERT_FALSE(taken.empty());
             for (EdgeId e : taken) {
-                EXPECT_EQ(next.octave, 1000 + index(e) % 3);
+                EXPECT_EQ(next.length_class, 1000 + index(e) % 3);
                 EXPECT_EQ(waits[index(e)]--, 1);
             }
             for (std::uint32_t longer = index(taken.front()) % 3 + 1; longer < 3; ++longer) {

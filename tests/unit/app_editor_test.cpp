@@ -279,6 +279,27 @@ TEST_F(EditorTest, SaveGoesToTheOpenFileOnceThereIsOne) {
     EXPECT_FALSE(editor.workspace().is_modified());
 }
 
+// A file of any other extension is read as OBJ, but not written. A format without a writer is the
+// same case.
+TEST_F(EditorTest, SaveAsksForAPathIfTheFormatOfTheOpenFileCannotBeWritten) {
+    write("tetrahedron.txt", kTetrahedron);
+    Editor editor = this->editor();
+    editor.open(path("tetrahedron.txt"));
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    key(editor, Key{'S'}, {.control = true});
+    ASSERT_TRUE(editor.browser);
+    EXPECT_EQ(editor.browser->name, "tetrahedron.obj");
+    editor.close_browser();
+    editor.handle(event::Close{});
+    editor.answer(Editor::Answer::save);
+    ASSERT_TRUE(editor.browser);
+    editor.accept_file();
+    EXPECT_EQ(editor.workspace().path(), path("tetrahedron.obj"));
+    EXPECT_TRUE(fs::exists(path("tetrahedron.obj")));
+    EXPECT_EQ(read("tetrahedron.txt"), kTetrahedron);
+    EXPECT_TRUE(editor.wants_to_end());
+}
+
 TEST_F(EditorTest, SavingAsksBeforeReplacingAnotherFile) {
     write("other.obj", "precious");
     Editor editor = this->editor();

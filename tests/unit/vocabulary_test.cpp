@@ -50,6 +50,8 @@ const std::vector<Retired>& retired_words() {
         {"unplaced", "not yet embedded", ""},
         {"leader", "representative", ""},
         {"stretch_bound", "lipschitz_bound", ""},
+        {"octave", "length class", ""},
+        {"octaves", "length classes", ""},
         {"thinned", "decimated", ""},
         {"thinning", "decimation", ""},
         {"thins", "decimates", ""},

@@ -15,8 +15,9 @@ ConcurrentSplits::Result ConcurrentSplits::split(const RefinementQueue::Batch& b
         partitions_[i].number = static_cast<CornerClaims::PartitionIndex>(i);
         partitions_[i].edges = batch.partitions[i];
     }
-    for_each_concurrently(
-        partitions_, [&](Partition& partition) { collect_candidates(partition, batch.octave); });
+    for_each_concurrently(partitions_, [&](Partition& partition) {
+        collect_candidates(partition, batch.length_class);
+    });
     for_each_concurrently(partitions_, [&](Partition& partition) { choose(partition); });
     allocate(assign_slots());
     for_each_concurrently(partitions_, [&](Partition& partition) {
@@ -24,7 +25,7 @@ ConcurrentSplits::Result ConcurrentSplits::split(const RefinementQueue::Batch& b
         release(partition);
     });
     const bool floor_hit = queue_needed(queue);
-    defer(queue, batch.octave);
+    defer(queue, batch.length_class);
     return {slots_.ids.size(), floor_hit, deferred_};
 }
 
@@ -32,18 +33,18 @@ ConcurrentSplits::Result ConcurrentSplits::split(const RefinementQueue::Batch& b
 bool ConcurrentSplits::queue_needed(RefinementQueue& queue) const {
     bool floor_hit = false;
     for (const Partition& partition : partitions_) {
-        for (const auto& [edge, octave] : partition.needed) {
-            if (octave == EdgeClassifier::kBelowFloor) {
+        for (const auto& [edge, length_class] : partition.needed) {
+            if (length_class == EdgeClassifier::kBelowFloor) {
                 floor_hit = true;
             } else {
-                queue.push(edge, octave, partition.number);
+                queue.push(edge, length_class, partition.number);
             }
         }
     }
     return floor_hit;
 }
 
-void ConcurrentSplits::defer(RefinementQueue& queue, std::size_t octave) {
+void ConcurrentSplits::defer(RefinementQueue& queue, std::size_t length_class) {
     const bool again = accepted_most();
     for (const Partition& partition : partitions_) {
         PendingSplits& deferred = deferred_[partition.number];
@@ -52,7 +53,7 @@ void ConcurrentSplits::defer(RefinementQueue& queue, std::size_t octave) {
         for (const Candidate& candidate : partition.candidates) {
             if (candidate.accepted) continue;
             if (again) {
-                queue.push(candidate.edge, octave, partition.number);
+                queue.push(candidate.edge, length_class, partition.number);
             } else {
                 deferred.splits.push_back({candidate.edge, candidate.end});
             }
@@ -71,10 +72,10 @@ bool ConcurrentSplits::accepted_most() const {
 
 // --- Choosing edges
 
-void ConcurrentSplits::collect_candidates(Partition& partition, std::size_t octave) {
+void ConcurrentSplits::collect_candidates(Partition& partition, std::size_t length_class) {
     partition.candidates.clear();
     for (EdgeId e : partition.edges) {
-        if (!classifier_.still_needs_split(e, octave)) continue;
+        if (!classifier_.still_needs_split(e, length_class)) continue;
         partition.candidates.push_back(candidate(e));
         const auto& corners = partition.candidates.back().corners;
         if (corners) claims_.claim(*corners, partition.number);
@@ -230,8 +231,8 @@ void ConcurrentSplits::split_chosen(Partition& partition) {
     embedding_.embed_inserted(partition.inserted, partition.scratch);
     partition.needed.clear();
     for (const ActiveSet::Inserted& made : partition.inserted) {
-        classifier_.classify_one_ring(made, [&](EdgeId e, std::uint16_t octave) {
-            partition.needed.emplace_back(e, octave);
+        classifier_.classify_one_ring(made, [&](EdgeId e, std::uint16_t length_class) {
+            partition.needed.emplace_back(e, length_class);
         });
     }
 }

@@ -24,8 +24,9 @@ namespace pectin {
 // - another edge has to be split before it (Propagation),
 // - symmetry is on and it is between mirrored ends beside a longer edge,
 // - it is a crease or on a boundary or cut, or
-// - its faces are not all in the active set.
-// All of that depends on the partitions alone and not on the number of threads.
+// - the edge or one of the four vertices of its faces has no entry in the active set.
+// If levels or the budget do not allow all accepted edges, all edges are deferred. All of that
+// depends on the partitions alone and not on the number of threads.
 class ConcurrentSplits {
   public:
     ConcurrentSplits(ActiveSet& active, Embedding& embedding, const EdgeClassifier& classifier,
@@ -67,11 +68,11 @@ class ConcurrentSplits {
         std::size_t first = 0;      // the reserved slot of the first of them
         std::vector<ActiveSet::Inserted> inserted;
         std::vector<std::pair<EdgeId, std::uint16_t>>
-            needed;                       // edges and octaves, after the splits
+            needed;                       // edges and length classes, after the splits
         std::vector<DragWeight> scratch;  // for embed_inserted()
     };
 
-    void collect_candidates(Partition& partition, std::size_t octave);
+    void collect_candidates(Partition& partition, std::size_t length_class);
     Candidate candidate(EdgeId e) const;
     void choose(Partition& partition);
     bool may_split_now(EdgeId e);
@@ -92,7 +93,7 @@ class ConcurrentSplits {
     void release(Partition& partition);
     bool queue_needed(RefinementQueue& queue) const;
     bool accepted_most() const;
-    void defer(RefinementQueue& queue, std::size_t octave);
+    void defer(RefinementQueue& queue, std::size_t length_class);
 
     ActiveSet& active_;
     Embedding& embedding_;

@@ -23,7 +23,7 @@ EdgeLength::EdgeLength(double l_max, std::vector<Box> zones, const Embedding* be
                        const SplitOrder& order, const Floor& floor)
     : l_max_(l_max), zones_(std::move(zones)), between_(between), order_(order), floor_(floor) {}
 
-double EdgeLength::harmless_squared_length() const {
+double EdgeLength::fast_path_bound() const {
     if (!is_on()) return kOff;
     return between_ ? -1.0 : kRoundedDown * (l_max_ * l_max_);
 }
@@ -38,7 +38,7 @@ SplitNeed EdgeLength::need(const ActiveSet& active, EdgeId e) const {
         if (first == h) {
             need = SplitNeed::itself;
         } else if (exists(first) && !is_long(mesh, mesh.edge(first))) {
-            need = SplitNeed::another;
+            need = SplitNeed::neighbour;
         }
     });
     return need;

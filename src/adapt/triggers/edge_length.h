@@ -1,7 +1,8 @@
 // Length trigger: edges in the influenced zone are no longer than L_max.
 //
 // Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
-// Eurographics UK 1999. Section 4, condition (b), and point 1 on sampling (figure 4).
+// Eurographics UK 1999. Section 4, conditions (b) of refinement and of decimation, and point 1 on
+// sampling (figure 4).
 #pragma once
 
 #include <cstdint>
@@ -21,9 +22,10 @@ class Embedding;
 enum class SplitNeed : std::uint8_t {
     none,
     itself,
-    // A face of e is too coarse since e is long, but the face is split at another of its edges,
-    // which is not long. Asked about itself, that edge might pass for one that needs nothing.
-    another
+    // Another edge of one of e's faces. The face is too coarse since e is long, but it is split at
+    // that edge, which is not long itself. Asked about itself, that edge might pass for one that
+    // needs nothing.
+    neighbour
 };
 
 // A face is too coarse if it meets the zone at rest and one of its edges is longer than L_max now,
@@ -47,13 +49,13 @@ class EdgeLength {
         return mesh.squared_length(e) > l_max_ * l_max_;
     }
 
-    // Refinement, condition (b): what has to be split because of e. `itself` means that e needs
+    // Refinement condition (b): what has to be split because of e. `itself` means that e needs
     // refinement: one of its faces is too coarse and is split at e. Cost: O(sides).
     SplitNeed need(const ActiveSet& active, EdgeId e) const;
     // The half-edge of the face of h at which that face has to be split; none if it is fine. need()
     // rests on this alone.
     HalfEdgeId needed_split(const ActiveSet& active, HalfEdgeId h) const;
-    // Decimation, condition (b): e is shorter than L_max, also outside the zone.
+    // Decimation condition (b): e is shorter than L_max, also outside the zone.
     bool passes_decimation(const TriMesh& mesh, EdgeId e) const {
         return l_max_ == kOff || mesh.squared_length(e) < l_max_ * l_max_;
     }
@@ -61,9 +63,10 @@ class EdgeLength {
     // coarse.
     bool restored_face_is_too_coarse(const ActiveSet& active, const Star& star) const;
 
-    // A face needs no refinement if the squared lengths of its edges are at most this. Infinite if
-    // the trigger is off; negative if lengths now do not decide, since there are earlier steps.
-    double harmless_squared_length() const;
+    // The fast path of Criteria: a face needs no refinement if the squared lengths of its edges are
+    // at most this. Infinite if the trigger is off; negative, so that the fast path accepts
+    // nothing, if lengths now do not decide since there are earlier steps.
+    double fast_path_bound() const;
 
   private:
     bool is_too_coarse(const ActiveSet& active, HalfEdgeId h) const;

@@ -79,7 +79,7 @@ NormalDivergence::NormalDivergence(const Angles& angles)
     : angles_(angles),
       refine_above_(one_minus_cosine(angles.theta_max)),
       decimate_below_(one_minus_cosine(angles.theta_min)),
-      harmless_squared_difference_(static_cast<float>(2.0 * kRoundedDown * refine_above_)) {}
+      fast_path_bound_(static_cast<float>(2.0 * kRoundedDown * refine_above_)) {}
 
 bool NormalDivergence::needs_refinement(const ActiveSet& active, EdgeId e) const {
     return refine_above_ < kOff && has_deformed_end(active.mesh(), e) &&
@@ -103,13 +103,13 @@ bool NormalDivergence::merged_edge_needs_refinement(const ActiveSet& active,
     const TriMesh& mesh = active.mesh();
     if (refine_above_ == kOff) return false;
     if (!mesh.is_deformed(star.b) && !mesh.is_deformed(star.c)) return false;
-    const auto is_harmless = [&](const SideEnds& side) {
+    const auto needs_nothing = [&](const SideEnds& side) {
         return !(side_divergence(active, side, refine_above_) > refine_above_);
     };
     return !all_sheets(mesh, star, [&](const Star& sheet) {
-        return is_harmless({mesh.wedge(sheet.bm), mesh.wedge(TriMesh::next(sheet.mc))}) &&
+        return needs_nothing({mesh.wedge(sheet.bm), mesh.wedge(TriMesh::next(sheet.mc))}) &&
                (sheet.on_boundary() ||
-                is_harmless({mesh.wedge(sheet.cm), mesh.wedge(TriMesh::next(sheet.mb))}));
+                needs_nothing({mesh.wedge(sheet.cm), mesh.wedge(TriMesh::next(sheet.mb))}));
     });
 }
 

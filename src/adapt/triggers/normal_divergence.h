@@ -1,8 +1,9 @@
 // Curvature trigger: the divergence of the normals at the two ends of an edge.
 //
 // Source: J. Gain, N. Dodgson. Adaptive Refinement and Decimation under Free-Form Deformation.
-// Eurographics UK 1999. Section 4, condition (a). The test goes back to U. Nimscheck. Rendering for
-// Free Form Deformations. University of Cambridge, technical report 381 (1995).
+// Eurographics UK 1999. Section 4, conditions (a) of refinement and of decimation, and point 2. The
+// test goes back to U. Nimscheck. Rendering for Free Form Deformations. University of Cambridge,
+// technical report 381 (1995).
 #pragma once
 
 #include "adapt/off.h"
@@ -33,30 +34,31 @@ class NormalDivergence {
 
     const Angles& angles() const { return angles_; }
 
-    // Refinement, condition (a): an end of e is deformed and the end normals diverge by more than
+    // Refinement condition (a): an end of e is deformed and the end normals diverge by more than
     // theta_max. This depends on the ends of e and not on its faces. Cost: O(sides).
     bool needs_refinement(const ActiveSet& active, EdgeId e) const;
-    // Decimation, condition (a): the end normals of e diverge by less than theta_min.
+    // Decimation condition (a): the end normals of e diverge by less than theta_min.
     bool passes_decimation(const ActiveSet& active, EdgeId e) const;
     // The merged-edge guard: whether bc, the edge that undoing the split of star.m restores, would
     // need refinement.
     bool merged_edge_needs_refinement(const ActiveSet& active, const Star& star) const;
 
-    // An edge without a normal discontinuity needs no refinement if |n1 - n2|^2 of its end normals
-    // is less than this. Infinite if the trigger is off. It is rounded down, since the fast path
-    // compares in float.
-    float harmless_squared_difference() const { return harmless_squared_difference_; }
+    // The fast path of Criteria: an edge without a normal discontinuity needs no refinement if
+    // |n1 - n2|^2 of its end normals is less than this. Infinite if the trigger is off. It is
+    // rounded down, since the fast path compares in float.
+    float fast_path_bound() const { return fast_path_bound_; }
 
     // Like needs_refinement(), but sides with opposed normals count as well: what the statistics
     // report as held back.
     bool diverges_on_any_side(const TriMesh& mesh, EdgeId e) const;
-    // The largest divergence of e, as 1 - cos(angle), over all sides with defined normals.
+    // The largest divergence of e, as 1 - cos(angle), over all sides with defined normals. For
+    // statistics.
     static double largest_on_any_side(const TriMesh& mesh, EdgeId e);
 
   private:
     Angles angles_;
     double refine_above_ = kOff, decimate_below_ = kOff;  // 1 - cos(angle)
-    float harmless_squared_difference_ = std::numeric_limits<float>::infinity();
+    float fast_path_bound_ = std::numeric_limits<float>::infinity();
 };
 
 }  // namespace pectin
