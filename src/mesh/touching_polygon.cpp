@@ -63,14 +63,15 @@ Vec2 bisector(const Vec2& before, const Vec2& p, const Vec2& after) {
 
 }  // namespace
 
-std::optional<SweptPolygon> sweep_touching_polygon(std::span<const Vec2> points) {
+std::optional<SweptPolygon> sweep_touching_polygon(std::span<const Vec2> points, Touch touch) {
     Outline outline = without_turns_back(points);
     const std::size_t n = outline.corners.size();
     if (n <= 3) return std::nullopt;
     std::vector<Vec2> kept, directions;
     for (const std::uint32_t corner : outline.corners) kept.push_back(points[corner]);
     for (std::size_t i = 0; i < n; ++i) {
-        directions.push_back(bisector(kept[(i + n - 1) % n], kept[i], kept[(i + 1) % n]));
+        const Vec2 inwards = bisector(kept[(i + n - 1) % n], kept[i], kept[(i + 1) % n]);
+        directions.push_back(touch == Touch::outside ? inwards : -inwards);
     }
     std::optional<SweptPolygon> swept = sweep_triangles(kept, directions);
     if (!swept) return std::nullopt;

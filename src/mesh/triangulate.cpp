@@ -150,8 +150,10 @@ class PolygonTriangulator {
             return covers();
         }
         if (take(sweep_triangles(polygon_.points))) return true;
-        const bool is_large = n > kMostCornersOfSmall;
-        if (is_large && take(sweep_touching_polygon(polygon_.points))) return true;
+        for (const Touch touch : {Touch::outside, Touch::inside}) {
+            const bool is_large = n > kMostCornersOfSmall;
+            if (is_large && take(sweep_touching_polygon(polygon_.points, touch))) return true;
+        }
         auto ears = clip_ears(polygon_, most_ear_steps(n));
         triangles_ = ears ? std::move(*ears) : clip_corners(polygon_);
         return covers();
