@@ -16,7 +16,8 @@ namespace pectin {
 // triangulated by clip_ears or by a sweep, and made constrained Delaunay. Except for ties in
 // polygons that are their own mirror image, the result does not depend on the first corner, and
 // mirroring the polygon along any axis through `centre` mirrors it (unless the search for ears of a
-// large polygon that intersects itself needs almost exactly the limit of steps). Returns whether
+// large polygon that intersects itself reaches its limit for only one of the two, since the number
+// of steps depends on the axes). Returns whether
 // the triangles cover exactly the polygon. They do unless it intersects itself (if it is not flat:
 // in that projection and in its own plane), except in rare cases: large polygons that touch
 // themselves both on their inside and on their outside, or at very small angles, where rounding
