@@ -34,7 +34,7 @@ class ExactSum {
         parts_[size_++] = value;
     }
 
-    std::array<double, 12> parts_{};
+    std::array<double, 24> parts_{};
     std::size_t size_ = 0;
 };
 
@@ -56,6 +56,23 @@ int orientation(const Vec2& a, const Vec2& b, const Vec2& c) {
     sum.add_product(a.y, c.x);
     sum.add_product(c.y, b.x);
     return sum.sign();
+}
+
+int orientation(const MovingPoint& a, const MovingPoint& b, const MovingPoint& c) {
+    // The determinant is a polynomial in time; the first coefficient that is not 0 decides.
+    if (const int constant = orientation(a.at, b.at, c.at)) return constant;
+    ExactSum linear;
+    const auto add = [&](const MovingPoint& p, const MovingPoint& q) {
+        linear.add_product(p.at.x, q.velocity.y);
+        linear.add_product(p.velocity.x, q.at.y);
+        linear.add_product(-p.at.y, q.velocity.x);
+        linear.add_product(-p.velocity.y, q.at.x);
+    };
+    add(a, b);
+    add(b, c);
+    add(c, a);
+    if (const int sign = linear.sign()) return sign;
+    return orientation(a.velocity, b.velocity, c.velocity);
 }
 
 }  // namespace pectin

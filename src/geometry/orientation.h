@@ -12,4 +12,12 @@ namespace pectin {
 // operations, or about a hundred if rounding could decide.
 int orientation(const Vec2& a, const Vec2& b, const Vec2& c);
 
+struct MovingPoint {
+    Vec2 at, velocity;
+};
+
+// Returns the orientation that the points have at all sufficiently small times after 0; 0 if they
+// stay collinear. Exact under the same condition.
+int orientation(const MovingPoint& a, const MovingPoint& b, const MovingPoint& c);
+
 }  // namespace pectin

@@ -160,13 +160,14 @@ class Flipper {
             inside.in_space.push_back(polygon_.in_space[corner]);
             inside.order.push_back(polygon_.order[corner]);
         }
-        std::vector<CornerTriangle> cut = clip_ears(inside);
+        const auto ears = clip_ears(inside, most_ear_steps(outline.size()));
+        if (!ears) return;
         const auto has_area = [&](const CornerTriangle& t) {
             return orientation(inside.points[t[0]], inside.points[t[1]], inside.points[t[2]]) > 0;
         };
-        if (!std::all_of(cut.begin(), cut.end(), has_area)) return;
+        if (!std::all_of(ears->begin(), ears->end(), has_area)) return;
         for (std::size_t i = 0; i < members.size(); ++i) {
-            for (std::size_t k = 0; k < 3; ++k) triangles_[members[i]][k] = outline[cut[i][k]];
+            for (std::size_t k = 0; k < 3; ++k) triangles_[members[i]][k] = outline[(*ears)[i][k]];
         }
     }
 

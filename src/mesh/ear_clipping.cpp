@@ -49,6 +49,12 @@ class EarClipper {
         return std::move(triangles_);
     }
 
+    std::vector<CornerTriangle> clip_without_search() {
+        rule_ = Rule::any;
+        easings_ = kMostEasings;
+        return *clip();
+    }
+
   private:
     struct Ear {
         std::uint32_t length = 0;  // of the diagonal, as bits of a float: coarse enough that
@@ -187,6 +193,16 @@ std::optional<std::vector<CornerTriangle>> clip_ears(const FlatPolygon& polygon,
 
 std::vector<CornerTriangle> clip_ears(const FlatPolygon& polygon) {
     return *clip_ears(polygon, std::numeric_limits<std::size_t>::max());
+}
+
+std::size_t most_ear_steps(std::size_t corners) {
+    constexpr std::size_t kPerCornerAndBit = 16;
+    return corners <= kMostCornersOfSmall ? std::numeric_limits<std::size_t>::max()
+                                          : kPerCornerAndBit * corners * std::bit_width(corners);
+}
+
+std::vector<CornerTriangle> clip_corners(const FlatPolygon& polygon) {
+    return EarClipper(polygon, most_ear_steps(0)).clip_without_search();
 }
 
 }  // namespace pectin

@@ -33,4 +33,14 @@ std::vector<CornerTriangle> clip_ears(const FlatPolygon& polygon);
 std::optional<std::vector<CornerTriangle>> clip_ears(const FlatPolygon& polygon,
                                                      std::size_t most_steps);
 
+// Polygons with more corners are large: their ears are searched with a limited number of steps.
+constexpr std::size_t kMostCornersOfSmall = 1024;
+// Returns the limit, which grows like n log n; there is none for small polygons.
+std::size_t most_ear_steps(std::size_t corners);
+
+// Returns n - 2 triangles as above, but cuts off corners whether they are ears or not, those with
+// short diagonals first. Some triangles are clockwise in most polygons that are not convex. Cost:
+// O(n log n).
+std::vector<CornerTriangle> clip_corners(const FlatPolygon& polygon);
+
 }  // namespace pectin

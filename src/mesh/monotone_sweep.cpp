@@ -37,8 +37,8 @@ struct Interval {
 
 class Sweep {
   public:
-    explicit Sweep(std::span<const Vec2> points)
-        : points_(points), interval_of_(points.size(), intervals_.end()) {}
+    Sweep(std::span<const Vec2> points, std::span<const Vec2> directions)
+        : points_(points), directions_(directions), interval_of_(points.size(), intervals_.end()) {}
 
     std::optional<SweptPolygon> run() {
         const auto n = static_cast<std::uint32_t>(points_.size());
@@ -47,7 +47,7 @@ class Sweep {
         std::sort(order.begin(), order.end(),
                   [&](std::uint32_t i, std::uint32_t j) { return is_left_of(i, j); });
         for (std::size_t i = 0; i < order.size() && is_simple_; ++i) {
-            if (i > 0 && points_[order[i]] == points_[order[i - 1]]) return std::nullopt;
+            if (i > 0 && !is_left_of(order[i - 1], order[i])) return std::nullopt;  // equal
             pass(order[i]);
         }
         if (!is_simple_ || result_.triangles.size() != points_.size() - 2) return std::nullopt;
@@ -77,12 +77,21 @@ class Sweep {
         return i > 0 ? i - 1 : static_cast<std::uint32_t>(points_.size() - 1);
     }
     bool is_left_of(std::uint32_t i, std::uint32_t j) const {
-        const Vec2 &p = points_[i], &q = points_[j];
-        return std::tie(p.x, p.y) < std::tie(q.x, q.y);
+        const auto is_less = [](const Vec2& p, const Vec2& q) {
+            return std::tie(p.x, p.y) < std::tie(q.x, q.y);
+        };
+        const bool directions_decide = !directions_.empty() && points_[i] == points_[j];
+        return directions_decide ? is_less(directions_[i], directions_[j])
+                                 : is_less(points_[i], points_[j]);
     }
     int turn(std::uint32_t i, std::uint32_t j, std::uint32_t k) {
         ++result_.steps;
-        return orientation(points_[i], points_[j], points_[k]);
+        const int turned = orientation(points_[i], points_[j], points_[k]);
+        if (turned != 0 || directions_.empty()) return turned;
+        const auto moving = [&](std::uint32_t c) {
+            return MovingPoint{points_[c], directions_[c]};
+        };
+        return orientation(moving(i), moving(j), moving(k));
     }
     // Compares a side that the sweep line meets with a corner on that line.
     bool is_below(std::uint32_t side, std::uint32_t corner) {
@@ -212,6 +221,7 @@ class Sweep {
     }
 
     std::span<const Vec2> points_;
+    std::span<const Vec2> directions_;  // n; empty if the corners stay where they are
     Intervals intervals_{IsBelow{this}};
     std::vector<Place> interval_of_;  // n; the interval that a side bounds
     SweptPolygon result_;
@@ -221,7 +231,12 @@ class Sweep {
 }  // namespace
 
 std::optional<SweptPolygon> sweep_triangles(std::span<const Vec2> points) {
-    return Sweep(points).run();
+    return Sweep(points, {}).run();
+}
+
+std::optional<SweptPolygon> sweep_triangles(std::span<const Vec2> points,
+                                            std::span<const Vec2> directions) {
+    return Sweep(points, directions).run();
 }
 
 }  // namespace pectin

@@ -22,8 +22,13 @@ struct SweptPolygon {
 // Triangulates a polygon whose corners are in counter-clockwise order. The sweep divides it into
 // pieces that are monotone in x (Lee & Preparata 1977), which are triangulated as they appear
 // (Garey et al. 1978). All decisions are exact. Returns none if it finds that corners or sides
-// touch or intersect; clip_ears may still succeed. It does not always find this; some triangles may
-// then be clockwise. Cost: O(n log n).
+// touch or intersect. It does not always find this; some triangles may then be clockwise.
+// Cost: O(n log n).
 std::optional<SweptPolygon> sweep_triangles(std::span<const Vec2> points);
+
+// Triangulates the polygon that results if each corner moves an infinitesimal distance along its
+// direction (n of them). A triangle without area may then be one of the triangles.
+std::optional<SweptPolygon> sweep_triangles(std::span<const Vec2> points,
+                                            std::span<const Vec2> directions);
 
 }  // namespace pectin

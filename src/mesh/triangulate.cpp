@@ -4,6 +4,7 @@
 #include <bit>
 #include <cmath>
 #include <numeric>
+#include <optional>
 #include <tuple>
 #include <utility>
 
@@ -13,6 +14,7 @@
 #include "mesh/ear_clipping.h"
 #include "mesh/monotone_sweep.h"
 #include "mesh/quad_diagonal.h"
+#include "mesh/touching_polygon.h"
 
 namespace pectin {
 namespace {
@@ -138,18 +140,28 @@ class PolygonTriangulator {
 
   private:
     // Returns whether the triangles cover the polygon. Ears need few flips afterwards, but thin
-    // ones may take long to find. Then a sweep is used instead, unless the polygon touches itself.
+    // ones may take long to find. Then a sweep is used instead. If it fails, since the polygon
+    // touches or intersects itself, ears are searched again with a higher limit, and a large
+    // polygon for which even that is too low is cut without a search.
     bool clip() {
         const std::size_t n = polygon_.points.size();
         if (auto ears = clip_ears(polygon_, kEarSteps * n * std::bit_width(n))) {
             triangles_ = std::move(*ears);
             return covers();
         }
-        if (auto swept = sweep_triangles(polygon_.points)) {
-            triangles_ = std::move(swept->triangles);
-            if (covers()) return true;
+        if (take(sweep_triangles(polygon_.points))) return true;
+        for (const Touch touch : {Touch::outside, Touch::inside}) {
+            const bool is_large = n > kMostCornersOfSmall;
+            if (is_large && take(sweep_touching_polygon(polygon_.points, touch))) return true;
         }
-        triangles_ = clip_ears(polygon_);
+        auto ears = clip_ears(polygon_, most_ear_steps(n));
+        triangles_ = ears ? std::move(*ears) : clip_corners(polygon_);
+        return covers();
+    }
+    // Returns whether these triangles exist and cover the polygon.
+    bool take(std::optional<SweptPolygon> swept) {
+        if (!swept) return false;
+        triangles_ = std::move(swept->triangles);
         return covers();
     }
     bool covers() const { return !has_reversed(polygon_.points, triangles_); }
