@@ -17,12 +17,12 @@ namespace pectin {
 // polygons that are their own mirror image, the result does not depend on the first corner, and
 // mirroring the polygon along any axis through `centre` mirrors it (unless the search for ears of a
 // large polygon that intersects itself reaches its limit for only one of the two, since the number
-// of steps depends on the axes). Returns whether
-// the triangles cover exactly the polygon. They do unless it intersects itself (if it is not flat:
-// in that projection and in its own plane), except in rare cases: large polygons that touch
-// themselves both on their inside and on their outside, or at very small angles, where rounding
-// prevents it. Cost: O(n log n) for polygons that do not touch or intersect themselves and for all
-// with more than kMostCornersOfSmall corners; for others the cost of clip_ears.
+// of steps depends on the axes). Returns whether the triangles cover exactly the polygon. They do
+// unless it intersects itself (if it is not flat: in that projection and in its own plane), except
+// in rare cases: large polygons that touch themselves both on their inside and on their outside, or
+// at very small angles, where rounding prevents it. Cost: O(n log n) for polygons that do not touch
+// or intersect themselves and for all with more than kMostCornersOfSmall corners; for others the
+// cost of clip_ears.
 bool triangulate(std::span<const Vec3> corners,
                  std::vector<std::array<std::uint32_t, 3>>& triangles,
                  const Vec3& centre = Vec3{0.0});

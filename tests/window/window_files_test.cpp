@@ -45,8 +45,8 @@ TEST_F(WindowTest, DroppingAModelOpensItAndAnyOtherFileKeepsTheObject) {
 TEST_F(WindowTest, ALargeFileIsOpenedInTheBackgroundAndCanBeCancelled) {
     // With sanitizers, a quarter of the size takes as long.
     const int resolution = test::is_sanitized() ? 7 : 8;
-    const std::string script = folder().write_script(
-        "large.jsonl",
+    const std::string script = write_script(
+        folder(), "large.jsonl",
         {R"({"cmd": "shape", "kind": "sphere", "resolution": )" + std::to_string(resolution) + "}",
          R"({"cmd": "save", "path": "large.obj"})"});
     ASSERT_EQ(run_program({"replay", script}).exit_status, 0);
