@@ -56,8 +56,8 @@ void write_if_possible(std::string_view line) {
 }
 
 // Removes the temporary files on another thread, because a file system that does not answer must
-// not keep the program from ending. That thread goes on until the end of the program, so that no
-// file is added.
+// not keep the program from ending. That thread holds the list's lock until the program ends, so
+// that no file is added.
 void remove_files_if_possible() {
     constexpr std::chrono::milliseconds kLongestWait{500};
     static std::binary_semaphore are_removed{0};

@@ -1,6 +1,7 @@
 #include "app/workspace.h"
 
 #include <filesystem>
+#include <new>
 #include <utility>
 
 #include "app/default_settings.h"
@@ -10,6 +11,15 @@
 
 namespace pectin {
 namespace {
+
+// Whether a command has been done must not depend on whether the memory suffices for a message.
+template <typename Tell>
+void tell_if_possible(Tell tell) {
+    try {
+        tell();
+    } catch (const std::bad_alloc&) {
+    }
+}
 
 const char* shape_name(command::Shape::Kind kind) {
     switch (kind) {
@@ -75,7 +85,9 @@ Workspace::Outcome Workspace::run(const Command& command, MakeWork make_work) {
     }
     if (session_.history().step_number() != step_number) is_modified_ = true;
     finish(command);
-    if (!session_.remark().empty()) set_message(sentence(session_.remark()));
+    tell_if_possible([&] {
+        if (!session_.remark().empty()) set_message(sentence(session_.remark()));
+    });
     return Outcome::done;
 }
 
@@ -92,8 +104,10 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     });
     if (error) return is_cancelled ? Outcome::failed : fail(*error);
     finish(task->command, result.fingerprint);
-    if (!result.report.empty()) set_message(result.report);
-    if (!result.warning.empty()) add_notice(sentence(result.warning));
+    tell_if_possible([&] {
+        if (!result.report.empty()) set_message(result.report);
+        if (!result.warning.empty()) add_notice(sentence(result.warning));
+    });
     return Outcome::done;
 }
 
@@ -105,11 +119,12 @@ Workspace::Outcome Workspace::fail(const std::string& error) {
 // Updates everything else after the session has executed the command.
 void Workspace::finish(const Command& command, const std::string& fingerprint) {
     clear_command_message();
+    record(command, fingerprint);  // first, since memory may run out for the rest
     update_file_state(command);
-    // The command is recorded even if the memory does not suffice for the message.
-    record(command, fingerprint);
     if (const auto* open = std::get_if<command::Open>(&command)) {
-        set_message(input_summary(open->path, session_.input_report(), session_.read_report()));
+        tell_if_possible([&] {
+            set_message(input_summary(open->path, session_.input_report(), session_.read_report()));
+        });
     }
 }
 

@@ -12,8 +12,9 @@ namespace pectin {
 
 // The field is D(x) = D_L(x) + M D_L(Mx), where D_L is the field of the lattice and M the
 // reflection in the plane. A point and its image are moved and bent as mirror images of each other
-// bit for bit, and points of the plane stay on it. Cost of an evaluation: that of two lattice
-// fields, however many points are dragged.
+// (bit for bit if reflecting an image gives the point again, as in planes through the origin), and
+// points of the plane stay on it. Cost of an evaluation: that of two lattice fields, however many
+// points are dragged.
 struct SymmetricLattice {
     LatticeField field;
     MirrorPlane plane;

@@ -39,8 +39,8 @@ void refuse_irregular_file(const std::string& path, mode_t mode) {
 
 // Reads a part of a file in pieces. A call that outlives its caller owns it.
 struct Reading {
-    // Pieces of this size make progress visible, also of slow servers.
-    static constexpr std::size_t kPiece = std::size_t{1} << 20;
+    // A server of 3 kB/s delivers a piece of this size within the time limit.
+    static constexpr std::size_t kPiece = std::size_t{1} << 16;
 
     decltype(FileOptions::read) read;
     OpenFile file;

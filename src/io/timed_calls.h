@@ -15,7 +15,7 @@ namespace pectin {
 // be created, the caller's thread makes the call.
 class TimedCalls {
   public:
-    // timeout: how long a call may take without doing anything.
+    // timeout: how long a call may take without progress.
     explicit TimedCalls(std::chrono::milliseconds timeout) : timeout_(timeout) {}
     ~TimedCalls();
     TimedCalls(const TimedCalls&) = delete;
@@ -27,7 +27,7 @@ class TimedCalls {
     //
     // call: has to own everything that it uses, because it may go on when run() has returned.
     // fraction: how much of the call is done, from 0 to 1. It is reported as progress, and while it
-    // changes the call counts as doing something.
+    // changes the time starts again.
     bool run(
         std::function<void()> call, const Progress& progress,
         const std::function<double()>& fraction = [] { return 0.0; });

@@ -5,6 +5,7 @@
 #include <limits>
 #include <queue>
 #include <tuple>
+#include <utility>
 
 #include "geometry/orientation.h"
 #include "mesh/point_tree.h"
@@ -202,7 +203,7 @@ std::size_t most_ear_steps(std::size_t corners) {
 }
 
 std::vector<CornerTriangle> clip_corners(const FlatPolygon& polygon) {
-    return EarClipper(polygon, most_ear_steps(0)).clip_without_search();
+    return EarClipper(polygon, std::numeric_limits<std::size_t>::max()).clip_without_search();
 }
 
 }  // namespace pectin

@@ -35,7 +35,8 @@ std::optional<std::vector<CornerTriangle>> clip_ears(const FlatPolygon& polygon,
 
 // Polygons with more corners are large: their ears are searched with a limited number of steps.
 constexpr std::size_t kMostCornersOfSmall = 1024;
-// Returns the limit, which grows like n log n; there is none for small polygons.
+// The most steps to give clip_ears() for a polygon of this many corners: of the order n log n, and
+// without a limit for small polygons.
 std::size_t most_ear_steps(std::size_t corners);
 
 // Returns n - 2 triangles as above, but cuts off corners whether they are ears or not, those with

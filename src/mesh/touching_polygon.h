@@ -1,4 +1,4 @@
-// Triangulates a plane polygon that may touch itself with a sweep line.
+// Triangulates, with a sweep line, a plane polygon that may touch itself.
 #pragma once
 
 #include <optional>
@@ -14,8 +14,8 @@ namespace pectin {
 enum class Touch { outside, inside };
 
 // Triangulates a polygon whose corners are in counter-clockwise order. It may touch itself in
-// corners and along sides, and corners may repeat the one before. First corners at which the
-// outline turns back on itself are cut off as triangles without area. Then each corner is moved an
+// corners and along sides, and corners may repeat the one before. Corners at which the outline
+// turns back on itself are cut off first, as triangles without area. Then each corner is moved an
 // infinitesimal distance along the bisector of its angle, into the polygon if it touches itself on
 // its outside, otherwise out of it. This makes the polygon simple, and sweep_triangles is called.
 // Returns none if it finds that the polygon intersects itself or touches itself on the other side.

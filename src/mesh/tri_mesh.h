@@ -2,9 +2,9 @@
 //
 // Half-edges occupy fixed slots of their face: face f has the half-edges 3f, 3f+1 and 3f+2, in
 // counter-clockwise order seen from outside. Positions belong to vertices; normals and texture
-// coordinates belong to wedges. A wedge is shared by the face corners at a vertex between which the
-// surface is smooth; along a crease or a UV seam the corners on its two sides have different wedges
-// at the same vertex.
+// coordinates belong to wedges. A wedge is a vertex as a face corner sees it. The corners at a
+// vertex between which the surface is smooth share one wedge; along a crease or a UV seam the
+// corners on its two sides have different ones.
 //
 // Non-manifold input is cut into sheets by build_mesh. The edges along a cut are boundary edges of
 // their sheets, and they are siblings of each other: they have the same two ends, since the sheets

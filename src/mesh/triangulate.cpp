@@ -141,8 +141,8 @@ class PolygonTriangulator {
   private:
     // Returns whether the triangles cover the polygon. Ears need few flips afterwards, but thin
     // ones may take long to find. Then a sweep is used instead. If it fails, since the polygon
-    // touches or intersects itself, ears are searched again with a higher limit, and a large
-    // polygon for which even that is too low is cut without a search.
+    // touches or intersects itself, ears are searched again with a higher limit, or with
+    // none in a small polygon. A large polygon that needs more is cut without a search.
     bool clip() {
         const std::size_t n = polygon_.points.size();
         if (auto ears = clip_ears(polygon_, kEarSteps * n * std::bit_width(n))) {
@@ -150,8 +150,8 @@ class PolygonTriangulator {
             return covers();
         }
         if (take(sweep_triangles(polygon_.points))) return true;
+        const bool is_large = n > kMostCornersOfSmall;
         for (const Touch touch : {Touch::outside, Touch::inside}) {
-            const bool is_large = n > kMostCornersOfSmall;
             if (is_large && take(sweep_touching_polygon(polygon_.points, touch))) return true;
         }
         auto ears = clip_ears(polygon_, most_ear_steps(n));

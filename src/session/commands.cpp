@@ -60,7 +60,7 @@ bool is_plain_json(const FileKind& kind, std::string_view contents) {
 
 Refusal Session::State::run(const command::Open& open) {
     LoadedModel model = load_model(open);
-    // Where the memory does not suffice for the summary, the old object must still be there.
+    // Made first: if memory runs out here, the old object is kept.
     std::string summary = input_summary(open.path, model.report, model.read_report);
     adopt(std::move(model));
     remark = std::move(summary);

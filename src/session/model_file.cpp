@@ -1,5 +1,6 @@
 #include "session/model_file.h"
 
+#include <cstddef>
 #include <filesystem>
 #include <map>
 #include <set>
@@ -79,9 +80,11 @@ SaveReport MaterialReport::take(const std::string& folder) const {
 SaveReport copy_materials(const TriMesh& mesh, const std::string& folder,
                           std::span<const std::string> material_folders, const Progress& progress) {
     MaterialReport report;
-    for (const std::string& from : material_folders) {
-        report.add(
-            copy_material_files(mesh.input_form().material_libraries, from, folder, progress));
+    const auto count = static_cast<double>(material_folders.size());
+    for (std::size_t i = 0; i < material_folders.size(); ++i) {
+        const auto begin = static_cast<double>(i);
+        report.add(copy_material_files(mesh.input_form().material_libraries, material_folders[i],
+                                       folder, progress.part(begin / count, (begin + 1) / count)));
     }
     progress.advance(1.0);
     return report.take(folder);

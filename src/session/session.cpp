@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cassert>
 #include <functional>
+#include <new>
 #include <utility>
 
 #include "session/session_state.h"

@@ -45,7 +45,8 @@ FailingNew::~FailingNew() { armed = false; }
 bool FailingNew::has_failed() const { return failed; }
 
 FailurePoints::FailurePoints(std::size_t sparseness)
-    : sparseness_(test::is_sanitized() ? sparseness / 2 : sparseness), takes_all_(test::is_long()) {
+    : sparseness_(test::is_sanitized() ? (sparseness + 1) / 2 : sparseness),
+      takes_all_(test::is_long()) {
     if (takes_all_) return;
     const char* const chosen = std::getenv("PECTIN_TEST_OFFSET");
     offset_ = chosen ? std::strtoull(chosen, nullptr, 10) : std::random_device()() % sparseness_;

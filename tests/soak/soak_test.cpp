@@ -10,6 +10,7 @@
 #include <limits>
 #include <map>
 #include <numbers>
+#include <variant>
 
 #include "io/file_error.h"
 #include "io/obj_reader.h"

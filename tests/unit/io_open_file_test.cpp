@@ -20,6 +20,7 @@
 #include <set>
 #include <stop_token>
 #include <string>
+#include <system_error>
 #include <thread>
 #include <utility>
 
@@ -132,7 +133,7 @@ TEST_F(OpenFileTest, CanBeCancelledWhileTheFileSystemDoesNotAnswer) {
     const auto begin = Clock::now();
     EXPECT_THROW(FileAccess(mount.options(1h)).open(path("a.obj"), Progress(stop.get_token(), {})),
                  Cancelled);
-    EXPECT_LT(Clock::now() - begin, 1s);
+    EXPECT_LT(Clock::now() - begin, 5s);
 }
 
 TEST_F(OpenFileTest, AsksAboutManyFilesOnOneOtherThread) {
@@ -172,28 +173,27 @@ TEST_F(OpenFileTest, RethrowsExceptionsOfTheOtherThread) {
 class StoppedServer {
   public:
     StoppedServer() {
-        if (::pipe(ends_->data()) != 0) ADD_FAILURE() << "no pipe";
+        if (::pipe(pipe_->ends.data()) != 0) ADD_FAILURE() << "no pipe";
     }
-    ~StoppedServer() {
-        ::close((*ends_)[1]);
-        while (is_reading_.use_count() > 1) std::this_thread::sleep_for(1ms);
-        ::close((*ends_)[0]);
-    }
+    ~StoppedServer() { ::close(pipe_->ends[1]); }
     // answers: how many pieces are read before the server stops.
     FileOptions options(std::chrono::milliseconds timeout, int answers = 0) const {
         FileOptions options{.timeout = timeout};
-        options.read = [ends = ends_, is_reading = is_reading_, left = answers](
-                           const OpenFile& file, std::size_t offset, char* to,
-                           std::size_t most) mutable {
+        options.read = [pipe = pipe_, left = answers](const OpenFile& file, std::size_t offset,
+                                                      char* to, std::size_t most) mutable {
             if (left-- > 0) return read_system(file, offset, to, std::min<std::size_t>(most, 1));
-            return ::read((*ends)[0], to, most);
+            return ::read(pipe->ends[0], to, most);
         };
         return options;
     }
 
   private:
-    std::shared_ptr<std::array<int, 2>> ends_ = std::make_shared<std::array<int, 2>>();
-    std::shared_ptr<bool> is_reading_ = std::make_shared<bool>();
+    // Also owned by the thread that reads, which may outlive the server.
+    struct Pipe {
+        std::array<int, 2> ends{};
+        ~Pipe() { ::close(ends[0]); }
+    };
+    std::shared_ptr<Pipe> pipe_ = std::make_shared<Pipe>();
 };
 
 TEST_F(OpenFileTest, GivesUpOnAReadThatHangsAfterTheFileWasOpened) {
@@ -220,16 +220,17 @@ TEST_F(OpenFileTest, LetsATaskBeCancelledWhileItsReadHangs) {
     const auto begin = Clock::now();
     task.cancel();
     EXPECT_THROW(task.take(), Cancelled);
-    EXPECT_LT(Clock::now() - begin, 1s);
+    EXPECT_LT(Clock::now() - begin, 5s);
 }
 
 TEST_F(OpenFileTest, WaitsLongerThanTheTimeLimitForASlowServerThatGoesOn) {
-    FileOptions options{.timeout = 400ms};
+    FileOptions options{.timeout = 2s};
     options.read = [](const OpenFile& file, std::size_t offset, char* to, std::size_t most) {
         std::this_thread::sleep_for(20ms);
         return read_system(file, offset, to, std::min<std::size_t>(most, 1));
     };
-    ASSERT_GT(fs::file_size(path("a.obj")) * 20, 400u);
+    folder_.write("a.obj", kTriangle + std::string(150, '\n'));
+    ASSERT_GT(fs::file_size(path("a.obj")) * 20, 2000u);
     EXPECT_EQ(read_whole_file(path("a.obj"), {}, 1 << 20, options), read_whole_file(path("a.obj")));
 }
 
@@ -243,7 +244,7 @@ TEST_F(OpenFileTest, ReportsTheErrorOfARead) {
         read_whole_file(path("a.obj"), {}, 1 << 20, options);
         FAIL() << "was read";
     } catch (const FileError& error) {
-        EXPECT_EQ(error.message(), "cannot be read: Input/output error");
+        EXPECT_EQ(error.message(), "cannot be read: " + std::generic_category().message(EIO));
     }
 }
 

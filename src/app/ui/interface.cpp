@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <utility>
+#include <variant>
 
 #include "app/theme.h"
 #include "app/ui/imgui_input.h"
