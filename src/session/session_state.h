@@ -139,7 +139,7 @@ struct Session::State {
 
     // --- Drags (drag.cpp, drag_faces.cpp).
     Refusal begin_drag(const command::Drag& drag);
-    Refusal drag_to(const command::Drag& drag);
+    Refusal drag_to(const command::Drag& asked);
     std::optional<command::Drag> end_drag();
     Refusal check_lattice(const Lattice& lattice) const;
     Refusal check_targets(const command::Drag& drag, double reach) const;
