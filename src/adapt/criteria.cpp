@@ -6,6 +6,7 @@
 
 #include "adapt/sheets.h"
 #include "adapt/split_order.h"
+#include "embedding/embedding.h"
 
 namespace pectin {
 namespace {
@@ -22,6 +23,12 @@ std::vector<Box> with_images(std::vector<Box> boxes, const std::optional<MirrorP
     return boxes;
 }
 
+bool are_only_sampled(const AdaptLimits& limits, const Embedding& steps) {
+    const bool curvature_is_on = std::visit(
+        [](const auto& trigger) { return trigger.fast_path_bound() < kOff; }, limits.curvature);
+    return limits.l_max_is_automatic && curvature_is_on && steps.steps_move_middles_most();
+}
+
 std::vector<Box> as_list(const std::optional<Box>& box) {
     return box ? std::vector{*box} : std::vector<Box>{};
 }
@@ -34,10 +41,11 @@ Criteria::Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
                nullptr) {}
 
 Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
-                   std::optional<std::vector<Box>> scope, const Embedding* between)
+                   std::optional<std::vector<Box>> scope, const Embedding* steps)
     : limits_(limits),
       floor_(limits.floor),
-      length_(limits.l_max, with_images(std::move(zones), limits.symmetry), between,
+      length_(limits.l_max, with_images(std::move(zones), limits.symmetry),
+              {.embedding = steps, .are_only_sampled = steps && are_only_sampled(limits, *steps)},
               SplitOrder(limits.propagation, limits.symmetry), floor_),
       squared_difference_bound_(
           ask_curvature([](const auto& trigger) { return trigger.fast_path_bound(); })),

@@ -40,7 +40,7 @@ class Embedding;
 //   on faces has to be tested like EdgeLength there.
 // - The image of a point that is no vertex, such as a midpoint before it is inserted, is not known
 //   to an active set. Embedding::image computes it, but AdaptLimits are made before the embedding.
-//   Criteria would have to pass it on; `between` is not enough, since only warps of several steps
+//   Criteria would have to pass it on; `steps` is not enough, since only warps of several steps
 //   have it.
 // - The answer must not depend on the order of splits, and several threads ask at a time.
 // - merged_edge_needs_refinement(star) must give the answer that needs_refinement() gives for bc
@@ -56,6 +56,9 @@ using CurvatureTrigger = std::variant<NormalDivergence>;
 struct AdaptLimits {
     CurvatureTrigger curvature{};  // conditions (a)
     double l_max = kOff;           // conditions (b): an edge in the zone that is longer is refined
+    // L_max was not set by the user, but follows from the lattice as the distance of samples. In a
+    // warp of several steps edges may then be longer (EdgeLength::Steps::are_only_sampled).
+    bool l_max_is_automatic = false;
     double flatness = kOff;    // how far an unsplit may move the surface, in lengths of its edge
     double floor = 0.0;        // an edge shorter than twice this is not split
     double propagation = 1.0;  // rho in [1, 1.5), see Propagation
@@ -78,10 +81,10 @@ class Criteria {
     // symmetry their mirror images count as well.
     Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
              const std::optional<Box>& scope);
-    // The same with several boxes. between: edges are tested against l_max also where the later
-    // steps of its warp find them; it must outlive this.
+    // The same with several boxes. steps: the embedding in a warp of several steps, which are all
+    // tested against l_max; it must outlive this.
     Criteria(const AdaptLimits& limits, std::vector<Box> zones,
-             std::optional<std::vector<Box>> scope, const Embedding* between = nullptr);
+             std::optional<std::vector<Box>> scope, const Embedding* steps = nullptr);
 
     const AdaptLimits& limits() const { return limits_; }
 

@@ -147,22 +147,9 @@ void Embedding::transform_normal(const D& deformation, std::size_t step, std::ui
     normals_[wedge] = covariant_normal(deformation, from, w, normals_[wedge]);
 }
 
-bool Embedding::is_long_between_steps(VertexId a, VertexId b, VertexId c, double l_max) const {
-    for (std::size_t step = 1; step < step_starts_.size(); ++step) {
-        const auto position = [&](VertexId v) {
-            const auto entry = active_.entry_of(v);
-            return entry ? step_starts_[step].positions[*entry] : active_.mesh().position(v);
-        };
-        const Vec3 p = position(a), q = position(b), r = position(c);
-        const auto is_long = [&](const Vec3& from, const Vec3& to) {
-            return glm::dot(to - from, to - from) > l_max * l_max;
-        };
-        if (!is_long(p, q) && !is_long(q, r) && !is_long(r, p)) continue;
-        for (const Box& zone : step_starts_[step].zones) {
-            if (triangle_meets_box(p, q, r, zone)) return true;
-        }
-    }
-    return false;
+Vec3 Embedding::position_before(std::size_t step, VertexId v) const {
+    const auto entry = active_.entry_of(v);
+    return entry ? start_position(step, *entry) : active_.mesh().position(v);
 }
 
 // --- The last step

@@ -61,11 +61,12 @@ class Embedding {
     double longest_edge_bound() const;
     std::size_t memory_bytes() const;
 
-    // --- Between the steps.
-    // Whether, before one of the steps after the first, an edge of the face abc is longer than
-    // l_max and the face meets the zone of that step. Otherwise the effect of the step inside the
-    // face might go unnoticed.
-    bool is_long_between_steps(VertexId a, VertexId b, VertexId c, double l_max) const;
+    // --- The states before the steps. The one before the first step is the rest state.
+    std::size_t step_count() const { return step_starts_.size(); }
+    Vec3 position_before(std::size_t step, VertexId v) const;
+    std::span<const Box> zones(std::size_t step) const { return step_starts_[step].zones; }
+    // See Warp.
+    bool steps_move_middles_most() const { return warp_.moves_middles_most; }
 
   private:
     // The state before a step.

@@ -12,6 +12,9 @@ namespace pectin {
 // LatticeField.
 struct Warp {
     std::vector<Deformation> steps;
+    // Whether each step moves the middle of a zone most, and other points the less the farther they
+    // are from it.
+    bool moves_middles_most = false;
 
     // Boxes outside which nothing moves: the zones of all steps, without duplicates.
     std::vector<Box> zones() const;

@@ -84,7 +84,10 @@ void Session::State::finish_commit(MeshChange& change) {
     const Gesture& gesture = *active_gesture->gesture;
     // The commit has rolled back edits that frames have shown, so they are drawn again, too.
     mark_dirty(active_gesture->gesture->take_edited_faces());
-    std::vector<Box> zones = gesture.warp().zones();
+    // Of a connected drag, other parts of the surface reach into the zones, but they were not
+    // refined there.
+    const bool limits_edge_length = gesture.limits_edge_length() && !active_gesture->drag.connected;
+    std::vector<Box> zones = limits_edge_length ? gesture.warp().zones() : std::vector<Box>{};
     std::string message = remark_on_self_intersections(gesture.last_frame());
     record(gesture.last_frame());
     add_step(active_gesture->is_control() ? Command{active_gesture->control}
@@ -93,8 +96,6 @@ void Session::State::finish_commit(MeshChange& change) {
 
     lattice_in_use = active_gesture->lattice;
     zones_in_use = std::move(zones);
-    // Other parts of the surface reach into the zones, but they were not refined there.
-    if (active_gesture->drag.connected) zones_in_use.clear();
     remark = std::move(message);
     folded = gesture.folded_vertices();
     active_gesture.reset();

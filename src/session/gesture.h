@@ -59,6 +59,8 @@ class Gesture {
     std::size_t memory_bytes() const { return embedding_.memory_bytes(); }
 
     const Warp& warp() const { return warp_; }
+    // Whether the edges in the zones of the warp are no longer than L_max after the gesture.
+    bool limits_edge_length() const { return !criteria_ || criteria_->length().limits_result(); }
     const Frame& last_frame() const { return last_; }
     std::uint64_t influenced_vertices() const { return influenced_; }
     std::uint64_t folded_vertices() const { return folded_; }  // after the commit

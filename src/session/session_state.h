@@ -70,7 +70,7 @@ struct Session::State {
     Viewport* viewport = nullptr;
     double diagonal = 0.0;                  // of the object's box when it was opened
     std::optional<Lattice> lattice_in_use;  // of the last step of the last drag
-    std::vector<Box> zones_in_use;          // of all its steps; empty after a connected drag
+    std::vector<Box> zones_in_use;          // of all its steps, if edges there are limited to L_max
     Statistics::Last last;
     std::uint64_t folded = 0;
     AdaptOutcome outcome;                       // of the present mesh

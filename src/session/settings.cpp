@@ -44,6 +44,7 @@ AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
         theta_min.is_automatic() && angles.theta_max == kOff ? kOff : theta_min_of(*this));
     limits.curvature = NormalDivergence(angles);
     limits.l_max = l_max.is_automatic() ? default_l_max(feature_extent) : value_or_off(l_max);
+    limits.l_max_is_automatic = l_max.is_automatic();
     if (!flatness.is_automatic()) {
         limits.flatness = value_or_off(flatness);
     } else if (angles.theta_max < kOff) {

@@ -84,7 +84,7 @@ std::vector<FixedScript> fixed_scripts() {
           R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0, 0.1, 1.2], )"
           R"("twist": {"axis": [0, 0, 1], "degrees": 90}, "scale": 2}]})"}},
         {"FoldFreeAlongWaypoints",
-         0x8fb0df8e3df4ccbbu,
+         0xb1ca23ffa41da71fu,
          {kSphere, kFine, R"({"cmd": "brush", "radius": 0.6})",
           R"({"cmd": "drag", "moves": [{"from": [0.6, 0.8, 0], "to": [1.5, 1.5, 0.3]}], )"
           R"("connected": true, "fold_free": true, "via": [[1, 1.2, 0.1]]})"}},

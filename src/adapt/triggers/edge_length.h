@@ -5,7 +5,9 @@
 // sampling (figure 4).
 #pragma once
 
+#include <array>
 #include <cstdint>
+#include <initializer_list>
 #include <vector>
 
 #include "adapt/floor.h"
@@ -28,23 +30,45 @@ enum class SplitNeed : std::uint8_t {
     neighbour
 };
 
-// A face is too coarse if it meets the zone at rest and one of its edges is longer than L_max now,
-// or was between the steps of the warp (Embedding::is_long_between_steps). The paper tests edges
-// instead of faces; but a deformation may lie within a face and miss its edges.
+// A face is too coarse if it meets the zone at rest and one of its edges is longer than L_max now.
+// The paper tests edges instead of faces; but a deformation may lie within a face and miss its
+// edges. In a warp of several steps a face is too coarse as well if, before one of the later steps,
+// it meets the zone of that step and has an edge longer than L_max.
+//
+// Steps::are_only_sampled changes this for long drags. A drag of many radii draws the surface out
+// into a thin spike. Its sides are straight, but each step finds their edges longer than L_max, and
+// as faces are bisected at rest, where the sides of the spike are a disc, the number of splits
+// grows with the square of the number of steps. So L_max then only ensures that no step goes
+// unnoticed:
+// - At rest a face is too coarse if it meets the zone of the first step and has a long edge.
+// - Before a later step a long face is fine as well if one of its corners is as near to the middle
+//   of the zone as the face is, up to half of L_max. The step acts most in the middle, so what it
+//   does to the face shows at that corner, and the curvature trigger decides.
+// - This does not hold for faces at a boundary, which can bend in their own plane, where no normal
+//   shows it.
+// - The edges of the result may be longer than L_max.
 //
 // A face that is too coarse is split at the edge that is longest at rest (SplitOrder::first_edge).
 // Longest-edge propagation bisects every face at that edge, whatever the reason for the split. So
 // the faces that can arise form one binary tree for each base face, and whether one of them is too
-// coarse depends on its corners alone. The result of refinement does not depend on the order of
-// splits.
+// coarse depends on itself alone. The result of refinement does not depend on the order of splits.
 class EdgeLength {
   public:
-    // l_max: world units, deformed lengths. zones: at rest; with none the trigger is off. between:
-    // the embedding whose earlier steps are tested as well, or null; it must outlive this.
-    EdgeLength(double l_max, std::vector<Box> zones, const Embedding* between,
-               const SplitOrder& order, const Floor& floor);
+    // The steps of a warp of several steps.
+    struct Steps {
+        const Embedding* embedding = nullptr;  // null for a single step; must outlive the trigger
+        // L_max follows from the lattice, the curvature trigger is on, and each step moves the
+        // middles of its zones most.
+        bool are_only_sampled = false;
+    };
+
+    // l_max: world units, deformed lengths. zones: at rest; with none the trigger is off.
+    EdgeLength(double l_max, std::vector<Box> zones, const Steps& steps, const SplitOrder& order,
+               const Floor& floor);
 
     bool is_on() const { return !zones_.empty() && l_max_ < kOff; }
+    // Whether the edges in the zones are no longer than L_max after refinement.
+    bool limits_result() const { return !steps_.are_only_sampled; }
     bool is_long(const TriMesh& mesh, EdgeId e) const {
         return mesh.squared_length(e) > l_max_ * l_max_;
     }
@@ -69,12 +93,23 @@ class EdgeLength {
     double fast_path_bound() const;
 
   private:
+    // A face of the mesh, or one that undoing a split restores.
+    struct Face {
+        VertexId a, b, c;
+        bool is_at_boundary;  // false if that makes no difference
+    };
+    using Corners = std::array<Vec3, 3>;
+
     bool is_too_coarse(const ActiveSet& active, HalfEdgeId h) const;
-    bool is_too_coarse(const ActiveSet& active, VertexId a, VertexId b, VertexId c) const;
+    bool is_too_coarse(const ActiveSet& active, const Face& face) const;
+    bool is_at_boundary(const TriMesh& mesh, std::initializer_list<HalfEdgeId> sides) const;
+    bool may_miss_a_step(const Face& face) const;
+    bool has_long_side(const Corners& corners) const;
+    bool shows_at_no_corner(const Corners& corners, const Box& zone) const;
 
     double l_max_;
     std::vector<Box> zones_;
-    const Embedding* between_;
+    Steps steps_;
     SplitOrder order_;
     Floor floor_;
 };
