@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "geometry/binary_digits.h"
 #include "geometry/orientation.h"
 #include "mesh/point_tree.h"
 
@@ -199,7 +200,7 @@ std::vector<CornerTriangle> clip_ears(const FlatPolygon& polygon) {
 std::size_t most_ear_steps(std::size_t corners) {
     constexpr std::size_t kPerCornerAndBit = 16;
     return corners <= kMostCornersOfSmall ? std::numeric_limits<std::size_t>::max()
-                                          : kPerCornerAndBit * corners * std::bit_width(corners);
+                                          : kPerCornerAndBit * corners * binary_digits(corners);
 }
 
 std::vector<CornerTriangle> clip_corners(const FlatPolygon& polygon) {

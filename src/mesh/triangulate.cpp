@@ -1,13 +1,13 @@
 #include "mesh/triangulate.h"
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <numeric>
 #include <optional>
 #include <tuple>
 #include <utility>
 
+#include "geometry/binary_digits.h"
 #include "geometry/box.h"
 #include "geometry/orientation.h"
 #include "mesh/delaunay_flips.h"
@@ -145,7 +145,7 @@ class PolygonTriangulator {
     // none in a small polygon. A large polygon that needs more is cut without a search.
     bool clip() {
         const std::size_t n = polygon_.points.size();
-        if (auto ears = clip_ears(polygon_, kEarSteps * n * std::bit_width(n))) {
+        if (auto ears = clip_ears(polygon_, kEarSteps * n * binary_digits(n))) {
             triangles_ = std::move(*ears);
             return covers();
         }

@@ -5,13 +5,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <functional>
 #include <map>
 #include <numbers>
 #include <numeric>
 
+#include "geometry/binary_digits.h"
 #include "geometry/orientation.h"
 #include "mesh/delaunay_flips.h"
 #include "mesh/triangulate.h"
@@ -135,7 +135,7 @@ TEST(MonotoneSweep, StepsGrowLikeNLogN) {
         const auto swept = sweep_triangles(ring);
         ASSERT_TRUE(swept.has_value());
         std::vector<CornerTriangle> triangles = swept->triangles;
-        EXPECT_LT(swept->steps, ring.size() * std::bit_width(ring.size()));
+        EXPECT_LT(swept->steps, ring.size() * binary_digits(ring.size()));
         EXPECT_LT(flip_to_delaunay(flat(ring), triangles), ring.size());
         double area = 0.0;
         for (const CornerTriangle& t : triangles) {
@@ -144,7 +144,7 @@ TEST(MonotoneSweep, StepsGrowLikeNLogN) {
         }
         EXPECT_NEAR(area, area_of(ring), 1e-12);
         // The number of steps of the search for ears grows faster.
-        const std::size_t most = 4 * ring.size() * std::bit_width(ring.size());
+        const std::size_t most = 4 * ring.size() * binary_digits(ring.size());
         EXPECT_EQ(clip_ears(flat(ring), most).has_value(), ring.size() < 5'000) << ring.size();
     };
     for (const int corners : {2'000, 50'000, 100'000}) {

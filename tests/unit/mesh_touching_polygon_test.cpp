@@ -9,6 +9,7 @@
 #include <set>
 #include <utility>
 
+#include "geometry/binary_digits.h"
 #include "geometry/orientation.h"
 #include "mesh/ear_clipping.h"
 #include "mesh/triangulate.h"
@@ -51,7 +52,7 @@ void expect_swept(const Ring& ring, Touch touch) {
     const auto swept = sweep_touching_polygon(ring, touch);
     ASSERT_TRUE(swept.has_value());
     expect_cover(ring, swept->triangles);
-    EXPECT_LT(swept->steps, ring.size() * std::bit_width(ring.size()));
+    EXPECT_LT(swept->steps, ring.size() * binary_digits(ring.size()));
 }
 
 // A flat base and teeth of random height. One valley touches the base in a corner.

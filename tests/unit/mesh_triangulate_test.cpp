@@ -5,11 +5,11 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <bit>
 #include <cmath>
 #include <map>
 #include <numbers>
 
+#include "geometry/binary_digits.h"
 #include "support/random_mesh.h"
 
 namespace pectin {
@@ -112,7 +112,7 @@ TEST(Triangulate, GivesNoCornerOfARegularPolygonManyTriangles) {
         for (const auto& t : triangles) {
             for (std::uint32_t corner : t) ++uses[corner];
         }
-        EXPECT_LE(*std::max_element(uses.begin(), uses.end()), 2 * std::bit_width(n)) << n;
+        EXPECT_LE(*std::max_element(uses.begin(), uses.end()), 2 * binary_digits(n)) << n;
     }
 }
 
