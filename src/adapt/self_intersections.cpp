@@ -14,6 +14,8 @@ namespace {
 // Boundaries may lie along each other without sharing vertices, and rounding must not count as
 // distance.
 constexpr double kTouchingFraction = 1e-9;
+// The most pairs of an active and another face that are tested; this takes half a second.
+constexpr std::uint64_t kMostPairsWithOthers = 4'000'000;
 // If more than one in this many faces was edited, a new tree is better than an updated one.
 constexpr std::size_t kRebuildDivisor = 8;
 
@@ -72,6 +74,20 @@ bool is_on_one_side(const TriMesh& mesh, const Corners& f, const Corners& g) {
 
 bool may_intersect(const TriMesh& mesh, const Corners& f, const Corners& g) {
     return !is_on_one_side(mesh, f, g) && !is_on_one_side(mesh, g, f);
+}
+
+// Whether an edge of one face passes through the other, from which it was disjoint at rest.
+bool intersect_newly(const ActiveSet& active, const Corners& f, const Corners& g) {
+    const TriMesh& mesh = active.mesh();
+    if (has(f, g[0]) || has(f, g[1]) || has(f, g[2]) || !may_intersect(mesh, f, g)) return false;
+    const auto any_edge_passes = [&](const Corners& edges, const Corners& face) {
+        for (std::size_t corner = 0; corner < 3; ++corner) {
+            const VertexId p = edges[corner], q = edges[(corner + 1) % 3];
+            if (passes_through(mesh, p, q, face) && were_disjoint(active, p, q, face)) return true;
+        }
+        return false;
+    };
+    return any_edge_passes(f, g) || any_edge_passes(g, f);
 }
 
 template <typename Visit>
@@ -177,6 +193,32 @@ bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a,
         }
     }
     return false;
+}
+
+std::vector<FaceId> faces_passed_through(const ActiveSet& active, std::span<const FaceId> others) {
+    std::vector<FaceId> passed;
+    if (others.empty()) return passed;
+    const TriMesh& mesh = active.mesh();
+    Box box_of_others;
+    for (FaceId g : others) box_of_others.include(box_of(mesh, corners_of(mesh, g)));
+    const FaceTree tree(mesh, others);
+    std::vector<FaceId> near;
+    std::uint64_t pairs = 0;
+    for (FaceId f : active.faces()) {
+        if (!mesh.is_live(f) || pairs >= kMostPairsWithOthers) continue;
+        const Corners corners = corners_of(mesh, f);
+        const Box box = box_of(mesh, corners);
+        if (!box.meets(box_of_others)) continue;
+        near.clear();
+        tree.append_near(box, mesh, near);
+        pairs += near.size();
+        for (FaceId g : near) {
+            if (intersect_newly(active, corners, corners_of(mesh, g))) passed.push_back(g);
+        }
+    }
+    std::sort(passed.begin(), passed.end());
+    passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+    return passed;
 }
 
 std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& embedding,

@@ -72,6 +72,12 @@ class SelfIntersections {
     std::vector<FaceId> near_;
 };
 
+// The faces among `others`, sorted, which are outside the active set, through whose interior an
+// active face passes now and did not at rest, or which pass through an active face. Faces that
+// share a corner do not count. The search ends when it has tested as many pairs as it may. Cost:
+// O(others · log others + active faces + pairs of near faces).
+std::vector<FaceId> faces_passed_through(const ActiveSet& active, std::span<const FaceId> others);
+
 // The edges to split so that the intersections are resolved. For each intersection, it is the one
 // among the edge and the edges of the face whose midpoint is farthest from the warp's image of its
 // rest midpoint. Edges below the floor count as having no such distance. Sorted, each edge once.

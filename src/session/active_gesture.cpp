@@ -31,6 +31,18 @@ std::string remark_on_self_intersections(const Frame& frame) {
            reason_of(frame.intersection_limit) + ", or undo and drag less far";
 }
 
+std::string remark_on_faces_passed_through(std::uint64_t count) {
+    if (count == 0) return {};
+    return "the part that was dragged passes through " +
+           (count == 1 ? "a triangle" : std::to_string(count) + " triangles") +
+           " of a part that stays; undo and drag less far, or drag without connected";
+}
+
+std::string joined(std::string first, const std::string& second) {
+    if (!first.empty() && !second.empty()) first += "; ";
+    return first + second;
+}
+
 }  // namespace
 
 void Session::State::start_gesture(ActiveGesture& begun, std::span<const FaceId> faces, Warp warp) {
@@ -65,7 +77,9 @@ void Session::State::commit(std::span<const Vec3> displacements, bool is_noop) {
         return;
     }
     Stopwatch stopwatch;
-    MeshChange change = active_gesture->gesture->commit(displacements);
+    active_gesture->gesture->return_to_rest();
+    const std::vector<FaceId> staying = staying_faces(displacements);
+    MeshChange change = active_gesture->gesture->commit(displacements, staying);
     try {
         finish_commit(change);
     } catch (...) {  // out of memory: restores the object
@@ -88,7 +102,9 @@ void Session::State::finish_commit(MeshChange& change) {
     // refined there.
     const bool limits_edge_length = gesture.limits_edge_length() && !active_gesture->drag.connected;
     std::vector<Box> zones = limits_edge_length ? gesture.warp().zones() : std::vector<Box>{};
-    std::string message = remark_on_self_intersections(gesture.last_frame());
+    std::string message =
+        joined(remark_on_self_intersections(gesture.last_frame()),
+               remark_on_faces_passed_through(gesture.last_frame().faces_passed_through));
     record(gesture.last_frame());
     add_step(active_gesture->is_control() ? Command{active_gesture->control}
                                           : Command{active_gesture->drag},

@@ -1,6 +1,7 @@
 // The faces that a drag moves, and the vertices at its handles.
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "geometry/decimal.h"
@@ -33,10 +34,8 @@ std::vector<Box> Session::State::zones_on_both_sides(const Warp& warp) const {
     return zones;
 }
 
-// All faces that meet the zones, or with `connected` the part of them that is connected to the
-// handles.
-std::variant<std::vector<FaceId>, std::string> Session::State::faces_of(
-    const command::Drag& drag, std::span<const Box> zones) {
+// Sorted.
+std::vector<FaceId> Session::State::faces_meeting(std::span<const Box> zones) {
     std::vector<FaceId> faces;
     for (const Box& zone : zones) {
         const std::vector<FaceId> there = face_tree().faces_meeting(zone, *mesh);
@@ -46,7 +45,34 @@ std::variant<std::vector<FaceId>, std::string> Session::State::faces_of(
         std::sort(faces.begin(), faces.end());
         faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     }
-    if (!drag.connected) return faces;
+    return faces;
+}
+
+// The faces near a connected drag with these displacements that it leaves alone. The mesh is in its
+// rest state. A fold-free drag moves nothing out of its zones.
+std::vector<FaceId> Session::State::staying_faces(std::span<const Vec3> displacements) {
+    std::vector<FaceId> staying;
+    const ActiveGesture& gesture = *active_gesture;
+    const bool may_leave_zones = gesture.drag.connected && !gesture.drag.fold_free;
+    if (!gesture.is_part_of_zones && !may_leave_zones) return staying;
+    std::vector<Box> zones = gesture.gesture->warp().zones();
+    if (may_leave_zones) {
+        Deformation last_step = gesture.gesture->warp().steps.back();
+        std::ranges::copy(displacements, displacements_of(last_step).begin());
+        const Vec3 reach{reach_bound(last_step)};
+        for (Box& zone : zones) zone = {.min = zone.min - reach, .max = zone.max + reach};
+    }
+    const std::vector<FaceId> near = faces_meeting(zones);
+    std::ranges::set_difference(near, active->faces(), std::back_inserter(staying));
+    return staying;
+}
+
+// All faces that meet the zones, or with `connected` the part of them that is connected to the
+// handles.
+std::variant<Session::State::DragFaces, std::string> Session::State::faces_of(
+    const command::Drag& drag, std::span<const Box> zones) {
+    std::vector<FaceId> faces = faces_meeting(zones);
+    if (!drag.connected) return DragFaces{std::move(faces)};
     std::vector<FaceId> seeds;
     for (const Move& move : drag.moves) {
         if (const auto face = face_tree().nearest(move.from, *mesh)) seeds.push_back(*face);
@@ -60,7 +86,8 @@ std::variant<std::vector<FaceId>, std::string> Session::State::faces_of(
                " does not reach into the influenced zone; drag a point of the surface, or without "
                "connected";
     }
-    return part;
+    const bool is_part = part.size() < faces.size();
+    return DragFaces{std::move(part), is_part};
 }
 
 // The vertices at handles and pins, with symmetry on both sides of the plane. A point between

@@ -7,6 +7,8 @@
 #include <new>
 #include <utility>
 
+#include "adapt/self_intersections.h"
+
 namespace pectin {
 namespace {
 
@@ -74,12 +76,17 @@ const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
     return last_;
 }
 
-MeshChange Gesture::commit(std::span<const Vec3> displacements) {
+void Gesture::return_to_rest() {
     if (has_frames_) roll_back();
+}
+
+MeshChange Gesture::commit(std::span<const Vec3> displacements, std::span<const FaceId> others) {
+    return_to_rest();
     apply(displacements, criteria_ && criteria_->limits().without_self_intersections
                              ? adapt_without_self_intersections
                              : pectin::adapt);
     folded_ = embedding_.folded_vertices();
+    last_.faces_passed_through = faces_passed_through(active_, others).size();
     return active_.finish();
 }
 

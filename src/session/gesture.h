@@ -21,6 +21,7 @@ struct Frame {
     std::vector<EdgeId> blocked;           // see Refinement
     std::uint64_t self_intersections = 0;  // that remain; see Refinement. Only a commit finds them.
     IntersectionLimit intersection_limit = IntersectionLimit::none;
+    std::uint64_t faces_passed_through = 0;  // of those that stay; only a commit counts them
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 };
 
@@ -41,9 +42,12 @@ class Gesture {
     // Deforms and adapts the object by these displacements of the warp's last step; see
     // displacements_of(). Cost: O(active set).
     const Frame& frame(std::span<const Vec3> displacements);
+    // Takes back what the frames have done.
+    void return_to_rest();
     // Ends the gesture with a single frame from the rest state, and returns what it has changed.
-    // Only this frame searches for self-intersections.
-    MeshChange commit(std::span<const Vec3> displacements);
+    // Only this frame searches for self-intersections, and for those of `others`, which are faces
+    // outside the active set, that the active faces pass through.
+    MeshChange commit(std::span<const Vec3> displacements, std::span<const FaceId> others = {});
     // Restores the mesh byte for byte, without allocating. Returns the faces that the gesture had
     // changed, or nothing if there is no memory for the list.
     std::optional<std::vector<FaceId>> cancel() noexcept;

@@ -51,7 +51,8 @@ struct Session::State {
         std::optional<DragSolver> solver{};  // of the last step
         std::unique_ptr<FoldGuard> guard{};  // for the solver; null unless the drag is fold-free
         bool is_one_step_left = true;        // the last step is the whole last segment
-        Statistics::Last measured{};         // up to now
+        bool is_part_of_zones = false;  // some faces in the zones stay, as they are not connected
+        Statistics::Last measured{};    // up to now
         std::unique_ptr<Gesture> gesture{};  // null if memory ran out; refers to the active set
 
         bool is_control() const { return !control.points.empty(); }
@@ -138,6 +139,10 @@ struct Session::State {
     Frame adapt_everything();
 
     // --- Drags (drag.cpp, drag_faces.cpp).
+    struct DragFaces {
+        std::vector<FaceId> faces;      // sorted
+        bool is_part_of_zones = false;  // not all faces in the zones
+    };
     Refusal begin_drag(const command::Drag& drag);
     Refusal drag_to(const command::Drag& asked);
     std::optional<command::Drag> end_drag();
@@ -146,8 +151,10 @@ struct Session::State {
     DragPlan plan_of(const command::Drag& drag) const;
     Refusal embed(ActiveGesture& begun);
     std::vector<Box> zones_on_both_sides(const Warp& warp) const;
-    std::variant<std::vector<FaceId>, std::string> faces_of(const command::Drag& drag,
-                                                            std::span<const Box> zones);
+    std::variant<DragFaces, std::string> faces_of(const command::Drag& drag,
+                                                  std::span<const Box> zones);
+    std::vector<FaceId> faces_meeting(std::span<const Box> zones);
+    std::vector<FaceId> staying_faces(std::span<const Vec3> displacements);
     bool is_single_step(const command::Drag& drag, Refusal& refusal) const;
     bool is_past_half_way() const;
     std::vector<Vec3> last_displacements() const;
