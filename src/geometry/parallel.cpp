@@ -62,8 +62,9 @@ std::size_t available_threads() {
 // the program continues with fewer threads.
 constexpr std::chrono::milliseconds kLongestStart{500};
 
-// Makes TBB start its threads now, since later there may be no memory for their stacks, and waits
-// until all of them have begun to work.
+// Makes TBB start its threads now and waits until all of them have begun to work. Later there may
+// be no memory for their stacks, or for the list of tasks that each thread gets with its first
+// task. A loop for which TBB cannot allocate such a list never ends.
 void start_threads(std::size_t threads) {
     const auto most = static_cast<std::size_t>(tbb::this_task_arena::max_concurrency());
     const std::size_t expected = std::min(threads, most);
@@ -76,6 +77,8 @@ void start_threads(std::size_t threads) {
             while (arrived < expected && std::chrono::steady_clock::now() < deadline) {
                 std::this_thread::yield();
             }
+            tbb::parallel_for(
+                0, 2, [](int) {}, tbb::simple_partitioner());
         },
         tbb::simple_partitioner());
 }
@@ -92,15 +95,19 @@ const tbb::global_control* limit_threads() {
     // program.
     const auto* const limit =
         new tbb::global_control(tbb::global_control::max_allowed_parallelism, threads);
-    if (threads > 1) start_threads(threads);
+    start_threads(threads);
     return limit;
 }
 
 }  // namespace
 
+void prepare_parallel_loops() {
+    [[maybe_unused]] static const tbb::global_control* const limit = limit_threads();
+}
+
 void for_pieces_on_all_threads(std::uint32_t first, std::uint32_t end, std::uint32_t piece,
                                const Piece& work) {
-    [[maybe_unused]] static const tbb::global_control* const limit = limit_threads();
+    prepare_parallel_loops();
     LoopOrder::fork();
     tbb::parallel_for(
         tbb::blocked_range<std::uint32_t>(first, end, piece),

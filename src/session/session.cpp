@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "geometry/parallel.h"
 #include "session/session_state.h"
 
 namespace pectin {
@@ -89,7 +90,7 @@ void Session::State::record(const Frame& frame) {
     blocked.erase(std::unique(blocked.begin(), blocked.end()), blocked.end());
 }
 
-Session::Session() : state_(std::make_unique<State>()) {}
+Session::Session() : state_(std::make_unique<State>()) { prepare_parallel_loops(); }
 Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;

@@ -17,6 +17,7 @@
 #include "adapt/adapt.h"
 #include "embedding/embedding.h"
 #include "ffd/drag_solver.h"
+#include "geometry/parallel.h"
 #include "memory/failing_new.h"
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
@@ -98,6 +99,7 @@ TriMesh sphere() { return build_mesh(make_shape(ShapeKind::sphere, 4)).mesh; }
 
 TEST(AdaptMemory, RollsBackWhicheverAllocationFails) {
     const TriMesh mesh = sphere();
+    prepare_parallel_loops();  // TBB does not survive a lack of memory when it starts
     for (const FailingNew::How how : {FailingNew::How::once, FailingNew::How::from_there_on}) {
         int shortages = 0;
         bool is_enough = false;

@@ -15,22 +15,15 @@
 #include "geometry/orientation.h"
 #include "mesh/delaunay_flips.h"
 #include "mesh/triangulate.h"
+#include "support/polygon_area.h"
 #include "support/random_mesh.h"
 
 namespace pectin {
 namespace {
 
+using test::area_of;
 using test::Random;
 using Ring = std::vector<Vec2>;
-
-double area_of(const Vec2& a, const Vec2& b, const Vec2& c) {
-    return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-}
-double area_of(const Ring& ring) {
-    double sum = 0.0;
-    for (std::size_t i = 1; i + 1 < ring.size(); ++i) sum += area_of(ring[0], ring[i], ring[i + 1]);
-    return sum;
-}
 
 std::vector<Vec3> in_space(const Ring& ring) {
     std::vector<Vec3> corners;

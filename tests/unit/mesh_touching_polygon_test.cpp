@@ -13,31 +13,28 @@
 #include "geometry/orientation.h"
 #include "mesh/ear_clipping.h"
 #include "mesh/triangulate.h"
+#include "support/polygon_area.h"
 #include "support/random_mesh.h"
 
 namespace pectin {
 namespace {
 
+using test::area_of;
 using test::Random;
 using Ring = std::vector<Vec2>;
-
-double area_of(const Vec2& a, const Vec2& b, const Vec2& c) {
-    return 0.5 * ((b.x - a.x) * (c.y - a.y) - (b.y - a.y) * (c.x - a.x));
-}
 
 // No triangle is clockwise, each side belongs to one triangle and each diagonal to two.
 void expect_cover(const Ring& ring, const std::vector<CornerTriangle>& triangles) {
     const auto n = static_cast<std::uint32_t>(ring.size());
     ASSERT_EQ(triangles.size(), n - 2u);
     std::multiset<std::pair<std::uint32_t, std::uint32_t>> sides;
-    double sum = 0.0, area = 0.0;
+    double sum = 0.0;
     for (const CornerTriangle& t : triangles) {
         ASSERT_GE(orientation(ring[t[0]], ring[t[1]], ring[t[2]]), 0);
         sum += area_of(ring[t[0]], ring[t[1]], ring[t[2]]);
         for (std::size_t k = 0; k < 3; ++k) sides.insert({t[k], t[(k + 1) % 3]});
     }
     for (std::uint32_t i = 0; i < n; ++i) {
-        area += area_of(ring[0], ring[i], ring[(i + 1) % n]);
         ASSERT_EQ(sides.count({i, (i + 1) % n}), 1u) << i;
     }
     for (const auto& [from, to] : sides) {
@@ -45,7 +42,7 @@ void expect_cover(const Ring& ring, const std::vector<CornerTriangle>& triangles
             ASSERT_EQ(sides.count({to, from}), 1u) << from << '-' << to;
         }
     }
-    EXPECT_NEAR(sum, area, 1e-12 * area);
+    EXPECT_NEAR(sum, area_of(ring), 1e-12 * area_of(ring));
 }
 
 void expect_swept(const Ring& ring, Touch touch) {
