@@ -23,11 +23,8 @@ std::vector<Box> with_images(std::vector<Box> boxes, const std::optional<MirrorP
     return boxes;
 }
 
-bool are_only_sampled(const AdaptLimits& limits, const Embedding& steps) {
-    const bool curvature_is_on = std::visit(
-        [](const auto& trigger) { return trigger.fast_path_bound() < kOff; }, limits.curvature);
-    return limits.l_max_is_automatic && curvature_is_on && steps.steps_move_middles_most();
-}
+// The squared difference of unit normals that are 45 degrees apart.
+constexpr double kLeastBend = 0.586;
 
 std::vector<Box> as_list(const std::optional<Box>& box) {
     return box ? std::vector{*box} : std::vector<Box>{};
@@ -45,12 +42,20 @@ Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
     : limits_(limits),
       floor_(limits.floor),
       length_(limits.l_max, with_images(std::move(zones), limits.symmetry),
-              {.embedding = steps, .are_only_sampled = steps && are_only_sampled(limits, *steps)},
+              {.embedding = steps, .are_only_sampled = steps && only_samples(*steps)},
               SplitOrder(limits.propagation, limits.symmetry), floor_),
       squared_difference_bound_(
           ask_curvature([](const auto& trigger) { return trigger.fast_path_bound(); })),
       squared_length_bound_(length_.fast_path_bound()) {
     if (scope) scope_ = with_images(*std::move(scope), limits.symmetry);
+}
+
+// Whether the curvature trigger finds what the steps bend, so that L_max only has to ensure that no
+// step goes unnoticed.
+bool Criteria::only_samples(const Embedding& steps) const {
+    const bool finds_bends =
+        ask_curvature([](const auto& trigger) { return trigger.fast_path_bound() < kLeastBend; });
+    return limits_.l_max_is_automatic && finds_bends && steps.steps_move_middles_most();
 }
 
 bool Criteria::may_unsplit(const ActiveSet& active, const Star& star) const {

@@ -45,6 +45,7 @@ class Embedding;
 // - The answer must not depend on the order of splits, and several threads ask at a time.
 // - merged_edge_needs_refinement(star) must give the answer that needs_refinement() gives for bc
 //   once m is gone. Otherwise refinement and decimation undo each other's work in turn.
+// - L_max relies on the trigger to find bends in long drags (EdgeLength::Steps::are_only_sampled).
 // - fast_path_bound(): if the trigger does not follow from the difference of the end normals, it
 //   returns 0; then the fast path accepts no edge.
 //
@@ -132,6 +133,7 @@ class Criteria {
     auto ask_curvature(Question question) const {
         return std::visit(question, limits_.curvature);
     }
+    bool only_samples(const Embedding& steps) const;
     bool edges_pass(const ActiveSet& active, const Star& star) const;
     bool merged_edge_satisfies_criteria(const ActiveSet& active, const Star& star) const;
     bool is_flat(const TriMesh& mesh, const Star& star) const;

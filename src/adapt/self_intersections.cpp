@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <iterator>
 #include <unordered_map>
 
 #include "geometry/piercing.h"
@@ -43,6 +44,20 @@ Box box_of(const TriMesh& mesh, const Corners& face) {
     Box box;
     for (VertexId v : face) box.include(mesh.position(v));
     return box;
+}
+
+Box box_of(const TriMesh& mesh, std::span<const FaceId> faces) {
+    Box box;
+    for (FaceId f : faces) box.include(box_of(mesh, corners_of(mesh, f)));
+    return box;
+}
+
+// The faces whose boxes meet `box`.
+std::vector<FaceId> faces_in(const TriMesh& mesh, std::span<const FaceId> faces, const Box& box) {
+    std::vector<FaceId> inside;
+    std::ranges::copy_if(faces, std::back_inserter(inside),
+                         [&](FaceId f) { return box_of(mesh, corners_of(mesh, f)).meets(box); });
+    return inside;
 }
 
 bool were_disjoint(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
@@ -195,17 +210,18 @@ bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a,
     return false;
 }
 
-std::vector<FaceId> faces_passed_through(const ActiveSet& active, std::span<const FaceId> others) {
-    std::vector<FaceId> passed;
+PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others) {
+    PassedFaces passed;
     if (others.empty()) return passed;
     const TriMesh& mesh = active.mesh();
-    Box box_of_others;
-    for (FaceId g : others) box_of_others.include(box_of(mesh, corners_of(mesh, g)));
-    const FaceTree tree(mesh, others);
+    const std::vector<FaceId> moving = live(mesh, {active.faces().begin(), active.faces().end()});
+    const std::vector<FaceId> near_moving = faces_in(mesh, others, box_of(mesh, moving));
+    if (near_moving.empty()) return passed;
+    const Box box_of_others = box_of(mesh, near_moving);
+    const FaceTree tree(mesh, near_moving);
     std::vector<FaceId> near;
     std::uint64_t pairs = 0;
-    for (FaceId f : active.faces()) {
-        if (!mesh.is_live(f) || pairs >= kMostPairsWithOthers) continue;
+    for (FaceId f : moving) {
         const Corners corners = corners_of(mesh, f);
         const Box box = box_of(mesh, corners);
         if (!box.meets(box_of_others)) continue;
@@ -213,11 +229,14 @@ std::vector<FaceId> faces_passed_through(const ActiveSet& active, std::span<cons
         tree.append_near(box, mesh, near);
         pairs += near.size();
         for (FaceId g : near) {
-            if (intersect_newly(active, corners, corners_of(mesh, g))) passed.push_back(g);
+            if (intersect_newly(active, corners, corners_of(mesh, g))) passed.faces.push_back(g);
         }
+        passed.are_all = pairs <= kMostPairsWithOthers;
+        if (!passed.are_all) break;
     }
-    std::sort(passed.begin(), passed.end());
-    passed.erase(std::unique(passed.begin(), passed.end()), passed.end());
+    std::sort(passed.faces.begin(), passed.faces.end());
+    const auto end = std::unique(passed.faces.begin(), passed.faces.end());
+    passed.faces.erase(end, passed.faces.end());
     return passed;
 }
 

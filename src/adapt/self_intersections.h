@@ -5,6 +5,9 @@
 // than the surface bulges over a triangle, that triangle may pass through the other sheet. This is
 // a sampling error (Gain & Dodgson 1999, section 4, point 1).
 //
+// A part of the surface that a gesture leaves alone may also be passed through by the part that it
+// moves. That is no sampling error, and it is only reported (find_passed_faces).
+//
 // An edge intersects a face if it passes through it, shares no corner with it, and was disjoint
 // from it at rest. The bulge over an edge shrinks with the square of its length, while the exact
 // sheets keep their distance, so refinement resolves every self-intersection. Faces that touched at
@@ -72,11 +75,17 @@ class SelfIntersections {
     std::vector<FaceId> near_;
 };
 
-// The faces among `others`, sorted, which are outside the active set, through whose interior an
-// active face passes now and did not at rest, or which pass through an active face. Faces that
-// share a corner do not count. The search ends when it has tested as many pairs as it may. Cost:
-// O(others · log others + active faces + pairs of near faces).
-std::vector<FaceId> faces_passed_through(const ActiveSet& active, std::span<const FaceId> others);
+// Faces that stay where they are, through which active faces pass.
+struct PassedFaces {
+    std::vector<FaceId> faces;  // sorted
+    bool are_all = true;        // false if the search ended before it had tested all pairs
+};
+
+// Finds those of `others`, faces outside the active set, that intersect an active face now and were
+// disjoint from it at rest. Faces that share a corner do not count. Cost: O(others + active faces
+// + near faces · log near faces + pairs of near faces), and one word per face slot; O(1) if there
+// are no others.
+PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others);
 
 // The edges to split so that the intersections are resolved. For each intersection, it is the one
 // among the edge and the edges of the face whose midpoint is farthest from the warp's image of its

@@ -59,7 +59,8 @@ constexpr std::array kDrag{
         "\"degrees\": up to 3600 either way}, scale (1; 0.001 to 1000)"},
     FieldReference{"pins", "[[x, y, z], ...]: points that stay"},
     FieldReference{"connected",
-                   "true: only the parts of the surface that are connected to the points (false)"},
+                   "true: only the parts of the surface that are connected to the points (false); "
+                   "other parts that it passes through are reported"},
     FieldReference{"fold_free",
                    "true: in steps that do not fold space, and without self-intersections (false)"},
     FieldReference{"via", "[[x, y, z], ...]: waypoints of the first move"}};

@@ -149,7 +149,8 @@ void Embedding::transform_normal(const D& deformation, std::size_t step, std::ui
 
 Vec3 Embedding::position_before(std::size_t step, VertexId v) const {
     const auto entry = active_.entry_of(v);
-    return entry ? start_position(step, *entry) : active_.mesh().position(v);
+    const bool is_moved = entry && step < step_count();
+    return is_moved ? start_position(step, *entry) : active_.mesh().position(v);
 }
 
 // --- The last step

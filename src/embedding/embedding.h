@@ -61,11 +61,11 @@ class Embedding {
     double longest_edge_bound() const;
     std::size_t memory_bytes() const;
 
-    // --- The states before the steps. The one before the first step is the rest state.
+    // --- The states before the steps. The one before the first step is the rest state, and
+    // step_count() stands for the present one.
     std::size_t step_count() const { return step_starts_.size(); }
     Vec3 position_before(std::size_t step, VertexId v) const;
     std::span<const Box> zones(std::size_t step) const { return step_starts_[step].zones; }
-    // See Warp.
     bool steps_move_middles_most() const { return warp_.moves_middles_most; }
 
   private:

@@ -33,8 +33,9 @@ class Planner {
   public:
     explicit Planner(const DragPlan& plan) : plan_(plan) {
         for (const Move& move : plan_.moves) handles_.push_back({move.from});
-        warp_.moves_middles_most = plan_.is_centred_on_point && plan_.pins.empty() &&
-                                   plan_.moves.size() == 1 && !rotates(plan_.moves.front());
+        warp_.moves_middles_most = plan_.fold_free && plan_.is_centred_on_point &&
+                                   plan_.pins.empty() && plan_.moves.size() == 1 &&
+                                   !rotates(plan_.moves.front());
     }
 
     std::variant<PlannedDrag, DragRefusal> run() {

@@ -12,8 +12,8 @@ namespace pectin {
 // LatticeField.
 struct Warp {
     std::vector<Deformation> steps;
-    // Whether each step moves the middle of a zone most, and other points the less the farther they
-    // are from it.
+    // Whether each step moves the middle of a zone by at most about a cell, and other points the
+    // less the farther they are from it. Where mirrored zones overlap, both move a point.
     bool moves_middles_most = false;
 
     // Boxes outside which nothing moves: the zones of all steps, without duplicates.

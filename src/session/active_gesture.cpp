@@ -31,11 +31,15 @@ std::string remark_on_self_intersections(const Frame& frame) {
            reason_of(frame.intersection_limit) + ", or undo and drag less far";
 }
 
-std::string remark_on_faces_passed_through(std::uint64_t count) {
+// are_in_zones: without `connected` the drag would move the faces, too.
+std::string remark_on_passed_faces(const PassedFaces& passed, bool are_in_zones) {
+    const std::size_t count = passed.faces.size();
     if (count == 0) return {};
-    return "the part that was dragged passes through " +
+    return std::string("the part that was dragged passes through ") +
+           (passed.are_all ? "" : "at least ") +
            (count == 1 ? "a triangle" : std::to_string(count) + " triangles") +
-           " of a part that stays; undo and drag less far, or drag without connected";
+           " of a part that stays; undo and drag less far" +
+           (are_in_zones ? ", or drag without connected" : "");
 }
 
 std::string joined(std::string first, const std::string& second) {
@@ -102,9 +106,9 @@ void Session::State::finish_commit(MeshChange& change) {
     // refined there.
     const bool limits_edge_length = gesture.limits_edge_length() && !active_gesture->drag.connected;
     std::vector<Box> zones = limits_edge_length ? gesture.warp().zones() : std::vector<Box>{};
-    std::string message =
-        joined(remark_on_self_intersections(gesture.last_frame()),
-               remark_on_faces_passed_through(gesture.last_frame().faces_passed_through));
+    std::string message = joined(
+        remark_on_self_intersections(gesture.last_frame()),
+        remark_on_passed_faces(gesture.last_frame().passed, active_gesture->is_part_of_zones));
     record(gesture.last_frame());
     add_step(active_gesture->is_control() ? Command{active_gesture->control}
                                           : Command{active_gesture->drag},

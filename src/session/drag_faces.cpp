@@ -48,19 +48,18 @@ std::vector<FaceId> Session::State::faces_meeting(std::span<const Box> zones) {
     return faces;
 }
 
-// The faces near a connected drag with these displacements that it leaves alone. The mesh is in its
-// rest state. A fold-free drag moves nothing out of its zones.
+// The faces that a connected drag with these displacements leaves alone and may pass through. The
+// mesh is in its rest state. A fold-free drag moves nothing out of its zones.
 std::vector<FaceId> Session::State::staying_faces(std::span<const Vec3> displacements) {
     std::vector<FaceId> staying;
     const ActiveGesture& gesture = *active_gesture;
-    const bool may_leave_zones = gesture.drag.connected && !gesture.drag.fold_free;
-    if (!gesture.is_part_of_zones && !may_leave_zones) return staying;
-    std::vector<Box> zones = gesture.gesture->warp().zones();
-    if (may_leave_zones) {
-        Deformation last_step = gesture.gesture->warp().steps.back();
-        std::ranges::copy(displacements, displacements_of(last_step).begin());
-        const Vec3 reach{reach_bound(last_step)};
-        for (Box& zone : zones) zone = {.min = zone.min - reach, .max = zone.max + reach};
+    if (!gesture.drag.connected || active->faces().size() == mesh->face_count()) return staying;
+    std::vector<Box> zones;
+    if (gesture.drag.fold_free) {
+        if (!gesture.is_part_of_zones) return staying;
+        zones = gesture.gesture->warp().zones();
+    } else {
+        zones = gesture.gesture->zones_with_reach(displacements);
     }
     const std::vector<FaceId> near = faces_meeting(zones);
     std::ranges::set_difference(near, active->faces(), std::back_inserter(staying));

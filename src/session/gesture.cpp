@@ -7,8 +7,6 @@
 #include <new>
 #include <utility>
 
-#include "adapt/self_intersections.h"
-
 namespace pectin {
 namespace {
 
@@ -49,12 +47,11 @@ const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
     // A long drag undoes most of its edits again. Rolling back to the rest state frees their
     // memory.
     if (active_.edit_count() > kMostEdits * (active_.vertex_entries() + 1000)) roll_back();
-    const std::span<Vec3> d = displacements_of(warp_.steps.back());
-    assert(displacements.size() == d.size());
     // Once the budget is used up, refinement rests until the drag changes. Decimation would free
     // some triangles for a few splits, and the next frame would remove these again.
-    if (has_frames_ && last_.budget_hit && std::ranges::equal(d, displacements)) return last_;
-    std::ranges::copy(displacements, d.begin());
+    const std::span<const Vec3> before = displacements_of(warp_.steps.back());
+    if (has_frames_ && last_.budget_hit && std::ranges::equal(before, displacements)) return last_;
+    set_displacements(displacements);
     const auto begin = std::chrono::steady_clock::now();
     embedding_.deform();
     const std::chrono::duration<double> deforming = std::chrono::steady_clock::now() - begin;
@@ -76,8 +73,26 @@ const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
     return last_;
 }
 
+std::vector<Box> Gesture::zones_with_reach(std::span<const Vec3> displacements) {
+    set_displacements(displacements);
+    std::vector<Box> boxes;
+    for (const Deformation& step : warp_.steps) {
+        const Vec3 reach{reach_bound(step)};
+        for (const Box& zone : zones_of(step)) {
+            boxes.push_back({.min = zone.min - reach, .max = zone.max + reach});
+        }
+    }
+    return boxes;
+}
+
 void Gesture::return_to_rest() {
     if (has_frames_) roll_back();
+}
+
+void Gesture::set_displacements(std::span<const Vec3> displacements) {
+    const std::span<Vec3> d = displacements_of(warp_.steps.back());
+    assert(displacements.size() == d.size());
+    std::ranges::copy(displacements, d.begin());
 }
 
 MeshChange Gesture::commit(std::span<const Vec3> displacements, std::span<const FaceId> others) {
@@ -86,7 +101,7 @@ MeshChange Gesture::commit(std::span<const Vec3> displacements, std::span<const 
                              ? adapt_without_self_intersections
                              : pectin::adapt);
     folded_ = embedding_.folded_vertices();
-    last_.faces_passed_through = faces_passed_through(active_, others).size();
+    last_.passed = find_passed_faces(active_, others);
     return active_.finish();
 }
 

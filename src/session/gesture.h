@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "adapt/adapt.h"
+#include "adapt/self_intersections.h"
 #include "embedding/embedding.h"
 #include "ffd/warp.h"
 #include "mesh/active_set.h"
@@ -21,7 +22,7 @@ struct Frame {
     std::vector<EdgeId> blocked;           // see Refinement
     std::uint64_t self_intersections = 0;  // that remain; see Refinement. Only a commit finds them.
     IntersectionLimit intersection_limit = IntersectionLimit::none;
-    std::uint64_t faces_passed_through = 0;  // of those that stay; only a commit counts them
+    PassedFaces passed;  // of the faces that stay; only a commit searches for them
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 };
 
@@ -42,6 +43,8 @@ class Gesture {
     // Deforms and adapts the object by these displacements of the warp's last step; see
     // displacements_of(). Cost: O(active set).
     const Frame& frame(std::span<const Vec3> displacements);
+    // Boxes that everything is in which the gesture moves by these displacements.
+    std::vector<Box> zones_with_reach(std::span<const Vec3> displacements);
     // Takes back what the frames have done.
     void return_to_rest();
     // Ends the gesture with a single frame from the rest state, and returns what it has changed.
@@ -63,7 +66,8 @@ class Gesture {
     std::size_t memory_bytes() const { return embedding_.memory_bytes(); }
 
     const Warp& warp() const { return warp_; }
-    // Whether the edges in the zones of the warp are no longer than L_max after the gesture.
+    // Whether edges in the zones of the warp are refined if they are longer than L_max. True also
+    // without adaptive meshing, so that it can be done later.
     bool limits_edge_length() const { return !criteria_ || criteria_->length().limits_result(); }
     const Frame& last_frame() const { return last_; }
     std::uint64_t influenced_vertices() const { return influenced_; }
@@ -73,6 +77,7 @@ class Gesture {
     using Adapt = Adaptation (*)(ActiveSet&, Embedding&, const Criteria&);
 
     const Frame& apply(std::span<const Vec3> displacements, Adapt adapt);
+    void set_displacements(std::span<const Vec3> displacements);
     void roll_back();
 
     ActiveSet& active_;

@@ -25,8 +25,8 @@ void expect_done(Session& session, const Command& command) {
 
 class ConnectedSession : public testing::Test {
   protected:
-    // Two grids of n by n quads with side 2, which face each other: at y = 0, where the second
-    // quarter of its width may rise above the other grid, and at y = distance.
+    // Two grids of n by n quads with side 2, which face each other, at y = 0 and y = distance. A
+    // fifth of the first one, where x < -0.6, lies at y = rise.
     Session sheets(int n, double distance, double rise = 0.0) const {
         std::string text;
         for (const bool is_upper : {false, true}) {
@@ -86,6 +86,26 @@ TEST_F(ConnectedSession, SaysSoAlsoBeyondTheZoneOfADragThatFolds) {
     expect_done(session, upwards(1.4, false));
     EXPECT_GT(test::crossings(session.mesh()), 0u);
     EXPECT_NE(session.remark().find(kPasses), std::string::npos) << session.remark();
+    // The sheet would stay in any case.
+    EXPECT_EQ(session.remark().find("without connected"), std::string::npos) << session.remark();
+}
+
+TEST_F(ConnectedSession, SaysSoIfAnEarlierStepWentFarther) {
+    Session session = sheets(10, 0.9);
+    Drag drag = upwards(1.35, false);
+    drag.via = {Vec3{0.1, 1.3, 0.1}};
+    expect_done(session, drag);
+    EXPECT_GT(test::crossings(session.mesh()), 0u);
+    EXPECT_NE(session.remark().find(kPasses), std::string::npos) << session.remark();
+}
+
+TEST_F(ConnectedSession, SaysSoWithoutRefinement) {
+    Session session = sheets(10, 0.3);
+    expect_done(session, command::Adapt{.enabled = false});
+    expect_done(session, upwards(0.6, true));
+    EXPECT_EQ(session.remark().find(kPasses) != std::string::npos,
+              test::crossings(session.mesh()) > 0)
+        << session.remark();
 }
 
 TEST_F(ConnectedSession, SaysSoWithTheMouse) {
@@ -108,8 +128,7 @@ TEST_F(ConnectedSession, SaysNothingOfPartsThatIntersectedBefore) {
     EXPECT_EQ(session.remark().find("stays"), std::string::npos) << session.remark();
 }
 
-// The number of triangles of the upper sheet that an edge of the lower one passes through, or
-// whose edges pass through the lower one, found by testing all pairs.
+// All pairs of triangles are tested here.
 TEST_F(ConnectedSession, SpeaksIfAndOnlyIfTrianglesIntersect) {
     int silent = 0, spoken = 0;
     for (int seed = 1; seed <= test::case_count(24); ++seed) {

@@ -1,5 +1,5 @@
 // Drags that are many radii long: refinement follows the surface and not the number of steps, and
-// no step goes unnoticed.
+// what the steps do between the corners of large faces is noticed.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -46,19 +46,19 @@ double largest_distance(const TriMesh& exact, const TriMesh& approximation) {
 constexpr double kRadius = 0.02;
 
 // A sphere, of which one point is dragged outwards by a number of radii.
-Session spike(double radii, const Setting& l_max) {
+Session spike(double radii, const Setting& l_max, bool connected = true) {
     Session session;
     expect_done(session, Shape{Shape::Kind::sphere, 3});
     expect_done(session, Adapt{.l_max = l_max, .floor = Setting::of(1e-4)});
     expect_done(session, Brush{.radius = kRadius});
     const Vec3 from{0, 0, 1}, to{0.3 * radii * kRadius, 0, 1 + radii * kRadius};
-    expect_done(session, Drag{.moves = {{from, to}}, .connected = true, .fold_free = true});
+    expect_done(session, Drag{.moves = {{from, to}}, .connected = connected, .fold_free = true});
     return session;
 }
 
 TEST(LongDrag, IsRefinedByWhatTheSurfaceNeedsAndNotForEachStep) {
     const Session short_spike = spike(10, Setting::automatic());
-    const Session long_spike = spike(60, Setting::automatic());
+    const Session long_spike = spike(60, Setting::automatic(), false);
     const Statistics few = short_spike.statistics(), many = long_spike.statistics();
     EXPECT_GE(many.last.steps, 5 * few.last.steps);
     EXPECT_GT(few.last.splits, 200u);
@@ -113,29 +113,92 @@ TEST(LongDrag, IsAsExactAsOneWithShortEdgesEverywhere) {
     EXPECT_LE(longest, kLMax * kLMax);
 }
 
-// The point goes through a second sheet, whose corners are far from its path.
+// Every face that is drawn out beyond `height` stays near the axis of the drag, which is parallel
+// to the y axis: what lies between its corners is as narrow as the corners tell.
+void expect_narrow(const TriMesh& mesh, const Vec3& from, double height, double radius) {
+    for (FaceId f : test::live_faces(mesh)) {
+        double highest = 0.0, farthest = 0.0;
+        for (int corner = 0; corner < 3; ++corner) {
+            const Vec3 p = mesh.position(mesh.origin(TriMesh::half_edge(f, corner)));
+            highest = std::max(highest, p.y);
+            farthest = std::max(farthest, std::hypot(p.x - from.x, p.z - from.z));
+        }
+        if (highest > height) {
+            ASSERT_LT(farthest, radius) << "a face reaches up to " << highest;
+        }
+    }
+}
+
+// A grid of n by n quads with side 8.
+std::string sheet(int n, double y, int first_vertex) {
+    std::string text;
+    for (int i = 0; i <= n; ++i) {
+        for (int j = 0; j <= n; ++j) {
+            text += "v " + std::to_string(8.0 * i / n - 4.0) + " " + std::to_string(y) + " " +
+                    std::to_string(8.0 * j / n - 4.0) + "\n";
+        }
+    }
+    for (int i = 0; i < n; ++i) {
+        for (int j = 0; j < n; ++j) {
+            const int a = first_vertex + i * (n + 1) + j, b = a + n + 1;
+            text += "f " + std::to_string(a) + " " + std::to_string(a + 1) + " " +
+                    std::to_string(b + 1) + " " + std::to_string(b) + "\n";
+        }
+    }
+    return text;
+}
+
+// The point goes through a second sheet, whose other corners are far from its path. One path meets
+// the middle of a vertex there, which the steps move but do not tilt.
 TEST(LongDrag, BendsASheetOfLargeFacesThatItReachesOnTheWay) {
     const ScratchFolder folder;
-    folder.write("sheets.obj",
-                 "v -4 0 -4\nv 4 0 -4\nv 4 0 4\nv -4 0 4\nf 1 4 3\nf 1 3 2\n"
-                 "v -4 1 -4\nv 4 1 -4\nv 4 1 4\nv -4 1 4\nf 5 8 7\nf 5 7 6\n");
-    for (const Vec3& from : {Vec3{0.9, 0, 0.3}, Vec3{-1.3, 0, 1.1}}) {
+    folder.write("sheets.obj", sheet(4, 0.0, 1) + sheet(4, 1.0, 26));
+    for (const Vec3& from : {Vec3{0, 0, 0}, Vec3{0.9, 0, 0.3}, Vec3{-1.3, 0, 1.1}}) {
         Session session;
         expect_done(session, command::Open{.path = folder.path("sheets.obj")});
         expect_done(session, Brush{.radius = 0.2});
         expect_done(session, Drag{.moves = {{from, from + Vec3{0, 2.5, 0}}}, .fold_free = true});
         EXPECT_GT(session.statistics().last.steps, 20u);
+        EXPECT_EQ(session.statistics().needing_refinement, 0u);
         EXPECT_EQ(test::crossings(session.mesh()), 0u);
+        expect_narrow(session.mesh(), from, 1.3, 0.5);
         // The second sheet is pushed ahead of the first.
-        double highest = 0.0;
-        for (std::uint32_t i = 0; i < session.mesh().vertex_slots(); ++i) {
-            const VertexId v{i};
-            if (!session.mesh().is_live(v)) continue;
-            const Vec3 p = session.mesh().position(v);
-            if (glm::length(Vec3{p.x, 0, p.z} - Vec3{from.x, 0, from.z}) > 0.02) continue;
-            highest = std::max(highest, p.y);
+        EXPECT_GT(session.mesh().bounding_box().max.y, 2.5 + 1e-6);
+    }
+}
+
+TEST(LongDrag, BendsTheOppositeSideOfACubeNarrowly) {
+    Session session;
+    expect_done(session, Shape{Shape::Kind::cube, 2});
+    expect_done(session, Brush{.radius = 0.1});
+    expect_done(session, Drag{.moves = {{{0, -1, 0}, {0, 2.5, 0}}}, .fold_free = true});
+    EXPECT_GT(session.statistics().last.steps, 60u);
+    EXPECT_LT(session.statistics().last.splits, 10'000u);
+    EXPECT_EQ(test::crossings(session.mesh()), 0u);
+    expect_narrow(session.mesh(), Vec3{0.0}, 1.2, 0.3);
+}
+
+TEST(LongDrag, KeepsASymmetricMeshSymmetricAndCanBeUndone) {
+    for (const double through : {0.0, 0.7}) {
+        Session session;
+        expect_done(session, Shape{Shape::Kind::sphere, 3});
+        expect_done(session, Brush{.radius = 0.05});
+        const bool is_symmetric = through == 0.0;  // of the sphere
+        expect_done(session, command::Symmetry{.plane = command::Symmetry::Plane::x,
+                                               .through = {through, 0, 0}});
+        const TriMesh before = session.mesh();
+        expect_done(session, Drag{.moves = {{{0, 0, 1}, {is_symmetric ? 0.0 : 0.1, 0.4, 1.8}}},
+                                  .fold_free = true});
+        EXPECT_GT(session.statistics().last.steps, 15u);
+        EXPECT_EQ(session.statistics().needing_refinement, 0u);
+        if (is_symmetric) {
+            EXPECT_EQ(test::faces_without_image(session.mesh(), 0, 1e-9), 0u);
         }
-        EXPECT_GT(highest, 2.5 + 1e-6);
+        const TriMesh after = session.mesh();
+        expect_done(session, command::Undo{});
+        EXPECT_TRUE(session.mesh() == before);
+        expect_done(session, command::Redo{});
+        EXPECT_TRUE(session.mesh() == after);
     }
 }
 

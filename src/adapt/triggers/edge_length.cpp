@@ -17,8 +17,29 @@ double squared_distance_of(const Vec3& p, const Vec3& q) {
     return glm::dot(along, along);
 }
 
+// The fraction of L_max by which a corner may be farther from the middle of a zone than its face,
+// and by which the steps may bend a face.
+constexpr double kNoticed = 0.5;
+
 bool meets(const std::array<Vec3, 3>& corners, const Box& zone) {
     return triangle_meets_box(corners[0], corners[1], corners[2], zone);
+}
+
+// Whether the edge of h is a boundary, a crease or a seam, or separates two parts.
+bool is_line(const TriMesh& mesh, HalfEdgeId h) {
+    return !mesh.is_smooth(mesh.edge(h)) ||
+           mesh.part_index(TriMesh::face(h)) != mesh.part_index(TriMesh::face(mesh.twin(h)));
+}
+
+// How much farther one corner moves than another, along the normal of the face.
+double bend(const std::array<Vec3, 3>& before, const std::array<Vec3, 3>& after) {
+    const Vec3 normal = glm::cross(before[1] - before[0], before[2] - before[0]);
+    const double length = glm::length(normal);
+    if (!(length > 0.0)) return 0.0;
+    const double a = glm::dot(normal, after[0] - before[0]),
+                 b = glm::dot(normal, after[1] - before[1]),
+                 c = glm::dot(normal, after[2] - before[2]);
+    return (std::max({a, b, c}) - std::min({a, b, c})) / length;
 }
 
 }  // namespace
@@ -56,26 +77,31 @@ HalfEdgeId EdgeLength::needed_split(const ActiveSet& active, HalfEdgeId h) const
 bool EdgeLength::is_too_coarse(const ActiveSet& active, HalfEdgeId h) const {
     const TriMesh& mesh = active.mesh();
     const HalfEdgeId next = TriMesh::next(h), prev = TriMesh::prev(h);
-    return is_too_coarse(active, {.a = mesh.origin(prev),
-                                  .b = mesh.origin(h),
-                                  .c = mesh.target(h),
-                                  .is_at_boundary = is_at_boundary(mesh, {h, next, prev})});
+    const bool is_strict =
+        steps_.are_only_sampled && (is_line(mesh, h) || is_line(mesh, next) || is_line(mesh, prev));
+    return is_too_coarse(
+        active,
+        {.a = mesh.origin(prev), .b = mesh.origin(h), .c = mesh.target(h), .is_strict = is_strict});
 }
 
 bool EdgeLength::is_too_coarse(const ActiveSet& active, const Face& face) const {
-    if (steps_.are_only_sampled) return may_miss_a_step(face);
     const TriMesh& mesh = active.mesh();
-    const Corners now{mesh.position(face.a), mesh.position(face.b), mesh.position(face.c)};
-    const Corners rest{active.rest_position(face.a), active.rest_position(face.b),
-                       active.rest_position(face.c)};
-    const auto meets_face = [&](const Box& zone) { return meets(rest, zone); };
-    return (has_long_side(now) && std::ranges::any_of(zones_, meets_face)) || may_miss_a_step(face);
+    if (!steps_.are_only_sampled) {
+        const Corners now{mesh.position(face.a), mesh.position(face.b), mesh.position(face.c)};
+        return is_long_in_zone(now, face, active) || is_long_before_a_step(face);
+    }
+    return is_long_in_zone(corners_before(0, face), face, active) ||
+           (face.is_strict ? is_long_before_a_step(face) : may_miss_a_step(face));
 }
 
-bool EdgeLength::is_at_boundary(const TriMesh& mesh,
-                                std::initializer_list<HalfEdgeId> sides) const {
-    return steps_.are_only_sampled &&
-           std::ranges::any_of(sides, [&](HalfEdgeId h) { return !exists(mesh.twin(h)); });
+// Whether an edge is longer than L_max with its ends at these corners, and the face meets a zone at
+// rest.
+bool EdgeLength::is_long_in_zone(const Corners& corners, const Face& face,
+                                 const ActiveSet& active) const {
+    if (!has_long_side(corners)) return false;
+    const Corners rest{active.rest_position(face.a), active.rest_position(face.b),
+                       active.rest_position(face.c)};
+    return std::ranges::any_of(zones_, [&](const Box& zone) { return meets(rest, zone); });
 }
 
 bool EdgeLength::has_long_side(const Corners& corners) const {
@@ -86,19 +112,38 @@ bool EdgeLength::has_long_side(const Corners& corners) const {
            is_long(corners[0], corners[1]);
 }
 
-bool EdgeLength::may_miss_a_step(const Face& face) const {
-    if (!steps_.embedding) return false;
+EdgeLength::Corners EdgeLength::corners_before(std::size_t step, const Face& face) const {
     const Embedding& embedding = *steps_.embedding;
-    for (std::size_t step = steps_.are_only_sampled ? 0 : 1; step < embedding.step_count();
-         ++step) {
-        const Corners corners{embedding.position_before(step, face.a),
-                              embedding.position_before(step, face.b),
-                              embedding.position_before(step, face.c)};
+    return {embedding.position_before(step, face.a), embedding.position_before(step, face.b),
+            embedding.position_before(step, face.c)};
+}
+
+bool EdgeLength::is_long_before_a_step(const Face& face) const {
+    const std::size_t count = steps_.embedding ? steps_.embedding->step_count() : 0;
+    for (std::size_t step = 1; step < count; ++step) {
+        const Corners corners = corners_before(step, face);
         if (!has_long_side(corners)) continue;
-        const bool may_show = steps_.are_only_sampled && step > 0 && !face.is_at_boundary;
-        for (const Box& zone : embedding.zones(step)) {
-            if (may_show ? shows_at_no_corner(corners, zone) : meets(corners, zone)) return true;
+        for (const Box& zone : steps_.embedding->zones(step)) {
+            if (meets(corners, zone)) return true;
         }
+    }
+    return false;
+}
+
+bool EdgeLength::may_miss_a_step(const Face& face) const {
+    double bent = 0.0;  // how far the steps move corners out of the plane of the face
+    const std::size_t count = steps_.embedding->step_count();
+    Corners before = corners_before(1, face);
+    for (std::size_t step = 1; step < count; ++step) {
+        const Corners after = corners_before(step + 1, face);
+        if (has_long_side(before)) {
+            for (const Box& zone : steps_.embedding->zones(step)) {
+                if (shows_at_no_corner(before, zone)) return true;
+            }
+            bent += bend(before, after);
+            if (bent > kNoticed * l_max_) return true;
+        }
+        before = after;
     }
     return false;
 }
@@ -114,7 +159,7 @@ bool EdgeLength::shows_at_no_corner(const Corners& corners, const Box& zone) con
         nearest = std::min(nearest, std::max({from_middle.x, from_middle.y, from_middle.z}));
     }
     if (nearest == kOff) return meets(corners, zone);
-    const double nearer = nearest - 0.5 * l_max_;
+    const double nearer = nearest - kNoticed * l_max_;
     return nearer > 0.0 &&
            meets(corners, {.min = middle - Vec3{nearer}, .max = middle + Vec3{nearer}});
 }
@@ -127,23 +172,13 @@ bool EdgeLength::shows_at_no_corner(const Corners& corners, const Box& zone) con
 //         \|/                \ /
 //          d                  d
 bool EdgeLength::restored_face_is_too_coarse(const ActiveSet& active, const Star& star) const {
-    const TriMesh& mesh = active.mesh();
-    const auto passes = [&](const Star& sheet) {
-        const bool bc_is_boundary = sheet.on_boundary();
-        const HalfEdgeId ab = TriMesh::prev(sheet.bm), ca = TriMesh::next(sheet.mc);
-        const Face bca{.a = sheet.a,
-                       .b = sheet.b,
-                       .c = sheet.c,
-                       .is_at_boundary = bc_is_boundary || is_at_boundary(mesh, {ab, ca})};
-        if (is_too_coarse(active, bca)) return false;
-        if (bc_is_boundary) return true;
-        const HalfEdgeId bd = TriMesh::next(sheet.mb), dc = TriMesh::prev(sheet.cm);
-        return !is_too_coarse(active, {.a = sheet.d,
-                                       .b = sheet.c,
-                                       .c = sheet.b,
-                                       .is_at_boundary = is_at_boundary(mesh, {bd, dc})});
+    const auto passes = [&](VertexId a, VertexId b, VertexId c) {
+        return !is_too_coarse(active, {.a = a, .b = b, .c = c, .is_strict = true});
     };
-    return is_on() && !all_sheets(mesh, star, passes);
+    return is_on() && !all_sheets(active.mesh(), star, [&](const Star& sheet) {
+               return passes(sheet.a, sheet.b, sheet.c) &&
+                      (sheet.on_boundary() || passes(sheet.d, sheet.c, sheet.b));
+           });
 }
 
 }  // namespace pectin

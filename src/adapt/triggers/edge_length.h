@@ -7,7 +7,6 @@
 
 #include <array>
 #include <cstdint>
-#include <initializer_list>
 #include <vector>
 
 #include "adapt/floor.h"
@@ -38,14 +37,19 @@ enum class SplitNeed : std::uint8_t {
 // Steps::are_only_sampled changes this for long drags. A drag of many radii draws the surface out
 // into a thin spike. Its sides are straight, but each step finds their edges longer than L_max, and
 // as faces are bisected at rest, where the sides of the spike are a disc, the number of splits
-// grows with the square of the number of steps. So L_max then only ensures that no step goes
-// unnoticed:
-// - At rest a face is too coarse if it meets the zone of the first step and has a long edge.
-// - Before a later step a long face is fine as well if one of its corners is as near to the middle
-//   of the zone as the face is, up to half of L_max. The step acts most in the middle, so what it
-//   does to the face shows at that corner, and the curvature trigger decides.
-// - This does not hold for faces at a boundary, which can bend in their own plane, where no normal
-//   shows it.
+// grows with the square of the number of steps. So L_max then only ensures that the curvature
+// trigger notices each step:
+// - At rest a face is too coarse if it meets the zone of any step and has a long edge.
+// - Before a later step a long face that meets the zone is fine all the same if one of its corners
+//   is as near to the middle of the zone as the face is, up to half of L_max. The step acts most in
+//   the middle, so what it does to the face shows at that corner.
+// - It may not show at a corner right in the middle, which is moved but not tilted. So a long face
+//   is too coarse as well if the steps together move one of its corners by more than half of L_max
+//   farther than another, out of the plane of the face. On the straight sides of a spike they move
+//   along the face.
+// - At boundaries, creases, seams and between parts none of these exceptions hold, since a line
+//   there can bend in the plane of its faces, where no normal shows it. Nor do they hold for faces
+//   that decimation would restore.
 // - The edges of the result may be longer than L_max.
 //
 // A face that is too coarse is split at the edge that is longest at rest (SplitOrder::first_edge).
@@ -57,8 +61,8 @@ class EdgeLength {
     // The steps of a warp of several steps.
     struct Steps {
         const Embedding* embedding = nullptr;  // null for a single step; must outlive the trigger
-        // L_max follows from the lattice, the curvature trigger is on, and each step moves the
-        // middles of its zones most.
+        // L_max follows from the lattice, the curvature trigger finds bends, and each step moves
+        // the middles of its zones most.
         bool are_only_sampled = false;
     };
 
@@ -96,14 +100,17 @@ class EdgeLength {
     // A face of the mesh, or one that undoing a split restores.
     struct Face {
         VertexId a, b, c;
-        bool is_at_boundary;  // false if that makes no difference
+        // Whether L_max holds before all steps; false if it does so for all faces.
+        bool is_strict;
     };
     using Corners = std::array<Vec3, 3>;
 
     bool is_too_coarse(const ActiveSet& active, HalfEdgeId h) const;
     bool is_too_coarse(const ActiveSet& active, const Face& face) const;
-    bool is_at_boundary(const TriMesh& mesh, std::initializer_list<HalfEdgeId> sides) const;
+    bool is_long_in_zone(const Corners& now, const Face& face, const ActiveSet& active) const;
+    bool is_long_before_a_step(const Face& face) const;
     bool may_miss_a_step(const Face& face) const;
+    Corners corners_before(std::size_t step, const Face& face) const;
     bool has_long_side(const Corners& corners) const;
     bool shows_at_no_corner(const Corners& corners, const Box& zone) const;
 
