@@ -31,10 +31,13 @@ bool has(const Corners& corners, VertexId v) {
     return corners[0] == v || corners[1] == v || corners[2] == v;
 }
 
+bool is_live(const TriMesh& mesh, FaceId f) {
+    return index(f) < mesh.face_slots() && mesh.is_live(f);
+}
+
 // The live ones among the faces, sorted, each once.
 std::vector<FaceId> live(const TriMesh& mesh, std::vector<FaceId> faces) {
-    std::erase_if(faces,
-                  [&](FaceId f) { return index(f) >= mesh.face_slots() || !mesh.is_live(f); });
+    std::erase_if(faces, [&](FaceId f) { return !is_live(mesh, f); });
     std::sort(faces.begin(), faces.end());
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;
@@ -52,12 +55,24 @@ Box box_of(const TriMesh& mesh, std::span<const FaceId> faces) {
     return box;
 }
 
-// The faces whose boxes meet `box`.
+// The live faces whose boxes meet `box`.
 std::vector<FaceId> faces_in(const TriMesh& mesh, std::span<const FaceId> faces, const Box& box) {
     std::vector<FaceId> inside;
-    std::ranges::copy_if(faces, std::back_inserter(inside),
-                         [&](FaceId f) { return box_of(mesh, corners_of(mesh, f)).meets(box); });
+    std::ranges::copy_if(faces, std::back_inserter(inside), [&](FaceId f) {
+        return is_live(mesh, f) && box_of(mesh, corners_of(mesh, f)).meets(box);
+    });
     return inside;
+}
+
+std::vector<FaceId> moved_faces(const ActiveSet& active) {
+    const TriMesh& mesh = active.mesh();
+    std::vector<FaceId> faces = live(mesh, {active.faces().begin(), active.faces().end()});
+    std::erase_if(faces, [&](FaceId f) {
+        return std::ranges::all_of(corners_of(mesh, f), [&](VertexId v) {
+            return mesh.position(v) == active.rest_position(v);
+        });
+    });
+    return faces;
 }
 
 bool were_disjoint(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
@@ -214,7 +229,7 @@ PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> o
     PassedFaces passed;
     if (others.empty()) return passed;
     const TriMesh& mesh = active.mesh();
-    const std::vector<FaceId> moving = live(mesh, {active.faces().begin(), active.faces().end()});
+    const std::vector<FaceId> moving = moved_faces(active);
     const std::vector<FaceId> near_moving = faces_in(mesh, others, box_of(mesh, moving));
     if (near_moving.empty()) return passed;
     const Box box_of_others = box_of(mesh, near_moving);

@@ -81,8 +81,10 @@ struct PassedFaces {
     bool are_all = true;        // false if the search ended before it had tested all pairs
 };
 
-// Finds those of `others`, faces outside the active set, that intersect an active face now and were
-// disjoint from it at rest. Faces that share a corner do not count. Cost: O(others + active faces
+// Finds those of `others` that intersect an active face which has moved, and were disjoint from it
+// at rest. The others were outside the active set when the gesture began; refinement may have split
+// them since, and decimation may have removed them. Faces that share a corner do not count. Cost:
+// O(others + active faces
 // + near faces · log near faces + pairs of near faces), and one word per face slot; O(1) if there
 // are no others.
 PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others);
