@@ -107,7 +107,7 @@ class EdgeLength {
 
     bool is_too_coarse(const ActiveSet& active, HalfEdgeId h) const;
     bool is_too_coarse(const ActiveSet& active, const Face& face) const;
-    bool is_long_in_zone(const Corners& now, const Face& face, const ActiveSet& active) const;
+    bool is_long_in_zone(const Corners& corners, const Face& face, const ActiveSet& active) const;
     bool is_long_before_a_step(const Face& face) const;
     bool may_miss_a_step(const Face& face) const;
     Corners corners_before(std::size_t step, const Face& face) const;
