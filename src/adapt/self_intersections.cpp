@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <iterator>
 #include <unordered_map>
 
 #include "geometry/piercing.h"
@@ -55,24 +54,38 @@ Box box_of(const TriMesh& mesh, std::span<const FaceId> faces) {
     return box;
 }
 
-// The live faces whose boxes meet `box`.
-std::vector<FaceId> faces_in(const TriMesh& mesh, std::span<const FaceId> faces, const Box& box) {
-    std::vector<FaceId> inside;
-    std::ranges::copy_if(faces, std::back_inserter(inside), [&](FaceId f) {
-        return is_live(mesh, f) && box_of(mesh, corners_of(mesh, f)).meets(box);
+// The faces whose boxes meet `box`.
+std::vector<FaceId> faces_in(const TriMesh& mesh, std::vector<FaceId> faces, const Box& box) {
+    std::erase_if(faces, [&](FaceId f) { return !box_of(mesh, corners_of(mesh, f)).meets(box); });
+    return faces;
+}
+
+bool has_moved(const ActiveSet& active, FaceId f) {
+    return std::ranges::any_of(corners_of(active.mesh(), f), [&](VertexId v) {
+        return active.mesh().position(v) != active.rest_position(v);
     });
-    return inside;
 }
 
 std::vector<FaceId> moved_faces(const ActiveSet& active) {
-    const TriMesh& mesh = active.mesh();
-    std::vector<FaceId> faces = live(mesh, {active.faces().begin(), active.faces().end()});
-    std::erase_if(faces, [&](FaceId f) {
-        return std::ranges::all_of(corners_of(mesh, f), [&](VertexId v) {
-            return mesh.position(v) == active.rest_position(v);
-        });
-    });
+    std::vector<FaceId> faces = live(active.mesh(), {active.faces().begin(), active.faces().end()});
+    std::erase_if(faces, [&](FaceId f) { return !has_moved(active, f); });
     return faces;
+}
+
+// The live ones of the faces, and the faces that edits have made of them or of their siblings.
+std::vector<FaceId> with_descendants(const ActiveSet& active, std::span<const FaceId> faces) {
+    const TriMesh& mesh = active.mesh();
+    std::vector<FaceId> all = live(mesh, {faces.begin(), faces.end()});
+    std::vector<FaceId> bases;
+    for (FaceId f : all) bases.push_back(mesh.base_face(f));
+    std::ranges::sort(bases);
+    for (FaceId f : active.edited_faces()) {
+        if (is_live(mesh, f) && !has_moved(active, f) &&
+            std::ranges::binary_search(bases, mesh.base_face(f))) {
+            all.push_back(f);
+        }
+    }
+    return live(mesh, std::move(all));
 }
 
 bool were_disjoint(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
@@ -230,7 +243,8 @@ PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> o
     if (others.empty()) return passed;
     const TriMesh& mesh = active.mesh();
     const std::vector<FaceId> moving = moved_faces(active);
-    const std::vector<FaceId> near_moving = faces_in(mesh, others, box_of(mesh, moving));
+    const std::vector<FaceId> near_moving =
+        faces_in(mesh, with_descendants(active, others), box_of(mesh, moving));
     if (near_moving.empty()) return passed;
     const Box box_of_others = box_of(mesh, near_moving);
     const FaceTree tree(mesh, near_moving);
@@ -243,11 +257,11 @@ PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> o
         near.clear();
         tree.append_near(box, mesh, near);
         pairs += near.size();
+        passed.are_all = pairs <= kMostPairsWithOthers;
+        if (!passed.are_all) break;
         for (FaceId g : near) {
             if (intersect_newly(active, corners, corners_of(mesh, g))) passed.faces.push_back(g);
         }
-        passed.are_all = pairs <= kMostPairsWithOthers;
-        if (!passed.are_all) break;
     }
     std::sort(passed.faces.begin(), passed.faces.end());
     const auto end = std::unique(passed.faces.begin(), passed.faces.end());

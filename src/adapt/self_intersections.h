@@ -75,18 +75,18 @@ class SelfIntersections {
     std::vector<FaceId> near_;
 };
 
-// Faces that stay where they are, through which active faces pass.
+// Faces that stay where they are and intersect faces that have moved.
 struct PassedFaces {
     std::vector<FaceId> faces;  // sorted
     bool are_all = true;        // false if the search ended before it had tested all pairs
 };
 
-// Finds those of `others` that intersect an active face which has moved, and were disjoint from it
-// at rest. The others were outside the active set when the gesture began; refinement may have split
-// them since, and decimation may have removed them. Faces that share a corner do not count. Cost:
-// O(others + active faces
-// + near faces · log near faces + pairs of near faces), and one word per face slot; O(1) if there
-// are no others.
+// Finds those of `others`, and of the faces that splits have made of them, that intersect an active
+// face which has moved, and were disjoint from it at rest. The others were outside the active set
+// when the gesture began. Faces that share a corner do not count.
+//
+// Cost: O(1) if there are no others. Otherwise O(k log k + p) for k other and active faces and p
+// pairs of near faces, and one word per face slot.
 PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others);
 
 // The edges to split so that the intersections are resolved. For each intersection, it is the one

@@ -34,6 +34,10 @@ std::string remark_on_self_intersections(const Frame& frame) {
 // are_in_zones: without `connected` the drag would move the faces, too.
 std::string remark_on_passed_faces(const PassedFaces& passed, bool are_in_zones) {
     const std::size_t count = passed.faces.size();
+    if (count == 0 && !passed.are_all) {
+        return "there are too many triangles to find out whether the part that was dragged passes "
+               "through a part that stays";
+    }
     if (count == 0) return {};
     return std::string("the part that was dragged passes through ") +
            (passed.are_all ? "" : "at least ") +

@@ -49,19 +49,23 @@ std::vector<FaceId> Session::State::faces_meeting(std::span<const Box> zones) {
 }
 
 // The faces that a connected drag with these displacements leaves alone and may pass through. The
-// mesh is in its rest state. A fold-free drag moves nothing out of its zones.
+// mesh is in its rest state. A fold-free drag moves nothing out of its zones, and refinement keeps
+// the triangles there small.
 std::vector<FaceId> Session::State::staying_faces(std::span<const Vec3> displacements) {
     std::vector<FaceId> staying;
     const ActiveGesture& gesture = *active_gesture;
     if (!gesture.drag.connected || active->faces().size() == mesh->face_count()) return staying;
-    std::vector<Box> zones;
-    if (gesture.drag.fold_free) {
+    std::vector<Box> boxes;
+    if (gesture.drag.fold_free && adapt_settings.enabled) {
         if (!gesture.is_part_of_zones) return staying;
-        zones = gesture.gesture->warp().zones();
+        boxes = gesture.gesture->warp().zones();
     } else {
-        zones = gesture.gesture->zones_with_reach(displacements);
+        boxes = gesture.gesture->zones_with_reach(displacements);
+        Box box_of_part;
+        for (const Vec3& rest : active->rest_positions()) box_of_part.include(rest);
+        boxes.push_back(box_of_part);
     }
-    const std::vector<FaceId> near = faces_meeting(zones);
+    const std::vector<FaceId> near = faces_meeting(boxes);
     std::ranges::set_difference(near, active->faces(), std::back_inserter(staying));
     return staying;
 }

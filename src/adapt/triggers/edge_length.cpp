@@ -25,10 +25,16 @@ bool meets(const std::array<Vec3, 3>& corners, const Box& zone) {
     return triangle_meets_box(corners[0], corners[1], corners[2], zone);
 }
 
-// Whether the edge of h is a boundary, a crease or a seam, or separates two parts.
-bool is_line(const TriMesh& mesh, HalfEdgeId h) {
-    return !mesh.is_smooth(mesh.edge(h)) ||
-           mesh.part_index(TriMesh::face(h)) != mesh.part_index(TriMesh::face(mesh.twin(h)));
+// Whether the edge of h is a boundary, separates two parts, or is a seam between faces with the
+// same normals. A crease is none: what bends it in the plane of one face tilts the other.
+bool is_line(const ActiveSet& active, HalfEdgeId h) {
+    const TriMesh& mesh = active.mesh();
+    const HalfEdgeId twin = mesh.twin(h);
+    if (!exists(twin)) return true;
+    if (mesh.part_index(TriMesh::face(h)) != mesh.part_index(TriMesh::face(twin))) return true;
+    if (mesh.is_smooth(mesh.edge(h))) return false;
+    const auto normal = [&](HalfEdgeId at) { return active.rest_normal(mesh.wedge(at)); };
+    return normal(h) == normal(TriMesh::next(twin)) && normal(TriMesh::next(h)) == normal(twin);
 }
 
 // How much farther one corner moves than another, along the normal of the face.
@@ -77,8 +83,8 @@ HalfEdgeId EdgeLength::needed_split(const ActiveSet& active, HalfEdgeId h) const
 bool EdgeLength::is_too_coarse(const ActiveSet& active, HalfEdgeId h) const {
     const TriMesh& mesh = active.mesh();
     const HalfEdgeId next = TriMesh::next(h), prev = TriMesh::prev(h);
-    const bool is_strict =
-        steps_.are_only_sampled && (is_line(mesh, h) || is_line(mesh, next) || is_line(mesh, prev));
+    const bool is_strict = steps_.are_only_sampled &&
+                           (is_line(active, h) || is_line(active, next) || is_line(active, prev));
     return is_too_coarse(
         active,
         {.a = mesh.origin(prev), .b = mesh.origin(h), .c = mesh.target(h), .is_strict = is_strict});

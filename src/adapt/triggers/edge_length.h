@@ -44,12 +44,12 @@ enum class SplitNeed : std::uint8_t {
 //   is as near to the middle of the zone as the face is, up to half of L_max. The step acts most in
 //   the middle, so what it does to the face shows at that corner.
 // - It may not show at a corner right in the middle, which is moved but not tilted. So a long face
-//   is too coarse as well if the steps together move one of its corners by more than half of L_max
-//   farther than another, out of the plane of the face. On the straight sides of a spike they move
-//   along the face.
-// - At boundaries, creases, seams and between parts none of these exceptions hold, since a line
-//   there can bend in the plane of its faces, where no normal shows it. Nor do they hold for faces
-//   that decimation would restore.
+//   is too coarse as well if the later steps bend it by more than half of L_max in all: each step
+//   counts by how much farther it moves one corner than another along the normal of the face. On
+//   the straight sides of a spike, steps move all corners along the face.
+// - At boundaries, seams and between parts none of these exceptions hold, since a line there can
+//   bend in the plane of its faces, where no normal shows it. Nor do they hold for faces that
+//   decimation would restore.
 // - The edges of the result may be longer than L_max.
 //
 // A face that is too coarse is split at the edge that is longest at rest (SplitOrder::first_edge).
