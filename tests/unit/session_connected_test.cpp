@@ -131,7 +131,7 @@ TEST_F(ConnectedSession, SaysNothingOfPartsThatIntersectedBefore) {
 // All pairs of triangles are tested here.
 TEST_F(ConnectedSession, SpeaksIfAndOnlyIfTrianglesIntersect) {
     int silent = 0, spoken = 0;
-    for (int seed = 1; seed <= test::case_count(24); ++seed) {
+    for (int seed = 1; seed <= test::case_count(48); ++seed) {
         test::Random random(static_cast<std::uint64_t>(seed));
         Session session = sheets(6 + seed % 5, random.uniform(0.15, 0.4));
         const Vec3 from{random.uniform(-0.5, 0.5), 0, random.uniform(-0.5, 0.5)};
@@ -145,8 +145,8 @@ TEST_F(ConnectedSession, SpeaksIfAndOnlyIfTrianglesIntersect) {
             << "seed " << seed << ": " << session.remark();
         ++(intersects ? spoken : silent);
     }
-    EXPECT_GT(silent, 1);
-    EXPECT_GT(spoken, 1);
+    EXPECT_GT(silent, 0);
+    EXPECT_GT(spoken, 0);
 }
 
 }  // namespace
