@@ -148,8 +148,8 @@ std::string sheet(int n, double y, int first_vertex) {
     return text;
 }
 
-// The point goes through a second sheet, whose other corners are far from its path. One path meets
-// the middle of a vertex there, which the steps move but do not tilt.
+// The point goes through a second sheet of faces that are large beside the brush. The first path
+// passes through a vertex there, which the steps move but do not tilt.
 TEST(LongDrag, BendsASheetOfLargeFacesThatItReachesOnTheWay) {
     const ScratchFolder folder;
     folder.write("sheets.obj", sheet(4, 0.0, 1) + sheet(4, 1.0, 26));
