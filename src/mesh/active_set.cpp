@@ -7,18 +7,21 @@
 
 namespace pectin {
 
-void ActiveSet::begin(std::span<const FaceId> faces, const Box& zone) {
+void ActiveSet::begin(std::span<const FaceId> faces, const Box& zone,
+                      std::span<const FaceId> staying) {
     assert(!begun_);
     begun_ = true;
     split_capacity_ = 0;
     log_.begin(faces, mesh_.slot_counts());
     rest_.begin(faces, zone);
+    staying_.begin(staying, mesh_.face_slots());
 }
 
 void ActiveSet::roll_back() noexcept {
     log_.take_back(mesh_);
     assert(mesh_.slot_counts() == log_.slots_at_begin());
     rest_.restore(mesh_);
+    staying_.restore(edited_faces());
     log_.clear();
 }
 
@@ -29,6 +32,7 @@ void ActiveSet::cancel() noexcept {
 
 void ActiveSet::abandon() noexcept {
     rest_.abandon();
+    staying_.abandon();
     log_.end();
     begun_ = false;
 }
@@ -51,12 +55,14 @@ MeshChange ActiveSet::finish() {
 
 void ActiveSet::forget() noexcept {
     rest_.end();
+    staying_.end(edited_faces());
     log_.end();
     begun_ = false;
 }
 
 std::size_t ActiveSet::memory_bytes() const {
-    return rest_.memory_bytes() + log_.memory_bytes() + capacity_bytes(scratch_);
+    return rest_.memory_bytes() + log_.memory_bytes() + staying_.memory_bytes() +
+           capacity_bytes(scratch_);
 }
 
 }  // namespace pectin

@@ -15,6 +15,7 @@
 #include "mesh/growing_array.h"
 #include "mesh/mesh_change.h"
 #include "mesh/rest_state.h"
+#include "mesh/staying_faces.h"
 #include "mesh/tri_mesh.h"
 
 namespace pectin {
@@ -30,8 +31,11 @@ class ActiveSet {
     ActiveSet& operator=(const ActiveSet&) = delete;
 
     // Begins a gesture. `faces`: live, sorted, each once. `zone`: only vertices strictly inside it
-    // will move. Cost: O(faces); the first time, and when the mesh has grown, O(mesh).
-    void begin(std::span<const FaceId> faces, const Box& zone);
+    // will move. `staying`: the faces that reach into the zone and do not move. An edge strictly
+    // inside has not both kinds of faces. Cost: O(faces); the first time, and when the mesh has
+    // grown, O(mesh).
+    void begin(std::span<const FaceId> faces, const Box& zone,
+               std::span<const FaceId> staying = {});
     // Takes back all edits and gives every element its rest state. Allocates nothing.
     // Cost: O(touched).
     void roll_back() noexcept;
@@ -192,6 +196,7 @@ class ActiveSet {
     template <typename AreaNormal>
     void insert_side(const Split::Side& side, std::uint32_t entry, std::uint32_t owner,
                      const AreaNormal& area_normal);
+    bool stays(const Split& split) const;
     void log_faces(std::size_t first, const Split& split);
     void drop_sheet(const Star& star);
     void forget() noexcept;
@@ -199,6 +204,7 @@ class ActiveSet {
     TriMesh& mesh_;
     RestState rest_;
     EditLog log_;
+    StayingFaces staying_;
     bool begun_ = false;
     std::uint32_t split_capacity_ = 0;  // there is room for at least so many splits outside cuts
     GrowingArray<std::uint8_t> scratch_;

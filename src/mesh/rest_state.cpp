@@ -73,7 +73,9 @@ void RestState::enter_vertices(std::vector<VertexId>& corners) {
     });
     influenced_vertices_ = static_cast<std::uint32_t>(first_still - corners.begin());
     vertices_.reserve(corners.size());
-    for (VertexId v : corners) enter(allocate(v), v, mesh_.position(v), mesh_.is_deformed(v));
+    for (VertexId v : corners) {
+        enter(allocate(v), v, mesh_.position(v), mesh_.is_deformed(v), false);
+    }
 }
 
 void RestState::enter_wedges(std::vector<WedgeId>& wedges) {

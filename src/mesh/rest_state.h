@@ -30,6 +30,7 @@ struct RestVertexColumns {
     GrowingArray<VertexId> ids;  // none where unsplit has removed the vertex
     GrowingArray<Vec3> positions;
     GrowingArray<std::uint8_t> was_deformed;  // 0 or 1
+    GrowingArray<std::uint8_t> stays;         // 1 for midpoints inserted into faces that stay
 
     std::size_t size() const { return ids.size(); }
     template <typename Visit, typename... C>
@@ -37,6 +38,7 @@ struct RestVertexColumns {
         visit(Column<VertexId>{kNone<VertexId>}, columns.ids...);
         visit(Column<Vec3>{Vec3{0.0}}, columns.positions...);
         visit(Column<std::uint8_t>{0}, columns.was_deformed...);
+        visit(Column<std::uint8_t>{0}, columns.stays...);
     }
 };
 
@@ -102,7 +104,7 @@ class RestState {
     const Box& zone() const { return zone_; }
     bool is_influenced_at(std::uint32_t vertex) const {
         return vertex < influenced_vertices_ ||
-               (vertex >= original_vertices_ &&
+               (vertex >= original_vertices_ && vertices_.stays[vertex] == 0 &&
                 zone_.contains_strictly(vertices_.positions[vertex]));
     }
     std::uint32_t entry(VertexId v) const { return lookup(vertex_entry_, v); }
@@ -165,7 +167,8 @@ class RestState {
     std::uint32_t allocate(WedgeId w);
     // Allocates an entry, or returns the one that e's id already has.
     std::uint32_t allocate(EdgeId e, bool smooth);
-    void enter(std::uint32_t entry, VertexId v, const Vec3& position, bool was_deformed);
+    void enter(std::uint32_t entry, VertexId v, const Vec3& position, bool was_deformed,
+               bool stays);
     void enter(std::uint32_t entry, WedgeId w, const Vec3f& normal, std::uint32_t owner);
     void enter(std::uint32_t entry, EdgeId e, float length);
     // Enters am or dm.
@@ -266,11 +269,12 @@ inline std::uint32_t RestState::allocate(EdgeId e, bool smooth) {
 }
 
 inline void RestState::enter(std::uint32_t entry, VertexId v, const Vec3& position,
-                             bool was_deformed) {
+                             bool was_deformed, bool stays) {
     vertex_entry_[index(v)] = entry;
     vertices_.ids[entry] = v;
     vertices_.positions[entry] = position;
     vertices_.was_deformed[entry] = was_deformed ? 1 : 0;
+    vertices_.stays[entry] = stays ? 1 : 0;
 }
 
 inline void RestState::enter(std::uint32_t entry, WedgeId w, const Vec3f& normal,

@@ -53,7 +53,7 @@ std::string joined(std::string first, const std::string& second) {
 
 }  // namespace
 
-void Session::State::start_gesture(ActiveGesture& begun, std::span<const FaceId> faces, Warp warp) {
+void Session::State::start_gesture(ActiveGesture& begun, const GestureFaces& faces, Warp warp) {
     std::optional<AdaptLimits> adapt_limits;
     begun.lattice = lattice_of(warp.steps.back());
     if (adapt_settings.enabled) {

@@ -122,8 +122,7 @@ Refusal Session::State::begin_control(std::span<const IVec3> indices) {
     Warp warp{{LatticeField{*lattice_settings.cage, std::move(std::get<0>(displacements))}}};
     Box zone = warp.zone();
     if (symmetry) zone.include(symmetry->image(zone));  // they differ by rounding at most
-    const std::vector<FaceId> faces = face_tree().faces_meeting(zone, *mesh);
-    start_gesture(*begun, faces, std::move(warp));
+    start_gesture(*begun, {.moving = face_tree().faces_meeting(zone, *mesh)}, std::move(warp));
     begun->measured.seconds.begin = stopwatch.lap();
     active_gesture = std::move(begun);
     return std::nullopt;

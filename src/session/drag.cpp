@@ -117,9 +117,10 @@ Refusal Session::State::embed(ActiveGesture& begun) {
     auto faces = faces_of(begun.drag, zones_on_both_sides(planned.warp));
     if (auto* refusal = std::get_if<std::string>(&faces)) return std::move(*refusal);
     // If memory runs out from here on, there is no gesture, and the object is in its rest state.
-    const DragFaces& found = std::get<DragFaces>(faces);
-    begun.is_part_of_zones = found.is_part_of_zones;
-    start_gesture(begun, found.faces, std::move(planned.warp));
+    const GestureFaces& found = std::get<GestureFaces>(faces);
+    begun.is_part_of_zones = !found.staying.empty();
+    begun.is_part_of_zones = !found.staying.empty();
+    start_gesture(begun, found, std::move(planned.warp));
     begun.measured.seconds.begin = stopwatch.lap();
     return std::nullopt;
 }

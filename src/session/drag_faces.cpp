@@ -70,12 +70,12 @@ std::vector<FaceId> Session::State::staying_faces(std::span<const Vec3> displace
     return staying;
 }
 
-// All faces that meet the zones, or with `connected` the part of them that is connected to the
-// handles.
-std::variant<Session::State::DragFaces, std::string> Session::State::faces_of(
+// All faces that meet the zones; with `connected` only the part of them moves that is connected to
+// the handles.
+std::variant<GestureFaces, std::string> Session::State::faces_of(
     const command::Drag& drag, std::span<const Box> zones) {
     std::vector<FaceId> faces = faces_meeting(zones);
-    if (!drag.connected) return DragFaces{std::move(faces)};
+    if (!drag.connected) return GestureFaces{.moving = std::move(faces)};
     std::vector<FaceId> seeds;
     for (const Move& move : drag.moves) {
         if (const auto face = face_tree().nearest(move.from, *mesh)) seeds.push_back(*face);
@@ -89,8 +89,9 @@ std::variant<Session::State::DragFaces, std::string> Session::State::faces_of(
                " does not reach into the influenced zone; drag a point of the surface, or without "
                "connected";
     }
-    const bool is_part = part.size() < faces.size();
-    return DragFaces{std::move(part), is_part};
+    std::vector<FaceId> staying;
+    std::ranges::set_difference(faces, part, std::back_inserter(staying));
+    return GestureFaces{.moving = std::move(part), .staying = std::move(staying)};
 }
 
 // The vertices at handles and pins, with symmetry on both sides of the plane. A point between

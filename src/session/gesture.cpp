@@ -15,7 +15,7 @@ constexpr std::uint64_t kMostEdits = 4;
 
 }  // namespace
 
-Gesture::Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
+Gesture::Gesture(ActiveSet& active, const GestureFaces& faces, Warp warp,
                  const std::optional<AdaptLimits>& limits, std::vector<VertexId> kept)
     : active_(active), warp_(std::move(warp)), embedding_(active_, warp_) {
     assert(!warp_.steps.empty());
@@ -26,7 +26,7 @@ Gesture::Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
         criteria_->keep(std::move(kept));
     }
     try {
-        active_.begin(faces, zone);
+        active_.begin(faces.moving, zone, faces.staying);
         embedding_.embed();
     } catch (...) {  // out of memory: nothing has been edited yet
         active_.abandon();

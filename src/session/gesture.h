@@ -26,15 +26,21 @@ struct Frame {
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 };
 
+// The faces that meet the zone of a warp, sorted.
+struct GestureFaces {
+    std::vector<FaceId> moving;
+    std::vector<FaceId> staying{};  // other parts of the surface, in a drag of a connected part
+};
+
 // Begins the active set. commit() or cancel() ends it; the destructor cancels it. The result of a
 // commit depends only on the mesh before the gesture, the displacements and the limits, since the
 // frames before it are rolled back first.
 class Gesture {
   public:
-    // faces: the faces that meet the zone of the warp, sorted. limits: nothing for a gesture
-    // without adaptive meshing. kept: vertices that decimation does not remove. Throws
-    // std::bad_alloc; the mesh is then unchanged. Cost: that of Embedding::embed().
-    Gesture(ActiveSet& active, std::span<const FaceId> faces, Warp warp,
+    // limits: nothing for a gesture without adaptive meshing. kept: vertices that decimation does
+    // not remove. Throws std::bad_alloc; the mesh is then unchanged. Cost: that of
+    // Embedding::embed().
+    Gesture(ActiveSet& active, const GestureFaces& faces, Warp warp,
             const std::optional<AdaptLimits>& limits, std::vector<VertexId> kept = {});
     ~Gesture();
     Gesture(const Gesture&) = delete;

@@ -139,10 +139,6 @@ struct Session::State {
     Frame adapt_everything();
 
     // --- Drags (drag.cpp, drag_faces.cpp).
-    struct DragFaces {
-        std::vector<FaceId> faces;      // sorted
-        bool is_part_of_zones = false;  // not all faces in the zones
-    };
     Refusal begin_drag(const command::Drag& drag);
     Refusal drag_to(const command::Drag& asked);
     std::optional<command::Drag> end_drag();
@@ -151,8 +147,8 @@ struct Session::State {
     DragPlan plan_of(const command::Drag& drag) const;
     Refusal embed(ActiveGesture& begun);
     std::vector<Box> zones_on_both_sides(const Warp& warp) const;
-    std::variant<DragFaces, std::string> faces_of(const command::Drag& drag,
-                                                  std::span<const Box> zones);
+    std::variant<GestureFaces, std::string> faces_of(const command::Drag& drag,
+                                                     std::span<const Box> zones);
     std::vector<FaceId> faces_meeting(std::span<const Box> zones);
     std::vector<FaceId> staying_faces(std::span<const Vec3> displacements);
     bool is_single_step(const command::Drag& drag, Refusal& refusal) const;
@@ -168,7 +164,7 @@ struct Session::State {
         const command::Control& control) const;
 
     // --- Gestures of both kinds (active_gesture.cpp).
-    void start_gesture(ActiveGesture& begun, std::span<const FaceId> faces, Warp warp);
+    void start_gesture(ActiveGesture& begun, const GestureFaces& faces, Warp warp);
     void update_frame(std::span<const Vec3> displacements);
     // Ends the gesture with these displacements of the last step and adds it to the history.
     void commit(std::span<const Vec3> displacements, bool is_noop);

@@ -139,7 +139,7 @@ struct Frames {
             DragSolver::create(brush_lattice(points[0], radius, 3), points, {}));
         Warp warp{{DragStep{solver.field(), std::vector<Vec3>(1)}}};
         const Box zone = warp.zone();
-        const std::vector<FaceId> faces = FaceTree(mesh).faces_meeting(zone, mesh);
+        const GestureFaces faces{.moving = FaceTree(mesh).faces_meeting(zone, mesh)};
         gesture = std::make_unique<Gesture>(active, faces, std::move(warp), limits);
     }
     Frame drag(const Vec3& by) { return gesture->frame(std::vector<Vec3>{by}); }

@@ -149,5 +149,39 @@ TEST_F(ConnectedSession, SpeaksIfAndOnlyIfTrianglesIntersect) {
     EXPECT_GT(spoken, 0);
 }
 
+// Two long triangles share an edge outside the zone. Splitting the one that moves splits the other
+// as well, at an edge whose middle is inside the zone.
+TEST_F(ConnectedSession, LeavesMidpointsOfThePartThatStays) {
+    folder_.write("wedge.obj",
+                  "v 0 0 0\nv 0 4 0\nv 2 2 0.1\nv 3 4.5 -0.1\nf 1 2 3\nf 2 1 4\n");
+    for (const bool fold_free : {false, true}) {
+        Session session;
+        expect_done(session, command::Open{.path = folder_.path("wedge.obj")});
+        expect_done(session, Brush{.radius = 1.5});
+        expect_done(session, Drag{.moves = {{Vec3{2, 2, 0.1}, Vec3{2, 2, 0.6}}},
+                                  .connected = true,
+                                  .fold_free = fold_free});
+        const TriMesh& mesh = session.mesh();
+        int staying = 0, moved = 0;
+        for (const FaceId f : test::live_faces(mesh)) {
+            const bool stays = index(mesh.base_face(f)) == 1;
+            for (int corner = 0; corner < 3; ++corner) {
+                const Vec3& p = mesh.position(mesh.origin(TriMesh::half_edge(f, corner)));
+                const double rest = stays ? -0.1 * p.x / 3.0 : 0.05 * p.x;
+                if (!stays) {
+                    moved += std::abs(p.z - rest) > 1e-3 ? 1 : 0;
+                    continue;
+                }
+                EXPECT_NEAR(p.z, rest, 1e-12) << p.x << " " << p.y;
+                ++staying;
+            }
+        }
+        EXPECT_GT(staying, 3) << "the second triangle was split";
+        EXPECT_GT(moved, 0);
+        expect_done(session, command::Undo{});
+        EXPECT_EQ(session.mesh().face_count(), 2u);
+    }
+}
+
 }  // namespace
 }  // namespace pectin
