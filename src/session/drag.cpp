@@ -119,7 +119,6 @@ Refusal Session::State::embed(ActiveGesture& begun) {
     // If memory runs out from here on, there is no gesture, and the object is in its rest state.
     const GestureFaces& found = std::get<GestureFaces>(faces);
     begun.is_part_of_zones = !found.staying.empty();
-    begun.is_part_of_zones = !found.staying.empty();
     start_gesture(begun, found, std::move(planned.warp));
     begun.measured.seconds.begin = stopwatch.lap();
     return std::nullopt;
