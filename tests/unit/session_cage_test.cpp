@@ -9,6 +9,7 @@
 
 #include "command/json.h"
 #include "session/session.h"
+#include "support/expect_done.h"
 #include "unit/ffd_random.h"
 
 namespace pectin {
@@ -86,10 +87,7 @@ TEST(FittedCage, MovedByAnAffineMapMovesItsBoxByThatMap) {
 
 // ---- Commands
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    ASSERT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 std::vector<Vec3> positions(const TriMesh& mesh) {
     std::vector<Vec3> all;

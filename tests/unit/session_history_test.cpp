@@ -11,6 +11,7 @@
 #include "mesh/build_mesh.h"
 #include "mesh/shapes.h"
 #include "session/session.h"
+#include "support/expect_done.h"
 
 namespace pectin {
 namespace {
@@ -21,10 +22,7 @@ using command::Redo;
 using command::Shape;
 using command::Undo;
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    EXPECT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 std::string refusal_of(Session& session, const Command& command) {
     const auto refusal = session.execute(command);

@@ -9,6 +9,7 @@
 
 #include "mesh/face_tree.h"
 #include "session/session.h"
+#include "support/expect_done.h"
 #include "support/mesh_figures.h"
 #include "support/scratch_folder.h"
 
@@ -20,10 +21,7 @@ using command::Brush;
 using command::Drag;
 using command::Shape;
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    ASSERT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 // The largest distance from a vertex of `exact` to the surface of `approximation`.
 double largest_distance(const TriMesh& exact, const TriMesh& approximation) {

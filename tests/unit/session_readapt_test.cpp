@@ -6,6 +6,7 @@
 
 #include "command/json.h"
 #include "session/session.h"
+#include "support/expect_done.h"
 
 namespace pectin {
 namespace {
@@ -17,10 +18,7 @@ using command::Drag;
 using command::Readapt;
 using command::Shape;
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    ASSERT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 void expect_short_edges_everywhere(Session& session, double l_max) {
     expect_done(session, Readapt{});

@@ -12,6 +12,7 @@
 #include "mesh/shapes.h"
 #include "session/input_summary.h"
 #include "session/session.h"
+#include "support/expect_done.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
 
@@ -24,10 +25,7 @@ const std::string kHinge =
     "v -2 -1 0\nv 0 -1 0\nv 0 1 0\nv -2 1 0\nv 0 -1 0\nv 1 -1 -1\nv 1 1 -1\nv 0 1 0\n"
     "f 1 2 3 4\nf 5 6 7 8\n";
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    ASSERT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 void open_text(Session& session, const std::string& text) {
     const std::string path = testing::TempDir() + "session_seams.obj";

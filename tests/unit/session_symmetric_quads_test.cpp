@@ -9,6 +9,7 @@
 
 #include "mesh/shapes.h"
 #include "session/session.h"
+#include "support/expect_done.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
 #include "support/test_run.h"
@@ -20,10 +21,7 @@ using command::Drag;
 using command::Shape;
 using Plane = command::Symmetry::Plane;
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    ASSERT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 std::size_t faces_without_image(const Session& session, int axis = 0) {
     const double tolerance = 1e-7 * session.mesh().bounding_box().diagonal();

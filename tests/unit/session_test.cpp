@@ -10,6 +10,7 @@
 #include <numbers>
 
 #include "io/obj_writer.h"
+#include "support/expect_done.h"
 #include "support/mesh_figures.h"
 
 namespace pectin {
@@ -24,10 +25,7 @@ using command::Redo;
 using command::Shape;
 using command::Undo;
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    EXPECT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 // Expects that the command is refused and changes nothing, and returns the refusal.
 std::string refusal_of(Session& session, const Command& command) {
