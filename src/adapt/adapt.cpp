@@ -50,10 +50,11 @@ IntersectionLimit limit_after(const SelfIntersections& self_intersections,
 }
 
 Refinement refine_without_self_intersections(ActiveSet& active, Embedding& embedding,
-                                             const Criteria& criteria) {
+                                             const Criteria& criteria,
+                                             const Surroundings& surroundings) {
     Refinement result = refine(active, embedding, criteria);
     if (embedding.is_identity()) return result;
-    SelfIntersections self_intersections(active);
+    SelfIntersections self_intersections(active, surroundings);
     for (int round = 0;; ++round) {
         const std::vector<SelfIntersection>& found = self_intersections.find();
         result.self_intersections = found.size();
@@ -72,23 +73,33 @@ Refinement refine_without_self_intersections(ActiveSet& active, Embedding& embed
 
 }  // namespace
 
-Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
-    return timed([&] { return refine(active, embedding, criteria); },
-                 [&] { return decimate(active, criteria); });
+Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
+                 const StopToken& stop) {
+    bool is_refined = false;
+    return timed(
+        [&] {
+            Refinement refinement = refine(active, embedding, criteria, stop);
+            is_refined = !refinement.was_stopped;
+            return refinement;
+        },
+        [&] { return is_refined ? decimate(active, criteria, nullptr, stop) : Decimation{}; });
 }
 
 Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedding,
-                                            const Criteria& criteria) {
+                                            const Criteria& criteria,
+                                            const Surroundings& surroundings) {
     const bool is_guarded = criteria.limits().flatness != kOff;
-    Adaptation result =
-        timed([&] { return refine_without_self_intersections(active, embedding, criteria); },
-              [&] {
-                  SelfIntersections self_intersections(active);
-                  return decimate(active, criteria, is_guarded ? &self_intersections : nullptr);
-              });
+    Adaptation result = timed(
+        [&] {
+            return refine_without_self_intersections(active, embedding, criteria, surroundings);
+        },
+        [&] {
+            SelfIntersections self_intersections(active, surroundings);
+            return decimate(active, criteria, is_guarded ? &self_intersections : nullptr);
+        });
     if (!is_guarded && !embedding.is_identity()) {
         Refinement& refinement = result.refinement;
-        refinement.self_intersections = SelfIntersections(active).find().size();
+        refinement.self_intersections = SelfIntersections(active, surroundings).find().size();
         if (refinement.self_intersections == 0)
             refinement.intersection_limit = IntersectionLimit::none;
         if (refinement.self_intersections > 0 &&

@@ -10,6 +10,7 @@
 
 #include "adapt/decimate.h"
 #include "adapt/refine.h"
+#include "adapt/self_intersections.h"
 
 namespace pectin {
 
@@ -17,18 +18,26 @@ struct Adaptation {
     Refinement refinement;
     Decimation decimation;
     double refine_seconds = 0.0, decimate_seconds = 0.0;
+
+    bool was_stopped() const { return refinement.was_stopped || decimation.was_stopped; }
 };
 
-Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria);
+// stop: ends the work early. There is no decimation before refinement is complete. Adapting again
+// continues, and in the end gives a mesh with the properties above, though it may be another one
+// than without a stop.
+Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
+                 const StopToken& stop = {});
 
-// The same for a warp that does not fold space. Afterwards no two active faces intersect
-// (SelfIntersections), unless the floor, the budget or the end of the search prevent it
-// (Refinement::intersection_limit); decimation keeps it so. Without a step of the warp nothing can
-// have come to intersect, so only decimation is guarded. Without a flatness limit decimation is not
-// guarded: then positions do not matter to the user. Cost: that of adapt(), plus O(n log n) in the
-// number of active faces, plus O(intersections * steps) for each of a few rounds.
+// The same for a warp that does not fold space. Afterwards no two active faces intersect, and no
+// active face intersects one of the surroundings (SelfIntersections), unless the floor, the budget
+// or the end of the search prevent it (Refinement::intersection_limit); decimation keeps it so.
+// Without a step of the warp nothing can have come to intersect, so only decimation is guarded.
+// Without a flatness limit decimation is not guarded: then positions do not matter to the user.
+// Cost: that of adapt(), plus O(n log n) in the number of active faces, plus
+// O(intersections * steps) for each of a few rounds.
 Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedding,
-                                            const Criteria& criteria);
+                                            const Criteria& criteria,
+                                            const Surroundings& surroundings = {});
 
 // What the criteria say about all edges of a mesh. Edges along a cut count as one.
 struct Assessment {

@@ -12,6 +12,8 @@ namespace {
 
 using Levels = std::vector<std::vector<VertexId>>;
 
+constexpr std::uint64_t kUnsplitsBetweenQuestions = 1024;
+
 void add_inserted(const TriMesh& mesh, std::span<const VertexId> entries, Levels& levels) {
     for (VertexId v : entries) {
         if (!exists(v) || mesh.is_base(v)) continue;
@@ -46,21 +48,24 @@ Levels candidates_by_level(const ActiveSet& active) {
 
 class Decimator {
   public:
-    Decimator(ActiveSet& active, const Criteria& criteria, SelfIntersections* self_intersections)
+    Decimator(ActiveSet& active, const Criteria& criteria, SelfIntersections* self_intersections,
+              const StopToken& stop)
         : active_(active),
           criteria_(criteria),
           self_intersections_(self_intersections),
+          stop_(stop),
           concurrent_unsplits_(active, criteria) {}
 
     // One pass over all levels. Returns whether a vertex was kept only for self-intersections.
     bool run() {
         bool any_kept = false;
         const Levels levels = candidates_by_level(active_);
-        for (std::size_t level = levels.size(); level-- > 1;) {
+        for (std::size_t level = levels.size(); level-- > 1 && !result_.was_stopped;) {
             if (!self_intersections_ && concurrent_unsplits_.is_worth(levels[level])) {
                 const std::uint64_t removed = concurrent_unsplits_.unsplit(levels[level]);
                 result_.unsplits += removed;
                 result_.concurrent_unsplits += removed;
+                ask_whether_to_stop(removed);
             } else {
                 any_kept |= unsplit_one_by_one(levels[level]);
             }
@@ -74,6 +79,7 @@ class Decimator {
     bool unsplit_one_by_one(std::span<const VertexId> level) {
         bool any_kept = false;
         for (VertexId m : level) {
+            if (result_.was_stopped) break;
             const auto star = removable_star(active_, criteria_, m);
             if (!star) continue;
             if (self_intersections_ && self_intersections_->would_intersect(*star)) {
@@ -82,13 +88,25 @@ class Decimator {
             }
             active_.unsplit(*star);
             ++result_.unsplits;
+            ask_whether_to_stop(1);
         }
         return any_kept;
+    }
+
+    // To be called with the number of vertices that have just been removed. Those that may stay do
+    // not count, since the next call tests them again.
+    void ask_whether_to_stop(std::uint64_t removed) {
+        removed_ += removed;
+        if (removed_ < kUnsplitsBetweenQuestions) return;
+        removed_ = 0;
+        result_.was_stopped = stop_.stop_requested();
     }
 
     ActiveSet& active_;
     const Criteria& criteria_;
     SelfIntersections* self_intersections_;
+    const StopToken& stop_;
+    std::uint64_t removed_ = 0;  // since the last question
     ConcurrentUnsplits concurrent_unsplits_;
     Decimation result_;
 };
@@ -113,8 +131,8 @@ std::optional<Star> removable_star(const ActiveSet& active, const Criteria& crit
 }
 
 Decimation decimate(ActiveSet& active, const Criteria& criteria,
-                    SelfIntersections* self_intersections) {
-    Decimator decimator(active, criteria, self_intersections);
+                    SelfIntersections* self_intersections, const StopToken& stop) {
+    Decimator decimator(active, criteria, self_intersections, stop);
     std::uint64_t before = 0;
     bool any_kept = false;
     do {

@@ -8,6 +8,7 @@
 #include <optional>
 
 #include "adapt/criteria.h"
+#include "geometry/stop_token.h"
 #include "mesh/active_set.h"
 
 namespace pectin {
@@ -17,6 +18,7 @@ class SelfIntersections;
 struct Decimation {
     std::uint64_t unsplits = 0;
     std::uint64_t concurrent_unsplits = 0;  // those of `unsplits` that adapt/concurrent made
+    bool was_stopped = false;               // vertices may be left that may be removed
 };
 
 // Removes vertices of the active set that refinement has inserted, level by level, highest level
@@ -33,8 +35,11 @@ struct Decimation {
 // That depends on the order, so passes are repeated as long as a vertex was kept for this reason
 // and others were removed. Cost: O(active vertices), and O(log n) for each vertex whose restored
 // faces are tested for intersections.
+//
+// stop: asked each time about a thousand vertices have been removed, so that something is done in
+// any case. Decimating again continues.
 Decimation decimate(ActiveSet& active, const Criteria& criteria,
-                    SelfIntersections* self_intersections = nullptr);
+                    SelfIntersections* self_intersections = nullptr, const StopToken& stop = {});
 
 // The star of m, if m may be removed; none otherwise. The paper's conditions (a) and (b) for a
 // candidate vertex are called removal conditions here, to tell them from those for edges. Cost:

@@ -4,7 +4,9 @@
 // Eurographics UK 1999. Sections 4 and 5.
 #pragma once
 
+#include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 namespace pectin {
@@ -24,6 +26,12 @@ constexpr double default_l_max(double smallest_cell_extent) { return smallest_ce
 // degrees. The paper has no such limit.
 inline double default_flatness(double theta_max) {
     return 0.5 * std::tan(theta_max / 4.0 * std::numbers::pi / 180.0);
+}
+
+// How many triangles one drag may add, if it moves so many faces. A drag that refines everything it
+// moves to half the edge length needs three times as many. The paper has no such limit.
+constexpr std::uint64_t default_drag_budget(std::uint64_t faces) {
+    return std::max<std::uint64_t>(200'000, 4 * faces);
 }
 
 // The floor as a fraction of the diagonal of the object's box. The paper has no floor.

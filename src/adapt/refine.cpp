@@ -23,9 +23,9 @@ class Refiner {
           concurrent_splits_(active, embedding, classifier_, criteria.limits()),
           queue_(criteria.limits().partitioning) {}
 
-    Refinement refine() {
+    Refinement refine(const StopToken& stop) {
         queue_needed_edges();
-        split_queued_edges();
+        split_queued_edges(stop);
         return result();
     }
 
@@ -36,13 +36,13 @@ class Refiner {
             if (!is_below) pending_.splits.push_back({e, end_of(e)});
         }
         split_one_by_one(pending_);
-        split_queued_edges();
+        split_queued_edges({});
         return result();
     }
 
   private:
-    void split_queued_edges() {
-        while (!result_.budget_hit && !queue_.is_empty()) {
+    void split_queued_edges(const StopToken& stop) {
+        while (!result_.budget_hit && !result_.was_stopped && !queue_.is_empty()) {
             const RefinementQueue::Batch batch = queue_.take();
             if (batch.is_serial) {
                 test_again(batch);
@@ -50,6 +50,7 @@ class Refiner {
             } else {
                 split_concurrently(batch);
             }
+            result_.was_stopped = !queue_.is_empty() && stop.stop_requested();
         }
     }
 
@@ -263,8 +264,9 @@ class Refiner {
 
 }  // namespace
 
-Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
-    return Refiner(active, embedding, criteria).refine();
+Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
+                  const StopToken& stop) {
+    return Refiner(active, embedding, criteria).refine(stop);
 }
 
 Refinement refine_at(ActiveSet& active, Embedding& embedding, const Criteria& criteria,

@@ -73,6 +73,7 @@
 
 #include "adapt/criteria.h"
 #include "embedding/embedding.h"
+#include "geometry/stop_token.h"
 #include "mesh/active_set.h"
 
 namespace pectin {
@@ -92,6 +93,7 @@ struct Refinement {
     std::uint64_t chain_steps = 0;        // edges that propagation compared with their neighbours
     bool floor_hit = false;
     bool budget_hit = false;
+    bool was_stopped = false;  // edges may be left that need refinement
     // Edges above the floor that needed refinement, but would have left too thin a triangle beside
     // an edge that the floor keeps from being split. Some may have been split since.
     std::vector<EdgeId> blocked;
@@ -107,7 +109,10 @@ struct Refinement {
 // waits for a later batch, even if it is longer than the rest of this one. Where thousands wait,
 // batches are split on several threads (ConcurrentSplits). The result does not depend on the number
 // of threads. Cost: O(active edges + splits).
-Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria);
+//
+// stop: asked after each batch, so that something is done in any case. Refining again continues.
+Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
+                  const StopToken& stop = {});
 
 // The same, but starts from these edges alone and splits them whether they need it or not. Edges
 // along a cut: the representative only. Each at most once. Cost: O(edges + splits).

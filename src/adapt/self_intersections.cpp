@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <unordered_map>
+#include <utility>
 
 #include "geometry/piercing.h"
 
@@ -140,6 +141,8 @@ void for_each_edge(FaceId f, Visit visit) {
 
 }  // namespace
 
+const Surroundings SelfIntersections::kAlone{};
+
 FaceTree& SelfIntersections::tree() {
     const auto edited = active_.edited_faces();
     if (!tree_ || kRebuildDivisor * (edited.size() - synced_upto_) > active_.faces().size()) {
@@ -149,7 +152,49 @@ FaceTree& SelfIntersections::tree() {
         tree_->update(edited.subspan(synced_upto_), active_.mesh());
     }
     synced_upto_ = edited.size();
+    if (surroundings_.tree) mark_active();
     return *tree_;
+}
+
+void SelfIntersections::mark_active() {
+    const std::span<const FaceId> faces = active_.faces();
+    is_active_.resize(std::max<std::size_t>(is_active_.size(), active_.mesh().face_slots()));
+    for (; marked_upto_ < faces.size(); ++marked_upto_) {
+        const std::size_t slot = index(faces[marked_upto_]);
+        if (slot < is_active_.size()) is_active_[slot] = true;
+    }
+}
+
+// Sets near_ to the faces whose boxes meet `box`.
+void SelfIntersections::find_near(const Box& box) {
+    const TriMesh& mesh = active_.mesh();
+    near_.clear();
+    tree().append_near(box, mesh, near_);
+    if (!reaches_beyond_zones(box)) return;
+    const std::size_t active = near_.size();
+    surroundings_.tree->append_near(box, mesh, near_);
+    const auto first_beyond = near_.begin() + static_cast<std::ptrdiff_t>(active);
+    near_.erase(
+        std::remove_if(first_beyond, near_.end(), [&](FaceId f) { return is_active_[index(f)]; }),
+        near_.end());
+}
+
+bool SelfIntersections::reaches_beyond_zones(const Box& box) const {
+    return surroundings_.tree && std::ranges::none_of(surroundings_.zones, [&](const Box& zone) {
+               return zone.contains(box.min) && zone.contains(box.max);
+           });
+}
+
+void SelfIntersections::add_pairs_beyond_zones(FaceId f) {
+    const TriMesh& mesh = active_.mesh();
+    const Box box = box_of(mesh, corners_of(mesh, f));
+    if (!reaches_beyond_zones(box) || !has_moved(active_, f)) return;
+    near_.clear();
+    surroundings_.tree->append_near(box, mesh, near_);
+    for (FaceId g : near_) {
+        if (is_exhausted()) return;
+        if (!is_active_[index(g)]) add_pair(f, g);
+    }
 }
 
 const std::vector<SelfIntersection>& SelfIntersections::find() {
@@ -159,15 +204,18 @@ const std::vector<SelfIntersection>& SelfIntersections::find() {
             add_pair(f, g);
             return !is_exhausted();
         });
+        if (surroundings_.tree) {
+            for (FaceId f : live(mesh, {active_.faces().begin(), active_.faces().end()})) {
+                add_pairs_beyond_zones(f);
+            }
+        }
         has_searched_ = true;
     } else {
         const std::vector<FaceId> changed = changed_faces();
-        const FaceTree& faces = tree();
         found_.clear();
         for (FaceId f : changed) {
             if (is_exhausted()) break;
-            near_.clear();
-            faces.append_near(box_of(mesh, corners_of(mesh, f)), mesh, near_);
+            find_near(box_of(mesh, corners_of(mesh, f)));
             for (FaceId g : near_) {
                 if (f != g) add_pair(f, g);
             }
@@ -191,7 +239,7 @@ void SelfIntersections::add_pair(FaceId f, FaceId g) {
     const TriMesh& mesh = active_.mesh();
     const Corners of_f = corners_of(mesh, f), of_g = corners_of(mesh, g);
     ++pairs_;
-    if (!may_intersect(mesh, of_f, of_g)) return;
+    if (active_.stays(f) || active_.stays(g) || !may_intersect(mesh, of_f, of_g)) return;
     const auto add = [&](FaceId through, const Corners& face) {
         return [&, through](HalfEdgeId h) {
             const VertexId p = mesh.origin(h), q = mesh.target(h);
@@ -218,11 +266,10 @@ bool SelfIntersections::would_intersect(const Star& star) {
 bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a, VertexId m) {
     const TriMesh& mesh = active_.mesh();
     const Corners restored{b, c, a}, first{b, m, a}, second{m, c, a};
-    near_.clear();
-    tree().append_near(box_of(mesh, restored), mesh, near_);
+    find_near(box_of(mesh, restored));
     for (FaceId g : near_) {
         const Corners face = corners_of(mesh, g);
-        if (has(face, m) || !may_intersect(mesh, restored, face)) continue;
+        if (active_.stays(g) || has(face, m) || !may_intersect(mesh, restored, face)) continue;
         if (passes_through(mesh, b, c, face) && were_disjoint(active_, b, m, face) &&
             were_disjoint(active_, m, c, face)) {
             return true;

@@ -39,15 +39,25 @@ struct SelfIntersection {
     auto operator<=>(const SelfIntersection&) const = default;
 };
 
-// Finds self-intersections among the active faces at their present positions. Holds a reference to
-// the active set.
+// The faces outside the active set. Active faces reach beyond the zones of a warp, and may come to
+// intersect other faces there.
+struct Surroundings {
+    const FaceTree* tree =
+        nullptr;               // of all faces of the mesh at rest; null: they are not searched
+    std::vector<Box> zones{};  // of the warp. Faces that meet these are active, or stay
+};
+
+// Finds self-intersections among the active faces, and between these and their surroundings, at
+// their present positions. Holds references to the active set and the surroundings.
 class SelfIntersections {
   public:
-    explicit SelfIntersections(const ActiveSet& active) : active_(active) {}
+    explicit SelfIntersections(const ActiveSet& active, const Surroundings& surroundings = kAlone)
+        : active_(active), surroundings_(surroundings) {}
 
-    // All self-intersections between active faces, sorted, or those found before the search was
-    // exhausted. Cost: the first time O(n log n + pairs of near faces). Later calls only search
-    // again at faces that were edited since, or intersected before.
+    // All self-intersections, sorted, or those found before the search was exhausted. Cost: the
+    // first time O(n log n + pairs of near faces), and O(log m) for each active face that has moved
+    // and reaches beyond the zones, with m faces in the mesh. Later calls only search again at
+    // faces that were edited since, or intersected before.
     const std::vector<SelfIntersection>& find();
 
     // Whether the faces that would replace the star intersect other faces. Cost: O(log n + near
@@ -60,15 +70,24 @@ class SelfIntersections {
 
   private:
     static constexpr std::uint64_t kMostPairs = 40'000'000;  // takes a few seconds
+    static const Surroundings kAlone;
 
-    FaceTree& tree();  // of the faces at their present positions
+    FaceTree& tree();  // of the active faces at their present positions
+    void mark_active();
     std::vector<FaceId> changed_faces() const;
+    void find_near(const Box& box);
+    bool reaches_beyond_zones(const Box& box) const;
+    void add_pairs_beyond_zones(FaceId f);
     void add_pair(FaceId f, FaceId g);
     bool face_would_intersect(VertexId b, VertexId c, VertexId a, VertexId m);
 
     const ActiveSet& active_;
+    const Surroundings& surroundings_;
     std::optional<FaceTree> tree_;
     std::size_t synced_upto_ = 0;  // the tree knows this many of the active set's edited faces
+    // Face slots that are or were active; kept only if there are surroundings.
+    std::vector<bool> is_active_;
+    std::size_t marked_upto_ = 0;  // this many of the active set's faces are marked there
     std::vector<SelfIntersection> found_;
     bool has_searched_ = false;
     std::uint64_t pairs_ = 0;

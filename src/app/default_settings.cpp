@@ -16,6 +16,7 @@ std::vector<Command> default_settings() {
                            .flatness = adapt.flatness,
                            .floor = adapt.floor,
                            .budget = adapt.budget,
+                           .drag_budget = adapt.drag_budget,
                            .propagation = adapt.propagation},
             command::Brush{.span = LatticeSettings{}.span}, command::Symmetry{},
             command::History{Setting::of(undo_limit)}};

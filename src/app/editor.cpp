@@ -23,7 +23,11 @@ Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_b
 
 void Editor::advance() {
     if (has_drag()) {
-        if (std::exchange(drag_is_stale_, false)) drag();
+        if (std::exchange(drag_is_stale_, false)) {
+            drag();
+        } else {
+            continue_frame();
+        }
     } else if (restoration_) {
         continue_restoring();
     } else if (const auto* task = workspace_.file_task()) {

@@ -42,7 +42,7 @@ struct FrameFigures {
     std::uint64_t splits = 0, unsplits = 0;
     double seconds = 0.0;  // without rendering
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
-    bool floor_hit = false, budget_hit = false;
+    bool floor_hit = false, budget_hit = false, drag_budget_hit = false;
     std::size_t steps = 1;              // number of steps of a fold-free drag
     double degrees = 0.0, scale = 1.0;  // twist and scale at the grabbed point
     std::uint64_t folded = 0;           // number of folded vertices after the drag
@@ -64,6 +64,9 @@ class Editor {
     // Updates the active drag, the work on a file, a restoration and what is under the cursor. To
     // be called once per frame, after the frame's events.
     void advance();
+
+    // Whether advance() has more to do for the active drag, although there is no further input.
+    bool has_unfinished_frame() const;
 
     // Cancels the active drag and shows a message. what: what needed the memory, such as "frame".
     void handle_out_of_memory(const char* what) noexcept;
@@ -183,6 +186,7 @@ class Editor {
     Pick snapped_to_symmetry_plane(Pick pick) const;
     void grab(const Pick& pick, const Ray& ray);
     void drag();
+    void continue_frame();
     void update_point_drag();
     void update_control_drag();
     void reset_figures();
@@ -197,6 +201,7 @@ class Editor {
     bool finish_command(const Command& command, Workspace::Outcome outcome);
     void update_after(const Command& command);
     void reset_for_new_object();
+    void reset_sizes();
     void execute_keeping_message(const Command& command);
     void perform_on_file(Action action);
     std::string path_to_propose() const;

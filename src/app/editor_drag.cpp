@@ -91,6 +91,20 @@ void Editor::drag() {
     });
 }
 
+bool Editor::has_unfinished_frame() const {
+    return session().is_dragging() && !session().last_frame().is_complete;
+}
+
+// Goes on with adaptive meshing for which the frame before had no time left.
+void Editor::continue_frame() {
+    if (!has_unfinished_frame()) return;
+    attempt([&] {
+        const auto start = std::chrono::steady_clock::now();
+        workspace_.session().continue_frame();
+        record_frame(std::chrono::steady_clock::now() - start);
+    });
+}
+
 // The steps of a fold-free drag depend on the path, so such a drag follows the cursor's path.
 void Editor::update_point_drag() {
     const auto start = std::chrono::steady_clock::now();
@@ -146,6 +160,7 @@ void Editor::record_frame(std::chrono::duration<double> taken) {
     figures_.decimate_seconds = frame.decimate_seconds;
     figures_.floor_hit = frame.floor_hit;
     figures_.budget_hit = frame.budget_hit;
+    figures_.drag_budget_hit = frame.drag_budget_hit;
 }
 
 void Editor::release_drag() {
@@ -182,6 +197,7 @@ FrameFigures Editor::figures() const {
     if (!session().is_dragging()) {
         figures.floor_hit = session().outcome().floor_hit;
         figures.budget_hit = session().outcome().budget_hit;
+        figures.drag_budget_hit = session().outcome().drag_budget_hit;
     }
     return figures;
 }

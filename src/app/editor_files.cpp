@@ -50,10 +50,25 @@ void Editor::reset_for_new_object() {
     figures_ = {};
     pins_.clear();
     frame_all(kFitDirection);
+    reset_sizes();
     // The plane follows the centre of the new object.
     if (session().symmetry() && mirror_.through_centre) {
         execute_keeping_message(symmetry_command(true));
     }
+}
+
+// Sizes that were set for the object before may be wrong by orders of magnitude for this one.
+void Editor::reset_sizes() {
+    const LatticeSettings& lattice = session().lattice_settings();
+    const double diagonal = workspace_.diagonal();
+    if ((lattice.radius || lattice.cage) && diagonal > 0.0) {
+        execute_keeping_message(command::Brush{.radius = kAutoRadius * diagonal});
+    }
+    const AdaptSettings& adapt = session().adapt_settings();
+    command::Adapt change;
+    if (adapt.l_max.kind == Setting::Kind::value) change.l_max = Setting::automatic();
+    if (adapt.floor.kind == Setting::Kind::value) change.floor = Setting::automatic();
+    if (change != command::Adapt{}) execute_keeping_message(change);
 }
 
 void Editor::execute_keeping_message(const Command& command) {

@@ -160,14 +160,16 @@ void RefinePanel::draw_angles(Editor& editor) {
 void RefinePanel::draw_length(Editor& editor) {
     const Setting l_max = editor.session().adapt_settings().l_max;
     const double diagonal = editor.workspace().diagonal();
+    // A length that a script has set may lie outside the usual range.
+    const double length = value_of(l_max, next_cell(editor));
     const Row row{.label = "L max",
                   .help = kLMaxHelp,
                   .is_on = !l_max.is_off(),
                   .is_automatic = l_max.is_automatic(),
                   .may_be_automatic = true,
-                  .value = value_of(l_max, next_cell(editor)),
-                  .min = static_cast<float>(kMinLMax * diagonal),
-                  .max = static_cast<float>(kMaxLMax * diagonal),
+                  .value = length,
+                  .min = static_cast<float>(std::min(length, kMinLMax * diagonal)),
+                  .max = static_cast<float>(std::max(length, kMaxLMax * diagonal)),
                   .format = "%.3g",
                   .when_on = Setting::automatic(),
                   .when_off = Setting::off()};

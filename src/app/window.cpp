@@ -30,6 +30,9 @@ namespace {
 constexpr IVec2 kFirstSize{1280, 800};
 // Number of frames after an event until the panels no longer change.
 constexpr int kSettlingFrames = 3;
+// How long adaptive meshing of one frame of a drag may take. The frame also deforms, uploads and
+// draws, and should take no more than 16 ms in all.
+constexpr std::chrono::milliseconds kFrameTime{8};
 // Seconds to wait for events when nothing has to be drawn. The wait is limited, because the driver
 // reads from the same connection while drawing and may already have taken an event from there.
 constexpr double kLongestWait = 0.1;
@@ -58,6 +61,7 @@ class Window {
           object_(host_.gl()),
           viewport_(host_.gl(), renderer_, object_) {
         editor_.workspace().set_viewport(&viewport_);
+        editor_.workspace().set_frame_time(kFrameTime);
         interface_.set_size(host_.size(), host_.framebuffer_size());
         editor_.handle(event::Resize{host_.size()});
         std::vector<LostSession> lost_sessions = begin_recovery();
@@ -134,14 +138,14 @@ class Window {
     // Returns the seconds for which take_input() may wait. Restoring runs between the frames, while
     // work on files runs in the background.
     double input_wait() const {
-        if (editor_.restoration()) return 0.0;
+        if (editor_.restoration() || editor_.has_unfinished_frame()) return 0.0;
         if (editor_.is_working()) return kProgressWait;
         return frames_to_draw_ == 0 ? kLongestWait : 0.0;
     }
 
     // Handles all events before the next frame is drawn, however long the last frame took.
     void take_input() {
-        const bool shows_progress = editor_.is_working();
+        const bool shows_progress = editor_.is_working() || editor_.has_unfinished_frame();
         const std::span<const InputEvent> events = host_.take_events(input_wait());
         if (!events.empty() || shows_progress) frames_to_draw_ = kSettlingFrames;
         for (const InputEvent& event : events) {

@@ -139,6 +139,7 @@ void Workspace::reset_session() {
     for (const Command& command : default_settings()) record(command);
     session_ = Session();
     session_.set_viewport(viewport_);
+    session_.set_frame_time(frame_time_);
     path_.clear();
     shape_name_ = "untitled";
     is_modified_ = false;
@@ -152,6 +153,11 @@ void Workspace::skip_save(const command::Save& save) {
 void Workspace::set_viewport(Viewport* viewport) {
     viewport_ = viewport;
     session_.set_viewport(viewport);
+}
+
+void Workspace::set_frame_time(std::chrono::milliseconds time) {
+    frame_time_ = time;
+    session_.set_frame_time(frame_time_);
 }
 
 // --- Object.

@@ -70,6 +70,8 @@ class Workspace {
 
     // As Session::set_viewport(), also for the session after reset_session().
     void set_viewport(Viewport* viewport);
+    // The same for Session::set_frame_time().
+    void set_frame_time(std::chrono::milliseconds time);
     Session& session() { return session_; }
     const Session& session() const { return session_; }
 
@@ -108,6 +110,7 @@ class Workspace {
 
     Session session_;
     Viewport* viewport_ = nullptr;
+    std::optional<std::chrono::milliseconds> frame_time_;
     CommandLog log_;
     Messages messages_;
     std::chrono::milliseconds max_blocking_time_;

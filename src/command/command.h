@@ -53,8 +53,10 @@ struct Adapt {
     std::optional<Setting> l_max{};         // automatic: smallest cell extent; number or off
     std::optional<Setting> flatness{};      // automatic: tan(theta_max / 4) / 2; number or off
     std::optional<Setting> floor{};         // automatic: 1e-4 of the box diagonal; number
-    std::optional<std::uint64_t> budget{};  // triangles
-    std::optional<double> propagation{};    // rho, in [1, 1.5)
+    std::optional<std::uint64_t> budget{};  // triangles of the object
+    // Triangles that one drag may add; automatic: see default_drag_budget(). Number or off.
+    std::optional<Setting> drag_budget{};
+    std::optional<double> propagation{};  // rho, in [1, 1.5)
     bool operator==(const Adapt&) const = default;
 };
 

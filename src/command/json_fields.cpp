@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <initializer_list>
@@ -20,6 +21,8 @@ namespace {
 constexpr int kMaxSpan = 16, kMaxDeformable = 256, kMaxFitted = 254, kMaxMargin = 2;
 constexpr int kMinPixels = 16, kMaxPixels = 8192;  // along each side of a picture
 constexpr double kMaxBudget = 9007199254740992.0;  // 2^53; above it doubles skip whole numbers
+
+bool is_budget(double x) { return x >= 1.0 && x <= kMaxBudget && x == std::floor(x); }
 
 Command read_open(const json& object) {
     command::Open open{.path = path(require(object, "path", kPathIsRight), "path")};
@@ -59,6 +62,8 @@ Command read_adapt(const json& object) {
     read("floor", "a length above 0 or \"auto\"", positive, kAllowAuto, adapt.floor);
     if (const json* value = find(object, "budget"))
         adapt.budget = static_cast<std::uint64_t>(whole(*value, "budget", 1.0, kMaxBudget));
+    read("drag_budget", "a whole number from 1 to 9007199254740992, \"auto\" or null", is_budget,
+         kAllowAuto | kAllowOff, adapt.drag_budget);
     if (const json* value = find(object, "propagation"))
         adapt.propagation = number(*value, "propagation", "a number of at least 1 and below 1.5",
                                    [](double x) { return x >= 1.0 && x < 1.5; });

@@ -165,6 +165,7 @@ struct FieldWriter {
         json.field("flatness", adapt.flatness);
         json.field("floor", adapt.floor);
         json.field("budget", adapt.budget);
+        json.field("drag_budget", adapt.drag_budget);
         json.field("propagation", adapt.propagation);
     }
     void operator()(const command::Brush& brush) const {
@@ -282,6 +283,7 @@ std::string format_statistics(const Statistics& statistics) {
     json.field("held_back", statistics.held_back);
     json.field("floor_hit", statistics.floor_hit);
     json.field("budget_hit", statistics.budget_hit);
+    json.field("drag_budget_hit", statistics.drag_budget_hit);
     json.field("folded_vertices", statistics.folded_vertices);
     json.field("memory_bytes", statistics.memory_bytes);
     json.field("undo_steps", statistics.undo_steps);

@@ -30,6 +30,9 @@ constexpr std::array kAdapt{
     FieldReference{"floor",
                    "no edge shorter than twice this is split; \"auto\": 1e-4 of the diagonal"},
     FieldReference{"budget", "most triangles (4000000)"},
+    FieldReference{"drag_budget",
+                   "most triangles that a drag, control or readapt may add, \"auto\" (200000, or "
+                   "four times the faces that it works on if that is more) or null: off"},
     FieldReference{"propagation",
                    "1 to below 1.5 (1): a face may have an edge this much longer than one that "
                    "is split"}};

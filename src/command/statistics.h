@@ -34,7 +34,7 @@ struct Statistics {
                                            // over edges with a deformed end
     std::uint64_t needing_refinement = 0;  // edges that need refinement and may be split
     std::uint64_t held_back = 0;           // edges that need it but are kept by floor or budget
-    bool floor_hit = false, budget_hit = false;
+    bool floor_hit = false, budget_hit = false, drag_budget_hit = false;
     std::uint64_t folded_vertices = 0;  // those with det J <= 0 in any step of the last drag or
                                         // control
     std::uint64_t memory_bytes = 0;

@@ -31,9 +31,9 @@ class ActiveSet {
     ActiveSet& operator=(const ActiveSet&) = delete;
 
     // Begins a gesture. `faces`: live, sorted, each once. `zone`: only vertices strictly inside it
-    // will move. `staying`: the faces that reach into the zone and do not move. An edge strictly
-    // inside has not both kinds of faces. Cost: O(faces); the first time, and when the mesh has
-    // grown, O(mesh).
+    // will move. `staying`: the faces that reach into the zone and do not move. No edge that lies
+    // strictly inside has faces of both kinds. Cost: O(faces); the first time, and when the mesh
+    // has grown, O(mesh).
     void begin(std::span<const FaceId> faces, const Box& zone,
                std::span<const FaceId> staying = {});
     // Takes back all edits and gives every element its rest state. Allocates nothing.
@@ -92,6 +92,8 @@ class ActiveSet {
 
     // The active faces at the beginning, then every slot that an edit made, changed or freed.
     std::span<const FaceId> faces() const { return log_.faces(); }
+    // Whether f is one of the faces that stay, or a piece of one.
+    bool stays(FaceId f) const { return staying_.contains(f); }
     std::span<const FaceId> edited_faces() const { return faces().subspan(log_.original_faces()); }
 
     // --- Rest state of any element of the mesh. O(1). RestState documents the lengths.
@@ -196,7 +198,7 @@ class ActiveSet {
     template <typename AreaNormal>
     void insert_side(const Split::Side& side, std::uint32_t entry, std::uint32_t owner,
                      const AreaNormal& area_normal);
-    bool stays(const Split& split) const;
+    bool midpoint_stays(const Split& split) const;
     void log_faces(std::size_t first, const Split& split);
     void drop_sheet(const Star& star);
     void forget() noexcept;

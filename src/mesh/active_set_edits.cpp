@@ -17,11 +17,10 @@ namespace pectin {
 
 void ActiveSet::reserve_splits(std::uint32_t count) {
     mesh_.reserve_splits(count);
-    split_capacity_ = static_cast<std::uint32_t>(
-        std::min(rest_.reserve_splits(count), log_.reserve_splits(count)));
-    if (staying_.empty()) return;
     staying_.fit(mesh_.face_slots() + 2 * std::size_t{count});
-    split_capacity_ = std::min(split_capacity_, count);
+    const auto capacity = static_cast<std::uint32_t>(
+        std::min(rest_.reserve_splits(count), log_.reserve_splits(count)));
+    split_capacity_ = staying_.empty() ? capacity : std::min(capacity, count);
 }
 
 // Reserves all memory that the split needs before anything changes.
@@ -42,7 +41,7 @@ Split ActiveSet::split(EdgeId e, std::vector<Inserted>& inserted) {
     const Vec3 rest = 0.5 * rest_.position(s.b) + 0.5 * rest_.position(s.c);
     mesh_.set_position(s.m, rest);
     const std::uint32_t vertex_entry = rest_.allocate(s.m);
-    rest_.enter(vertex_entry, s.m, rest, mesh_.is_deformed(s.m), stays(s));
+    rest_.enter(vertex_entry, s.m, rest, mesh_.is_deformed(s.m), midpoint_stays(s));
     const std::size_t first = inserted.size();
     mesh_.for_each_sheet(s, [&](const Split& sheet) {
         inserted.emplace_back();
@@ -88,7 +87,7 @@ void ActiveSet::insert_side(const Split::Side& side, std::uint32_t entry, std::u
 }
 
 // Whether m lies in faces that do not move, even if it is in the zone.
-bool ActiveSet::stays(const Split& s) const {
+bool ActiveSet::midpoint_stays(const Split& s) const {
     return staying_.contains(TriMesh::face(mesh_.half_edge(s.bm)));
 }
 
@@ -132,7 +131,7 @@ ActiveSet::Inserted ActiveSet::concurrent_split(EdgeId e, ReservedSlots& slots, 
     log_.set_edit(slots.first_edit + i, TopologyEdit::split(e));
     const Vec3 rest = 0.5 * rest_.position(s.b) + 0.5 * rest_.position(s.c);
     mesh_.set_position(s.m, rest);
-    rest_.enter(entries.vertex, s.m, rest, mesh_.is_deformed(s.m), stays(s));
+    rest_.enter(entries.vertex, s.m, rest, mesh_.is_deformed(s.m), midpoint_stays(s));
     rest_.enter(entries.edges[0], s.mc, half_length);
     rest_.enter_spoke(entries.edges[1], s.am, s.a, rest);
     rest_.enter_spoke(entries.edges[2], s.dm, s.d, rest);

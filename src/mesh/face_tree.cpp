@@ -157,7 +157,9 @@ void FaceTree::append_near(const Box& box, const TriMesh& mesh, std::vector<Face
         }
         const Leaf& leaf = leaves_[node.leaf];
         for (std::uint32_t i = 0; i < leaf.count; ++i) {
-            if (face_box(leaf.faces[i], mesh).meets(box)) faces.push_back(leaf.faces[i]);
+            const FaceId f = leaf.faces[i];
+            const bool is_live = index(f) < mesh.face_slots() && mesh.is_live(f);
+            if (is_live && face_box(f, mesh).meets(box)) faces.push_back(f);
         }
     }
 }

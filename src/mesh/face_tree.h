@@ -35,7 +35,8 @@ class FaceTree {
     // Cost: O(answer + log n).
     std::vector<FaceId> faces_meeting(const Box& box, const TriMesh& mesh) const;
 
-    // Appends the faces whose boxes meet `box`, in the tree's order. Cost: O(answer + log n).
+    // Appends the live faces whose boxes meet `box`, in the tree's order. If faces have moved since
+    // the last update, the answer is right only as to the others. Cost: O(answer + log n).
     void append_near(const Box& box, const TriMesh& mesh, std::vector<FaceId>& faces) const;
     // Calls visit(f, g) for each pair of faces whose boxes meet, once per pair, in the tree's
     // order, until it returns false. Cost: O(visits + n).

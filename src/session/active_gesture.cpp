@@ -9,12 +9,14 @@ namespace pectin {
 namespace {
 
 // Why intersections remain, and what the user can do about it.
-std::string reason_of(IntersectionLimit limit) {
-    switch (limit) {
+std::string reason_of(const Frame& frame) {
+    switch (frame.intersection_limit) {
         case IntersectionLimit::floor:
             return "since the floor keeps the edges there from being split; lower the floor";
         case IntersectionLimit::budget:
-            return "since the triangle budget is used up; raise the budget";
+            return frame.drag_budget_hit
+                       ? "since the budget of triangles for one drag is used up; raise drag_budget"
+                       : "since the triangle budget is used up; raise the budget";
         case IntersectionLimit::decimation:
             return "since without a flatness limit vertices there were removed; set flatness";
         case IntersectionLimit::search:
@@ -27,8 +29,14 @@ std::string reason_of(IntersectionLimit limit) {
 std::string remark_on_self_intersections(const Frame& frame) {
     if (frame.self_intersections == 0) return {};
     return "triangles still intersect each other in " + std::to_string(frame.self_intersections) +
-           (frame.self_intersections == 1 ? " place, " : " places, ") +
-           reason_of(frame.intersection_limit) + ", or undo and drag less far";
+           (frame.self_intersections == 1 ? " place, " : " places, ") + reason_of(frame) +
+           ", or undo and drag less far";
+}
+
+std::string remark_on_drag_budget(const Frame& frame) {
+    if (!frame.drag_budget_hit) return {};
+    return "the surface is coarser than the settings ask for, since the budget of triangles for "
+           "one drag is used up; undo and drag less far, or raise theta_max, l_max or drag_budget";
 }
 
 // are_in_zones: without `connected` the drag would move the faces, too.
@@ -54,20 +62,24 @@ std::string joined(std::string first, const std::string& second) {
 }  // namespace
 
 void Session::State::start_gesture(ActiveGesture& begun, const GestureFaces& faces, Warp warp) {
-    std::optional<AdaptLimits> adapt_limits;
+    std::optional<Gesture::Adaptivity> adaptivity;
     begun.lattice = lattice_of(warp.steps.back());
     if (adapt_settings.enabled) {
-        adapt_limits = limits(smallest_feature_extent(warp.steps.back()));
-        adapt_limits->without_self_intersections = begun.drag.fold_free;
+        const auto drag_budget = adapt_settings.drag_budget_for(faces.moving.size());
+        adaptivity = {.limits = limits(smallest_feature_extent(warp.steps.back())),
+                      .drag_budget = drag_budget.value_or(Gesture::kNoBudget),
+                      .kept = vertices_at_handles(begun.drag)};
+        adaptivity->limits.without_self_intersections = begun.drag.fold_free;
     }
     begun.measured.steps = warp.steps.size();
-    begun.gesture = std::make_unique<Gesture>(*active, faces, std::move(warp), adapt_limits,
-                                              vertices_at_handles(begun.drag));
+    begun.gesture =
+        std::make_unique<Gesture>(*active, faces, std::move(warp), std::move(adaptivity));
     begun.measured.influenced_vertices = begun.gesture->influenced_vertices();
 }
 
 void Session::State::update_frame(std::span<const Vec3> displacements) {
-    active_gesture->gesture->frame(displacements);
+    const StopToken stop = frame_time ? StopToken::after(*frame_time) : StopToken{};
+    active_gesture->gesture->frame(displacements, stop);
     // The corners of new faces may lie where nothing moves, so they are marked with their faces.
     mark_dirty(active_gesture->gesture->take_edited_faces());
     if (dirty.everything) return;
@@ -75,6 +87,14 @@ void Session::State::update_frame(std::span<const Vec3> displacements) {
     // already.
     if (dirty.wedges.empty()) dirty.wedges.reserve(active_gesture->gesture->influenced_vertices());
     active_gesture->gesture->append_moved_wedges(dirty.wedges);
+}
+
+bool Session::State::continue_frame() {
+    Gesture& gesture = *active_gesture->gesture;
+    if (gesture.last_frame().is_complete) return false;
+    const std::span<const Vec3> now = displacements_of(gesture.warp().steps.back());
+    update_frame(std::vector<Vec3>(now.begin(), now.end()));
+    return true;
 }
 
 // A gesture in which nothing moves is cancelled.
@@ -86,8 +106,9 @@ void Session::State::commit(std::span<const Vec3> displacements, bool is_noop) {
     }
     Stopwatch stopwatch;
     active_gesture->gesture->return_to_rest();
-    const std::vector<FaceId> staying = staying_faces(displacements);
-    MeshChange change = active_gesture->gesture->commit(displacements, staying);
+    const SearchedFaces searched{.surroundings = surroundings(),
+                                 .staying = staying_faces(displacements)};
+    MeshChange change = active_gesture->gesture->commit(displacements, searched);
     try {
         finish_commit(change);
     } catch (...) {  // out of memory: restores the object
@@ -110,9 +131,10 @@ void Session::State::finish_commit(MeshChange& change) {
     // refined there.
     const bool limits_edge_length = gesture.limits_edge_length() && !active_gesture->drag.connected;
     std::vector<Box> zones = limits_edge_length ? gesture.warp().zones() : std::vector<Box>{};
-    std::string message = joined(
-        remark_on_self_intersections(gesture.last_frame()),
-        remark_on_passed_faces(gesture.last_frame().passed, active_gesture->is_part_of_zones));
+    const Frame& frame = gesture.last_frame();
+    std::string message = joined(remark_on_drag_budget(frame), remark_on_self_intersections(frame));
+    message = joined(std::move(message),
+                     remark_on_passed_faces(frame.passed, !active_gesture->staying.empty()));
     record(gesture.last_frame());
     add_step(active_gesture->is_control() ? Command{active_gesture->control}
                                           : Command{active_gesture->drag},

@@ -146,16 +146,21 @@ Frame Session::State::adapt_everything() {
     const Warp no_warp;
     Embedding embedding(*active, no_warp);
     AdaptLimits adapt_limits = limits_in_use();
-    // Once the budget is used up, refinement stops until a drag or a change of settings.
-    const bool was_hit = outcome.budget_hit;
-    if (was_hit) adapt_limits.budget = 0;
+    const std::uint64_t faces = mesh->face_count();
+    const auto drag_budget = adapt_settings.drag_budget_for(faces);
+    const bool is_drag_budget_less = drag_budget && faces + *drag_budget < adapt_limits.budget;
+    if (is_drag_budget_less) adapt_limits.budget = faces + *drag_budget;
+    // Once a budget is used up, refinement stops until a drag or a change of settings.
+    if (outcome.has_ended_at_budget()) adapt_limits.budget = 0;
     Adaptation adaptation = adapt_without_self_intersections(
         *active, embedding, Criteria(adapt_limits, zones_of_readapt(), {}));
     Frame frame;
     frame.splits = adaptation.refinement.splits;
     frame.unsplits = adaptation.decimation.unsplits;
     frame.floor_hit = adaptation.refinement.floor_hit;
-    frame.budget_hit = adaptation.refinement.budget_hit || was_hit;
+    const bool is_used_up_now = adaptation.refinement.budget_hit && !outcome.has_ended_at_budget();
+    frame.drag_budget_hit = is_used_up_now && is_drag_budget_less;
+    frame.budget_hit = outcome.budget_hit || (is_used_up_now && !is_drag_budget_less);
     frame.blocked = std::move(adaptation.refinement.blocked);
     frame.refine_seconds = adaptation.refine_seconds;
     frame.decimate_seconds = adaptation.decimate_seconds;

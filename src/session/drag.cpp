@@ -117,9 +117,9 @@ Refusal Session::State::embed(ActiveGesture& begun) {
     auto faces = faces_of(begun.drag, zones_on_both_sides(planned.warp));
     if (auto* refusal = std::get_if<std::string>(&faces)) return std::move(*refusal);
     // If memory runs out from here on, there is no gesture, and the object is in its rest state.
-    const GestureFaces& found = std::get<GestureFaces>(faces);
-    begun.is_part_of_zones = !found.staying.empty();
+    GestureFaces& found = std::get<GestureFaces>(faces);
     start_gesture(begun, found, std::move(planned.warp));
+    begun.staying = std::move(found.staying);
     begun.measured.seconds.begin = stopwatch.lap();
     return std::nullopt;
 }

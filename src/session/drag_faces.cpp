@@ -48,6 +48,14 @@ std::vector<FaceId> Session::State::faces_meeting(std::span<const Box> zones) {
     return faces;
 }
 
+// Those of a fold-free drag. The mesh is in its rest state.
+Surroundings Session::State::surroundings() {
+    const ActiveGesture& gesture = *active_gesture;
+    const bool are_all_active = active->faces().size() == mesh->face_count();
+    if (!gesture.drag.fold_free || !adapt_settings.enabled || are_all_active) return {};
+    return {.tree = &face_tree(), .zones = zones_on_both_sides(gesture.gesture->warp())};
+}
+
 // The faces that a connected drag with these displacements leaves alone and may pass through. The
 // mesh is in its rest state. A fold-free drag moves nothing out of its zones, and refinement keeps
 // the triangles there small.
@@ -55,16 +63,11 @@ std::vector<FaceId> Session::State::staying_faces(std::span<const Vec3> displace
     std::vector<FaceId> staying;
     const ActiveGesture& gesture = *active_gesture;
     if (!gesture.drag.connected || active->faces().size() == mesh->face_count()) return staying;
-    std::vector<Box> boxes;
-    if (gesture.drag.fold_free && adapt_settings.enabled) {
-        if (!gesture.is_part_of_zones) return staying;
-        boxes = gesture.gesture->warp().zones();
-    } else {
-        boxes = gesture.gesture->zones_with_reach(displacements);
-        Box box_of_part;
-        for (const Vec3& rest : active->rest_positions()) box_of_part.include(rest);
-        boxes.push_back(box_of_part);
-    }
+    if (gesture.drag.fold_free && adapt_settings.enabled) return gesture.staying;
+    std::vector<Box> boxes = gesture.gesture->zones_with_reach(displacements);
+    Box box_of_part;
+    for (const Vec3& rest : active->rest_positions()) box_of_part.include(rest);
+    boxes.push_back(box_of_part);
     const std::vector<FaceId> near = faces_meeting(boxes);
     std::ranges::set_difference(near, active->faces(), std::back_inserter(staying));
     return staying;
@@ -72,8 +75,8 @@ std::vector<FaceId> Session::State::staying_faces(std::span<const Vec3> displace
 
 // All faces that meet the zones; with `connected` only the part of them moves that is connected to
 // the handles.
-std::variant<GestureFaces, std::string> Session::State::faces_of(
-    const command::Drag& drag, std::span<const Box> zones) {
+std::variant<GestureFaces, std::string> Session::State::faces_of(const command::Drag& drag,
+                                                                 std::span<const Box> zones) {
     std::vector<FaceId> faces = faces_meeting(zones);
     if (!drag.connected) return GestureFaces{.moving = std::move(faces)};
     std::vector<FaceId> seeds;

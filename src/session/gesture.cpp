@@ -16,14 +16,19 @@ constexpr std::uint64_t kMostEdits = 4;
 }  // namespace
 
 Gesture::Gesture(ActiveSet& active, const GestureFaces& faces, Warp warp,
-                 const std::optional<AdaptLimits>& limits, std::vector<VertexId> kept)
+                 std::optional<Adaptivity> adaptivity)
     : active_(active), warp_(std::move(warp)), embedding_(active_, warp_) {
     assert(!warp_.steps.empty());
     const Box zone = warp_.zone();
-    if (limits) {
-        criteria_.emplace(*limits, warp_.zones(), std::optional(warp_.zones()),
+    if (adaptivity) {
+        AdaptLimits& limits = adaptivity->limits;
+        const std::uint64_t faces_now = active_.mesh().face_count();
+        is_drag_budget_less_ =
+            limits.budget > faces_now && adaptivity->drag_budget < limits.budget - faces_now;
+        if (is_drag_budget_less_) limits.budget = faces_now + adaptivity->drag_budget;
+        criteria_.emplace(limits, warp_.zones(), std::optional(warp_.zones()),
                           warp_.steps.size() > 1 ? &embedding_ : nullptr);
-        criteria_->keep(std::move(kept));
+        criteria_->keep(std::move(adaptivity->kept));
     }
     try {
         active_.begin(faces.moving, zone, faces.staying);
@@ -39,18 +44,23 @@ Gesture::~Gesture() {
     if (active_.is_begun()) active_.cancel();
 }
 
-const Frame& Gesture::frame(std::span<const Vec3> displacements) {
-    return apply(displacements, pectin::adapt);
+const Frame& Gesture::frame(std::span<const Vec3> displacements, const StopToken& stop) {
+    return apply(displacements,
+                 [&](ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+                     return pectin::adapt(active, embedding, criteria, stop);
+                 });
 }
 
+template <typename Adapt>
 const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
     // A long drag undoes most of its edits again. Rolling back to the rest state frees their
     // memory.
     if (active_.edit_count() > kMostEdits * (active_.vertex_entries() + 1000)) roll_back();
-    // Once the budget is used up, refinement rests until the drag changes. Decimation would free
+    // Once a budget is used up, refinement rests until the drag changes. Decimation would free
     // some triangles for a few splits, and the next frame would remove these again.
     const std::span<const Vec3> before = displacements_of(warp_.steps.back());
-    if (has_frames_ && last_.budget_hit && std::ranges::equal(before, displacements)) return last_;
+    const bool is_used_up = last_.budget_hit || last_.drag_budget_hit;
+    if (has_frames_ && is_used_up && std::ranges::equal(before, displacements)) return last_;
     set_displacements(displacements);
     const auto begin = std::chrono::steady_clock::now();
     embedding_.deform();
@@ -62,10 +72,13 @@ const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
         last_.splits = adaptation.refinement.splits;
         last_.unsplits = adaptation.decimation.unsplits;
         last_.floor_hit = adaptation.refinement.floor_hit;
-        last_.budget_hit = adaptation.refinement.budget_hit;
+        const bool is_used_up_now = adaptation.refinement.budget_hit;
+        last_.budget_hit = is_used_up_now && !is_drag_budget_less_;
+        last_.drag_budget_hit = is_used_up_now && is_drag_budget_less_;
         last_.self_intersections = adaptation.refinement.self_intersections;
         last_.intersection_limit = adaptation.refinement.intersection_limit;
         last_.blocked = std::move(adaptation.refinement.blocked);
+        last_.is_complete = !adaptation.was_stopped();
         last_.refine_seconds = adaptation.refine_seconds;
         last_.decimate_seconds = adaptation.decimate_seconds;
     }
@@ -95,13 +108,16 @@ void Gesture::set_displacements(std::span<const Vec3> displacements) {
     std::ranges::copy(displacements, d.begin());
 }
 
-MeshChange Gesture::commit(std::span<const Vec3> displacements, std::span<const FaceId> others) {
+MeshChange Gesture::commit(std::span<const Vec3> displacements, const SearchedFaces& searched) {
     return_to_rest();
-    apply(displacements, criteria_ && criteria_->limits().without_self_intersections
-                             ? adapt_without_self_intersections
-                             : pectin::adapt);
+    apply(displacements, [&](ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+        return criteria.limits().without_self_intersections
+                   ? adapt_without_self_intersections(active, embedding, criteria,
+                                                      searched.surroundings)
+                   : pectin::adapt(active, embedding, criteria);
+    });
     folded_ = embedding_.folded_vertices();
-    last_.passed = find_passed_faces(active_, others);
+    last_.passed = find_passed_faces(active_, searched.staying);
     return active_.finish();
 }
 

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 #include <optional>
 #include <span>
 #include <vector>
@@ -10,6 +11,7 @@
 #include "adapt/self_intersections.h"
 #include "embedding/embedding.h"
 #include "ffd/warp.h"
+#include "geometry/stop_token.h"
 #include "mesh/active_set.h"
 #include "mesh/mesh_change.h"
 
@@ -18,11 +20,13 @@ namespace pectin {
 // What a frame has done to the mesh, and the time it took.
 struct Frame {
     std::uint64_t splits = 0, unsplits = 0;
-    bool floor_hit = false, budget_hit = false;
-    std::vector<EdgeId> blocked;           // see Refinement
+    bool floor_hit = false;
+    bool budget_hit = false, drag_budget_hit = false;  // not both: the one that was reached first
+    std::vector<EdgeId> blocked;                       // see Refinement
     std::uint64_t self_intersections = 0;  // that remain; see Refinement. Only a commit finds them.
     IntersectionLimit intersection_limit = IntersectionLimit::none;
-    PassedFaces passed;  // of the faces that stay; only a commit searches for them
+    PassedFaces passed;       // of the faces that stay; only a commit searches for them
+    bool is_complete = true;  // false if adaptive meshing was stopped and would continue
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 };
 
@@ -32,31 +36,47 @@ struct GestureFaces {
     std::vector<FaceId> staying{};  // other parts of the surface, in a drag of a connected part
 };
 
+// What a commit tests for intersections with active faces.
+struct SearchedFaces {
+    // Of a warp without folds. Refinement resolves intersections.
+    Surroundings surroundings{};
+    // Faces of other parts of the surface that a drag of a connected part leaves alone, sorted.
+    // Intersections are only reported.
+    std::vector<FaceId> staying{};
+};
+
 // Begins the active set. commit() or cancel() ends it; the destructor cancels it. The result of a
 // commit depends only on the mesh before the gesture, the displacements and the limits, since the
 // frames before it are rolled back first.
 class Gesture {
   public:
-    // limits: nothing for a gesture without adaptive meshing. kept: vertices that decimation does
-    // not remove. Throws std::bad_alloc; the mesh is then unchanged. Cost: that of
-    // Embedding::embed().
+    // How the gesture adapts the mesh.
+    struct Adaptivity {
+        AdaptLimits limits;
+        std::uint64_t drag_budget = kNoBudget;  // triangles that the gesture may add
+        std::vector<VertexId> kept{};           // vertices that decimation does not remove
+    };
+    static constexpr std::uint64_t kNoBudget = std::numeric_limits<std::uint64_t>::max();
+
+    // adaptivity: nothing for a gesture without adaptive meshing. Throws std::bad_alloc; the mesh
+    // is then unchanged. Cost: that of Embedding::embed().
     Gesture(ActiveSet& active, const GestureFaces& faces, Warp warp,
-            const std::optional<AdaptLimits>& limits, std::vector<VertexId> kept = {});
+            std::optional<Adaptivity> adaptivity);
     ~Gesture();
     Gesture(const Gesture&) = delete;
     Gesture& operator=(const Gesture&) = delete;
 
     // Deforms and adapts the object by these displacements of the warp's last step; see
-    // displacements_of(). Cost: O(active set).
-    const Frame& frame(std::span<const Vec3> displacements);
+    // displacements_of(). stop: ends adaptive meshing early; positions and normals of the vertices
+    // that are there are right all the same, and another frame continues. Cost: O(active set).
+    const Frame& frame(std::span<const Vec3> displacements, const StopToken& stop = {});
     // Boxes that everything is in which the gesture moves by these displacements.
     std::vector<Box> zones_with_reach(std::span<const Vec3> displacements);
     // Takes back what the frames have done.
     void return_to_rest();
     // Ends the gesture with a single frame from the rest state, and returns what it has changed.
-    // Only this frame searches for self-intersections, and for those of `others`, which are faces
-    // outside the active set, that the active faces pass through.
-    MeshChange commit(std::span<const Vec3> displacements, std::span<const FaceId> others = {});
+    // Only this frame searches for intersections.
+    MeshChange commit(std::span<const Vec3> displacements, const SearchedFaces& searched = {});
     // Restores the mesh byte for byte, without allocating. Returns the faces that the gesture had
     // changed, or nothing if there is no memory for the list.
     std::optional<std::vector<FaceId>> cancel() noexcept;
@@ -80,8 +100,7 @@ class Gesture {
     std::uint64_t folded_vertices() const { return folded_; }  // after the commit
 
   private:
-    using Adapt = Adaptation (*)(ActiveSet&, Embedding&, const Criteria&);
-
+    template <typename Adapt>
     const Frame& apply(std::span<const Vec3> displacements, Adapt adapt);
     void set_displacements(std::span<const Vec3> displacements);
     void roll_back();
@@ -90,6 +109,7 @@ class Gesture {
     Warp warp_;
     Embedding embedding_;
     std::optional<Criteria> criteria_;
+    bool is_drag_budget_less_ = false;  // than what the object's budget leaves
     std::uint64_t influenced_ = 0, folded_ = 0;
     Frame last_;
     bool has_frames_ = false;

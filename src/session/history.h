@@ -16,8 +16,12 @@ namespace pectin {
 
 // Where adaptive meshing has stopped short, for the mesh after a step.
 struct AdaptOutcome {
-    bool floor_hit = false, budget_hit = false;
+    bool floor_hit = false;
+    bool budget_hit = false;
+    bool drag_budget_hit = false;   // in this step or an earlier one, with the present settings
     std::vector<EdgeId> blocked{};  // sorted; see Refinement::blocked
+
+    bool has_ended_at_budget() const { return budget_hit || drag_budget_hit; }
 };
 
 class History {

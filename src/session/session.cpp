@@ -82,6 +82,8 @@ void Session::State::record(const Frame& frame) {
     last.seconds.decimate = frame.decimate_seconds;
     outcome.floor_hit = frame.floor_hit;
     outcome.budget_hit = frame.budget_hit;
+    // What an earlier drag has left coarse stays so.
+    outcome.drag_budget_hit |= frame.drag_budget_hit;
     std::vector<EdgeId>& blocked = outcome.blocked;
     blocked.insert(blocked.end(), frame.blocked.begin(), frame.blocked.end());
     std::erase_if(blocked,
@@ -159,6 +161,12 @@ std::optional<command::Control> Session::end_control() {
     state_->report_dropped_steps();
     return done;
 }
+
+void Session::set_frame_time(std::optional<std::chrono::steady_clock::duration> time) {
+    state_->frame_time = time;
+}
+
+bool Session::continue_frame() { return state_->continue_frame(); }
 
 const Frame& Session::last_frame() const { return state_->active_gesture->gesture->last_frame(); }
 

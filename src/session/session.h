@@ -2,6 +2,7 @@
 // scripts and tests all use this one interface.
 #pragma once
 
+#include <chrono>
 #include <cstddef>
 #include <cstdint>
 #include <memory>
@@ -94,6 +95,12 @@ class Session {
     // The same with twist and scale. Precondition: `from` of each move is the point of
     // begin_drag().
     std::optional<std::string> drag_to(std::span<const Move> moves);
+    // How long adaptive meshing of one frame may take, in drags of points and of control points; by
+    // default as long as it needs. What is left is done by continue_frame(), or at the end.
+    void set_frame_time(std::optional<std::chrono::steady_clock::duration> time);
+    // Goes on with the last frame if adaptive meshing was stopped there. Returns whether it was.
+    // Precondition: a drag is active.
+    bool continue_frame();
     // The Drag command so far, with the waypoints that it has got.
     const command::Drag& active_drag() const;
     const Frame& last_frame() const;

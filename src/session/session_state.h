@@ -51,7 +51,7 @@ struct Session::State {
         std::optional<DragSolver> solver{};  // of the last step
         std::unique_ptr<FoldGuard> guard{};  // for the solver; null unless the drag is fold-free
         bool is_one_step_left = true;        // the last step is the whole last segment
-        bool is_part_of_zones = false;  // some faces in the zones stay, as they are not connected
+        std::vector<FaceId> staying{};  // in the zones, but not connected to the handles; sorted
         Statistics::Last measured{};    // up to now
         std::unique_ptr<Gesture> gesture{};  // null if memory ran out; refers to the active set
 
@@ -69,6 +69,7 @@ struct Session::State {
     std::optional<MirrorPlane> symmetry;
     DirtyElements dirty;
     Viewport* viewport = nullptr;
+    std::optional<std::chrono::steady_clock::duration> frame_time;  // none: as long as it needs
     double diagonal = 0.0;                  // of the object's box when it was opened
     std::optional<Lattice> lattice_in_use;  // of the last step of the last drag
     std::vector<Box> zones_in_use;          // of all its steps, if edges there are limited to L_max
@@ -150,6 +151,7 @@ struct Session::State {
     std::variant<GestureFaces, std::string> faces_of(const command::Drag& drag,
                                                      std::span<const Box> zones);
     std::vector<FaceId> faces_meeting(std::span<const Box> zones);
+    Surroundings surroundings();
     std::vector<FaceId> staying_faces(std::span<const Vec3> displacements);
     bool is_single_step(const command::Drag& drag, Refusal& refusal) const;
     bool is_past_half_way() const;
@@ -166,6 +168,7 @@ struct Session::State {
     // --- Gestures of both kinds (active_gesture.cpp).
     void start_gesture(ActiveGesture& begun, const GestureFaces& faces, Warp warp);
     void update_frame(std::span<const Vec3> displacements);
+    bool continue_frame();
     // Ends the gesture with these displacements of the last step and adds it to the history.
     void commit(std::span<const Vec3> displacements, bool is_noop);
     void finish_commit(MeshChange& change);

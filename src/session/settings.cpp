@@ -25,6 +25,7 @@ std::variant<AdaptSettings, std::string> AdaptSettings::with(const command::Adap
     s.flatness = change.flatness.value_or(flatness);
     s.floor = change.floor.value_or(floor);
     s.budget = change.budget.value_or(budget);
+    s.drag_budget = change.drag_budget.value_or(drag_budget);
     s.propagation = change.propagation.value_or(propagation);
     const double upper = NormalDivergence::angle_or_off(value_or_off(s.theta_max)),
                  lower = theta_min_of(s);
@@ -55,6 +56,12 @@ AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
     limits.propagation = propagation;
     limits.budget = budget;
     return limits;
+}
+
+std::optional<std::uint64_t> AdaptSettings::drag_budget_for(std::uint64_t faces) const {
+    if (drag_budget.is_off()) return std::nullopt;
+    if (drag_budget.is_automatic()) return default_drag_budget(faces);
+    return static_cast<std::uint64_t>(std::max(drag_budget.value, 0.0));
 }
 
 Lattice LatticeSettings::lattice(const Vec3& grabbed, double diagonal) const {

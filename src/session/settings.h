@@ -19,7 +19,8 @@ struct AdaptSettings {
     Setting l_max = Setting::automatic();
     Setting flatness = Setting::automatic();
     Setting floor = Setting::automatic();
-    std::uint64_t budget = 4'000'000;  // triangles
+    std::uint64_t budget = 4'000'000;            // triangles of the object
+    Setting drag_budget = Setting::automatic();  // triangles that a drag may add
     double propagation = 1.0;
 
     // Returns these settings with the changes of the command, or the reason why they contradict
@@ -30,6 +31,8 @@ struct AdaptSettings {
     // The floor is well above what coordinates of that size resolve.
     AdaptLimits limits(double feature_extent, double diagonal,
                        double largest_coordinate = 0.0) const;
+    // In triangles, for a drag that moves so many faces; nothing if there is no limit.
+    std::optional<std::uint64_t> drag_budget_for(std::uint64_t faces) const;
 };
 
 inline constexpr double kAutoRadius = 0.25;  // of a brush, as a fraction of the box diagonal

@@ -14,10 +14,12 @@ Statistics Session::State::statistics() const {
     const Criteria criteria(limits_in_use(), zones_in_use, {});
     const Assessment assessment = assess(*active, criteria, outcome.blocked);
     s.divergence_max_deg = assessment.divergence_max_deg;
-    s.needing_refinement = outcome.budget_hit ? 0 : assessment.needing_refinement;
-    s.held_back = assessment.held_back + (outcome.budget_hit ? assessment.needing_refinement : 0);
+    const bool has_ended = outcome.has_ended_at_budget();
+    s.needing_refinement = has_ended ? 0 : assessment.needing_refinement;
+    s.held_back = assessment.held_back + (has_ended ? assessment.needing_refinement : 0);
     s.floor_hit = outcome.floor_hit;
     s.budget_hit = outcome.budget_hit;
+    s.drag_budget_hit = outcome.drag_budget_hit;
     s.folded_vertices = folded;
     s.memory_bytes =
         mesh->memory_bytes() + active->memory_bytes() + history.memory_bytes() +

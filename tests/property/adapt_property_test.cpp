@@ -114,7 +114,8 @@ MeshChange interactive_gesture(TriMesh& mesh, const Warp& warp, const AdaptLimit
                                Random& random) {
     const Box zone = warp.zone();
     ActiveSet active(mesh);
-    Gesture gesture(active, {.moving = FaceTree(mesh).faces_meeting(zone, mesh)}, warp, limits);
+    Gesture gesture(active, {.moving = FaceTree(mesh).faces_meeting(zone, mesh)}, warp,
+                    Gesture::Adaptivity{limits});
     const std::vector<Vec3>& target = std::get<DragStep>(warp.steps.back()).displacements;
     const int frames = random.integer(1, 5);
     for (int i = 0; i < frames; ++i) {

@@ -69,6 +69,7 @@ command::Adapt random_adapt(Random& random, double size, std::uint64_t budget) {
     if (random.chance(0.3)) adapt.enabled = random.chance(0.7);
     adapt.floor = Setting::of(size * random.scale(0.02, 0.1));
     adapt.budget = random.chance(0.15) ? 600u : budget;
+    if (random.chance(0.2)) adapt.drag_budget = Setting::of(300);
     return adapt;
 }
 

@@ -10,6 +10,7 @@
 #include "mesh/face_tree.h"
 #include "mesh/shapes.h"
 #include "session/session.h"
+#include "support/expect_done.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
 
@@ -21,10 +22,7 @@ using command::Brush;
 using command::Drag;
 using command::Shape;
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    EXPECT_FALSE(refusal.has_value()) << *refusal;
-}
+using test::expect_done;
 
 // A cube with 8 x 8 quads on each side, dragged at the middle of its top.
 Session dragged_cube(double by, double radius = 1.0, const Setting& l_max = Setting::off()) {
@@ -140,7 +138,8 @@ struct Frames {
         Warp warp{{DragStep{solver.field(), std::vector<Vec3>(1)}}};
         const Box zone = warp.zone();
         const GestureFaces faces{.moving = FaceTree(mesh).faces_meeting(zone, mesh)};
-        gesture = std::make_unique<Gesture>(active, faces, std::move(warp), limits);
+        gesture =
+            std::make_unique<Gesture>(active, faces, std::move(warp), Gesture::Adaptivity{limits});
     }
     Frame drag(const Vec3& by) { return gesture->frame(std::vector<Vec3>{by}); }
 };

@@ -1,6 +1,7 @@
 // Editor, driven by input events.
 #include "app/editor.h"
 
+#include <cmath>
 #include <sstream>
 
 #include "command/script.h"
@@ -223,6 +224,30 @@ TEST_F(EditorTest, DroppingAModelOpensIt) {
     editor.handle(event::Drop{{path("tetrahedron.obj")}});
     EXPECT_EQ(editor.session().mesh().face_count(), 4u);
     EXPECT_EQ(editor.workspace().object_name(), "tetrahedron.obj");
+}
+
+// Sizes that suit a sphere would freeze the window on a model that is a hundred times as large.
+TEST_F(EditorTest, ANewObjectGetsSizesThatSuitIt) {
+    write("large.obj",
+          "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 0 0 100\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
+    Editor editor = this->editor();
+    editor.set_radius(0.1);
+    editor.execute(command::Adapt{.l_max = Setting::of(0.02), .floor = Setting::of(0.001)});
+    editor.open(path("large.obj"));
+    const double diagonal = editor.workspace().diagonal();
+    EXPECT_NEAR(diagonal, 100.0 * std::sqrt(3.0), 1e-9);
+    EXPECT_DOUBLE_EQ(editor.radius(), 0.25 * diagonal);
+    EXPECT_TRUE(editor.session().adapt_settings().l_max.is_automatic());
+    EXPECT_TRUE(editor.session().adapt_settings().floor.is_automatic());
+    // A cage around the object before goes, too; settings that are no sizes stay.
+    editor.execute(command::Adapt{.theta_max = Setting::of(12.0), .l_max = Setting::off()});
+    editor.set_cage(editor.workspace().box(), IVec3{4});
+    editor.new_shape(command::Shape::Kind::sphere, 2);
+    EXPECT_FALSE(editor.session().lattice_settings().cage.has_value());
+    EXPECT_DOUBLE_EQ(editor.radius(), 0.25 * editor.workspace().diagonal());
+    EXPECT_EQ(editor.session().adapt_settings().theta_max, Setting::of(12.0));
+    EXPECT_TRUE(editor.session().adapt_settings().l_max.is_off());
+    EXPECT_EQ(editor.workspace().message(), "");
 }
 
 TEST_F(EditorTest, DroppingAFileThatIsNoModelShowsAMessageAndKeepsTheObject) {

@@ -53,6 +53,13 @@ class RecoveryTest : public EditorTest {
             ASSERT_TRUE(editor.execute(command)) << editor.workspace().message();
         }
     }
+    // The same without what the editor does by itself after a command.
+    void crash_after_exactly(const std::vector<Command>& commands) const {
+        Editor editor = recovering_editor();
+        for (const Command& command : commands) {
+            ASSERT_EQ(editor.workspace().execute(command), Workspace::Outcome::done);
+        }
+    }
     static void finish_restoring(Editor& editor) {
         while (editor.restoration()) editor.advance();
     }

@@ -98,7 +98,7 @@ TEST_F(RestoringTest, OnlyTheModelThatWasOpenedLastIsNeeded) {
     write("b.obj", kTetrahedron);
     const command::Open first{path("a.obj")}, last{path("b.obj")};
     const command::Symmetry symmetry{.plane = command::Symmetry::Plane::z};
-    crash_after({first, symmetry, kWide, kSecond, last, kFirst});
+    crash_after({first, symmetry, kWide, kSecond, last, kWide, kFirst});
     const std::string expected = bytes_after({last, symmetry, kWide, kFirst});
     fs::remove(path("a.obj"));
     Editor editor = this->editor();
@@ -106,13 +106,14 @@ TEST_F(RestoringTest, OnlyTheModelThatWasOpenedLastIsNeeded) {
     EXPECT_EQ(bytes_of(editor), expected);
 }
 
+// A new object drops the cage, but earlier versions kept it.
 TEST_F(RestoringTest, ACageThatWasFittedToAnEarlierObjectIsRestored) {
     write("b.obj", kTetrahedron);
     const std::vector<Command> commands{
         kSphere, kDrag, command::Cage{command::Cage::Fit{{3, 3, 3}}}, command::Open{path("b.obj")},
         command::Control{.points = {{.index = {1, 1, 1}, .to = Vec3(0.5, 0.3, 0.6)}}}};
     const std::string expected = bytes_after(commands);
-    crash_after(commands);
+    crash_after_exactly(commands);
     Editor editor = this->editor();
     restore(editor);
     EXPECT_EQ(bytes_of(editor), expected);

@@ -104,6 +104,9 @@ class RandomCommand {
         result.flatness = maybe(below(2) ? Setting::off() : Setting::of(std::abs(number())));
         result.floor = maybe(below(2) ? Setting::automatic() : Setting::of(positive()));
         result.budget = maybe(1 + bits_() % (std::uint64_t{1} << 53));
+        result.drag_budget = maybe(below(3) == 0 ? Setting::automatic()
+                                   : below(2)    ? Setting::off()
+                                                 : Setting::of(1 + below(9999)));
         result.propagation = maybe(from(1.0, 1.49));
         return result;
     }
@@ -312,6 +315,8 @@ TEST(CommandErrors, KeepSettingsInTheirRanges) {
           BadLine{R"({"cmd": "adapt", "floor": null})", "adapt", {"floor", "\"auto\", not null"}},
           BadLine{R"({"cmd": "adapt", "budget": 0})", "adapt", {"budget", "whole number from 1"}},
           BadLine{R"({"cmd": "adapt", "budget": 1e300})", "adapt", {"9007199254740992"}},
+          BadLine{R"({"cmd": "adapt", "drag_budget": 0})", "adapt", {"drag_budget", "from 1 to"}},
+          BadLine{R"({"cmd": "adapt", "drag_budget": 1.5})", "adapt", {"whole number", "or null"}},
           BadLine{R"({"cmd": "adapt", "propagation": 1.5})", "adapt", {"below 1.5"}},
           BadLine{R"({"cmd": "adapt", "propagation": 0.99})", "adapt", {"at least 1"}},
           BadLine{R"({"cmd": "history", "megabytes": 0})", "history", {"above 0 or null, not 0"}},
@@ -444,6 +449,7 @@ TEST(StatisticsJson, HasItsFieldsInOrderAndEndsWithANewline) {
                               "\"held_back\"",
                               "\"floor_hit\": false",
                               "\"budget_hit\"",
+                              "\"drag_budget_hit\"",
                               "\"folded_vertices\"",
                               "\"memory_bytes\": 0,\n",
                               "\"undo_steps\": 0,\n",

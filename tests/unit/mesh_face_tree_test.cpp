@@ -97,9 +97,10 @@ MeshChange random_gesture(TriMesh& mesh, const FaceTree& tree, Random& random) {
     const double theta = random.scale(3.0, 60.0);
     Gesture gesture(
         active, {.moving = tree.faces_meeting(zone, mesh)}, warp,
-        AdaptLimits{.curvature = NormalDivergence({.theta_max = theta, .theta_min = 0.7 * theta}),
-                    .l_max = warp.smallest_feature_extent(),
-                    .floor = 0.02 * diagonal});
+        Gesture::Adaptivity{AdaptLimits{
+            .curvature = NormalDivergence({.theta_max = theta, .theta_min = 0.7 * theta}),
+            .l_max = warp.smallest_feature_extent(),
+            .floor = 0.02 * diagonal}});
     return gesture.commit(std::get<DragStep>(warp.steps.back()).displacements);
 }
 

@@ -3,8 +3,10 @@
 
 #include <cmath>
 #include <string>
+#include <vector>
 
 #include "session/session.h"
+#include "support/expect_done.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
 #include "support/scratch_folder.h"
@@ -18,10 +20,7 @@ using command::Drag;
 
 const std::string kPasses = "passes through";
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    ASSERT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 class ConnectedSession : public testing::Test {
   protected:
@@ -152,8 +151,7 @@ TEST_F(ConnectedSession, SpeaksIfAndOnlyIfTrianglesIntersect) {
 // Two long triangles share an edge outside the zone. Splitting the one that moves splits the other
 // as well, at an edge whose middle is inside the zone.
 TEST_F(ConnectedSession, LeavesMidpointsOfThePartThatStays) {
-    folder_.write("wedge.obj",
-                  "v 0 0 0\nv 0 4 0\nv 2 2 0.1\nv 3 4.5 -0.1\nf 1 2 3\nf 2 1 4\n");
+    folder_.write("wedge.obj", "v 0 0 0\nv 0 4 0\nv 2 2 0.1\nv 3 4.5 -0.1\nf 1 2 3\nf 2 1 4\n");
     for (const bool fold_free : {false, true}) {
         Session session;
         expect_done(session, command::Open{.path = folder_.path("wedge.obj")});
@@ -178,6 +176,17 @@ TEST_F(ConnectedSession, LeavesMidpointsOfThePartThatStays) {
         }
         EXPECT_GT(staying, 3) << "the second triangle was split";
         EXPECT_GT(moved, 0);
+        // Frames that were rolled back before leave no trace.
+        Session by_hand;
+        expect_done(by_hand, command::Open{.path = folder_.path("wedge.obj")});
+        expect_done(by_hand, Brush{.radius = 1.5});
+        ASSERT_FALSE(by_hand.begin_drag(std::vector<Vec3>{{2, 2, 0.1}}, {},
+                                        {.connected = true, .fold_free = fold_free}));
+        for (const double height : {0.5, 0.2, 0.6}) {
+            ASSERT_FALSE(by_hand.drag_to(std::vector<Vec3>{{2, 2, height}}));
+        }
+        ASSERT_TRUE(by_hand.end_drag().has_value());
+        EXPECT_TRUE(by_hand.mesh() == mesh);
         expect_done(session, command::Undo{});
         EXPECT_EQ(session.mesh().face_count(), 2u);
     }

@@ -8,6 +8,7 @@
 
 #include "command/json.h"
 #include "session/session.h"
+#include "support/expect_done.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
 #include "support/test_run.h"
@@ -24,10 +25,7 @@ using command::Undo;
 
 const Vec3 kFront{0, 0, 1};
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    ASSERT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 Session sphere(int resolution, double radius) {
     Session session;
@@ -100,8 +98,8 @@ TEST(FoldFreeSession, DoesNotIntersectTrianglesThatWereLongBetweenItsSteps) {
         expect_done(session, Shape{Shape::Kind::cylinder, 8});
         expect_done(session, Brush{.radius = radius});
         const Vec3 from{0, 1, 0};
-        for (int i = 0; i < 8; ++i) {
-            const double angle = 0.4 + 0.25 * std::numbers::pi * i;
+        for (int i = 0; i < 16; ++i) {
+            const double angle = (i < 8 ? 0.1 : 0.4) + 0.25 * std::numbers::pi * i;
             expect_done(
                 session,
                 Drag{.moves = {{from, {0, 0.97, 0}}},

@@ -10,6 +10,7 @@
 #include "command/json.h"
 #include "ffd/lattice_field.h"
 #include "session/session.h"
+#include "support/expect_done.h"
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
 #include "support/scratch_folder.h"
@@ -27,10 +28,7 @@ using command::Shape;
 using command::Undo;
 using Plane = command::Symmetry::Plane;
 
-void expect_done(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    ASSERT_FALSE(refusal.has_value()) << name(command) << ": " << *refusal;
-}
+using test::expect_done;
 
 std::string refusal_of(Session& session, const Command& command) {
     const TriMesh before = session.mesh();
@@ -83,7 +81,7 @@ TEST(SymmetricSession, KeepsASymmetricMeshSymmetricOverFortyDrags) {
         if (adapts) {
             EXPECT_GT(session.mesh().face_count(), 1300u);
         }
-        EXPECT_FALSE(session.statistics().budget_hit);
+        EXPECT_FALSE(session.outcome().has_ended_at_budget());
         EXPECT_LT(test::asymmetry(session.mesh()), 1e-6 * session.mesh().bounding_box().diagonal());
         EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
     }

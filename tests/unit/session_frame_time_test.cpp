@@ -1,0 +1,103 @@
+// Frames that end before adaptive meshing is done.
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <vector>
+
+#include "session/session.h"
+#include "support/mesh_figures.h"
+
+namespace pectin {
+namespace {
+
+using command::Adapt;
+using command::Shape;
+
+const Vec3 kTop{0, 0, 1};
+
+// A sphere that a drag has to split thousands of times.
+Session sphere() {
+    Session session;
+    EXPECT_FALSE(session.execute(Shape{Shape::Kind::sphere, 4}));
+    EXPECT_FALSE(session.execute(Adapt{.theta_max = Setting::of(2.0)}));
+    EXPECT_FALSE(session.execute(command::Brush{.radius = 0.9}));
+    return session;
+}
+
+std::vector<Vec3> at(double height) { return {Vec3{0.1, 0, height}}; }
+
+VertexId vertex_at_top(const TriMesh& mesh) {
+    for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
+        if (glm::distance(mesh.position(VertexId{v}), kTop) < 1e-9) return VertexId{v};
+    }
+    return kNone<VertexId>;
+}
+
+// Without any time each frame does a little all the same.
+TEST(FrameTime, StoppedFramesGoOnUntilNothingNeedsRefinement) {
+    Session session = sphere();
+    const VertexId top = vertex_at_top(session.mesh());
+    session.set_frame_time(std::chrono::seconds(0));
+    ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
+    EXPECT_FALSE(session.continue_frame()) << "there is no frame yet";
+    ASSERT_FALSE(session.drag_to(at(1.5)));
+    EXPECT_FALSE(session.last_frame().is_complete);
+    std::uint64_t splits = session.last_frame().splits;
+    int frames = 1;
+    while (session.continue_frame()) {
+        EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
+        EXPECT_LT(glm::distance(session.mesh().position(top), at(1.5)[0]), 1e-9);
+        splits += session.last_frame().splits;
+        ASSERT_LT(++frames, 10'000);
+    }
+    EXPECT_GT(frames, 5);
+    EXPECT_GT(splits, 2000u);
+    EXPECT_TRUE(session.last_frame().is_complete);
+    EXPECT_EQ(session.statistics().needing_refinement, 0u);
+}
+
+// The vertices that are there follow the drag in every frame, so a frame without an end looks like
+// the same drag on a mesh that is refined less.
+TEST(FrameTime, StoppedFramesFollowTheDrag) {
+    Session session = sphere();
+    session.set_frame_time(std::chrono::seconds(0));
+    ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
+    const TriMesh before = session.mesh();
+    for (const double height : {1.1, 1.4, 1.2, 1.6, 1.0}) {
+        ASSERT_FALSE(session.drag_to(at(height)));
+    }
+    ASSERT_FALSE(session.drag_to(std::vector{kTop}));
+    for (int frames = 0; session.continue_frame(); ++frames) ASSERT_LT(frames, 10'000);
+    EXPECT_EQ(session.statistics().needing_refinement, 0u);
+    for (std::uint32_t v = 0; v < before.vertex_slots(); ++v) {
+        EXPECT_EQ(session.mesh().position(VertexId{v}), before.position(VertexId{v}));
+    }
+    session.cancel_drag();
+    EXPECT_TRUE(session.mesh() == before);
+}
+
+TEST(FrameTime, TheCommitDoesEverythingAndDependsOnNoFrame) {
+    Session without = sphere(), with = sphere();
+    with.set_frame_time(std::chrono::seconds(0));
+    for (Session* session : {&without, &with}) {
+        ASSERT_FALSE(session->begin_drag(std::vector{kTop}, {}, {.fold_free = true}));
+        for (const double height : {1.05, 1.3, 1.5}) ASSERT_FALSE(session->drag_to(at(height)));
+        ASSERT_TRUE(session->end_drag().has_value());
+    }
+    EXPECT_TRUE(with.mesh() == without.mesh());
+    EXPECT_EQ(with.statistics().needing_refinement, 0u);
+    EXPECT_GT(with.statistics().last.splits, 2000u);
+}
+
+TEST(FrameTime, FramesWithEnoughTimeAreComplete) {
+    Session session = sphere();
+    session.set_frame_time(std::chrono::hours(1));
+    ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
+    ASSERT_FALSE(session.drag_to(at(1.5)));
+    EXPECT_TRUE(session.last_frame().is_complete);
+    EXPECT_FALSE(session.continue_frame());
+    EXPECT_EQ(session.statistics().needing_refinement, 0u);
+}
+
+}  // namespace
+}  // namespace pectin
