@@ -64,9 +64,8 @@ struct AdaptLimits {
     double floor = 0.0;        // an edge shorter than twice this is not split
     double propagation = 1.0;  // rho in [1, 1.5), see Propagation
     std::uint64_t budget = std::numeric_limits<std::uint64_t>::max();  // triangles of the mesh
-    // A mesh that is symmetric about this plane stays symmetric. With a propagation above 1 it may
-    // not, since the result then depends on the order of splits, and neither may it if the budget
-    // is used up.
+    // A mesh that is symmetric about this plane stays symmetric. It may not with a propagation
+    // above 1, since the result then depends on the order of splits, or if the budget is used up.
     std::optional<MirrorPlane> symmetry{};
     // The warp does not fold space: a commit removes self-intersections (see
     // adapt_without_self_intersections).

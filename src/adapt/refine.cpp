@@ -50,7 +50,10 @@ class Refiner {
             } else {
                 split_concurrently(batch);
             }
-            result_.was_stopped = !queue_.is_empty() && stop.stop_requested();
+            // A batch of edges that may not be split changes nothing, and the next call would begin
+            // with it again.
+            result_.was_stopped = result_.splits > 0 && !result_.budget_hit && !queue_.is_empty() &&
+                                  stop.stop_requested();
         }
     }
 

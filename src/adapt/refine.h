@@ -110,7 +110,7 @@ struct Refinement {
 // batches are split on several threads (ConcurrentSplits). The result does not depend on the number
 // of threads. Cost: O(active edges + splits).
 //
-// stop: asked after each batch, so that something is done in any case. Refining again continues.
+// stop: asked after each batch once something was split, so that repeated calls come to an end.
 Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
                   const StopToken& stop = {});
 

@@ -91,17 +91,18 @@ void Editor::drag() {
     });
 }
 
-bool Editor::has_unfinished_frame() const {
-    return session().is_dragging() && !session().last_frame().is_complete;
-}
+bool Editor::has_unfinished_frame() const { return session().has_unfinished_frame(); }
 
 // Goes on with adaptive meshing for which the frame before had no time left.
 void Editor::continue_frame() {
     if (!has_unfinished_frame()) return;
     attempt([&] {
         const auto start = std::chrono::steady_clock::now();
+        const FrameFigures before = figures_;
         workspace_.session().continue_frame();
         record_frame(std::chrono::steady_clock::now() - start);
+        figures_.splits += before.splits;
+        figures_.unsplits += before.unsplits;
     });
 }
 
@@ -117,9 +118,11 @@ void Editor::update_point_drag() {
     last_cursor_ = cursor_;
     const command::Drag before = session().active_drag();
     std::optional<std::string> refusal;
-    for (const Vec2& position : positions) {
+    for (std::size_t i = 0; i < positions.size(); ++i) {
+        // Only the last position is shown.
+        workspace_.limit_frame_time(i + 1 == positions.size());
         refusal =
-            sculptor_.drag(workspace_.session(), camera(), view().ray_through(position), path);
+            sculptor_.drag(workspace_.session(), camera(), view().ray_through(positions[i]), path);
     }
     if (refusal) return workspace_.set_message(rounded_numbers(*refusal));
     workspace_.clear_command_message();

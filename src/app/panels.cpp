@@ -309,7 +309,8 @@ void Panels::draw_drag_figures(const Editor& editor) const {
         add_text("the triangle budget is used up", kWarning);
     } else if (frame.drag_budget_hit) {
         add_text("the triangle budget of a drag is used up", kWarning);
-    } else if (frame.floor_hit) {
+    }
+    if (frame.floor_hit && !frame.budget_hit) {
         add_text("edges have reached the least length", kWarning);
     }
 }

@@ -160,6 +160,11 @@ void Workspace::set_frame_time(std::chrono::milliseconds time) {
     session_.set_frame_time(frame_time_);
 }
 
+void Workspace::limit_frame_time(bool is_shown) {
+    if (!frame_time_) return;
+    session_.set_frame_time(is_shown ? *frame_time_ : std::chrono::milliseconds(0));
+}
+
 // --- Object.
 
 void Workspace::begin_object(std::string path) {

@@ -72,6 +72,9 @@ class Workspace {
     void set_viewport(Viewport* viewport);
     // The same for Session::set_frame_time().
     void set_frame_time(std::chrono::milliseconds time);
+    // If a frame time is set: gives the next frame that time, or as little as possible if it will
+    // not be shown.
+    void limit_frame_time(bool is_shown);
     Session& session() { return session_; }
     const Session& session() const { return session_; }
 

@@ -78,8 +78,7 @@ void Session::State::start_gesture(ActiveGesture& begun, const GestureFaces& fac
 }
 
 void Session::State::update_frame(std::span<const Vec3> displacements) {
-    const StopToken stop = frame_time ? StopToken::after(*frame_time) : StopToken{};
-    active_gesture->gesture->frame(displacements, stop);
+    active_gesture->gesture->frame(displacements, frame_time);
     // The corners of new faces may lie where nothing moves, so they are marked with their faces.
     mark_dirty(active_gesture->gesture->take_edited_faces());
     if (dirty.everything) return;
@@ -89,9 +88,15 @@ void Session::State::update_frame(std::span<const Vec3> displacements) {
     active_gesture->gesture->append_moved_wedges(dirty.wedges);
 }
 
+// Without a gesture memory has run out, or a new plan was refused.
+bool Session::State::has_unfinished_frame() const {
+    return active_gesture && active_gesture->gesture &&
+           !active_gesture->gesture->last_frame().is_complete;
+}
+
 bool Session::State::continue_frame() {
-    Gesture& gesture = *active_gesture->gesture;
-    if (gesture.last_frame().is_complete) return false;
+    if (!has_unfinished_frame()) return false;
+    const Gesture& gesture = *active_gesture->gesture;
     const std::span<const Vec3> now = displacements_of(gesture.warp().steps.back());
     update_frame(std::vector<Vec3>(now.begin(), now.end()));
     return true;

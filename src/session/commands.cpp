@@ -148,9 +148,11 @@ Frame Session::State::adapt_everything() {
     AdaptLimits adapt_limits = limits_in_use();
     const std::uint64_t faces = mesh->face_count();
     const auto drag_budget = adapt_settings.drag_budget_for(faces);
-    const bool is_drag_budget_less = drag_budget && faces + *drag_budget < adapt_limits.budget;
+    const bool is_drag_budget_less =
+        drag_budget && faces < adapt_limits.budget && *drag_budget < adapt_limits.budget - faces;
     if (is_drag_budget_less) adapt_limits.budget = faces + *drag_budget;
-    // Once a budget is used up, refinement stops until a drag or a change of settings.
+    // Once a budget is used up, refinement rests: until the settings change, or that of the object
+    // until the next drag.
     if (outcome.has_ended_at_budget()) adapt_limits.budget = 0;
     Adaptation adaptation = adapt_without_self_intersections(
         *active, embedding, Criteria(adapt_limits, zones_of_readapt(), {}));

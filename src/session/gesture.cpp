@@ -7,6 +7,8 @@
 #include <new>
 #include <utility>
 
+#include "geometry/stop_token.h"
+
 namespace pectin {
 namespace {
 
@@ -44,11 +46,24 @@ Gesture::~Gesture() {
     if (active_.is_begun()) active_.cancel();
 }
 
-const Frame& Gesture::frame(std::span<const Vec3> displacements, const StopToken& stop) {
-    return apply(displacements,
-                 [&](ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
-                     return pectin::adapt(active, embedding, criteria, stop);
-                 });
+const Frame& Gesture::frame(std::span<const Vec3> displacements, std::optional<Duration> time) {
+    // Once a budget is used up, refinement rests until the drag changes. Decimation would free
+    // some triangles for a few splits, and the next frame would remove these again.
+    const bool rests = has_frames_ && last_.is_budget_used_up() &&
+                       std::ranges::equal(displacements_of(warp_.steps.back()), displacements);
+    if (rests && last_.is_complete) return last_;
+    const Frame before = last_;
+    apply(displacements, [&](ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
+        const StopToken stop = time ? StopToken::after(*time) : StopToken{};
+        if (!rests) return pectin::adapt(active, embedding, criteria, stop);
+        return Adaptation{.refinement = {},
+                          .decimation = decimate(active, criteria, nullptr, stop)};
+    });
+    if (rests && has_frames_) {
+        last_.budget_hit = before.budget_hit;
+        last_.drag_budget_hit = before.drag_budget_hit;
+    }
+    return last_;
 }
 
 template <typename Adapt>
@@ -56,11 +71,6 @@ const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
     // A long drag undoes most of its edits again. Rolling back to the rest state frees their
     // memory.
     if (active_.edit_count() > kMostEdits * (active_.vertex_entries() + 1000)) roll_back();
-    // Once a budget is used up, refinement rests until the drag changes. Decimation would free
-    // some triangles for a few splits, and the next frame would remove these again.
-    const std::span<const Vec3> before = displacements_of(warp_.steps.back());
-    const bool is_used_up = last_.budget_hit || last_.drag_budget_hit;
-    if (has_frames_ && is_used_up && std::ranges::equal(before, displacements)) return last_;
     set_displacements(displacements);
     const auto begin = std::chrono::steady_clock::now();
     embedding_.deform();

@@ -1,6 +1,7 @@
 // A gesture: frames of a deformation that changes, from mouse down to mouse up, and one commit.
 #pragma once
 
+#include <chrono>
 #include <cstdint>
 #include <limits>
 #include <optional>
@@ -11,7 +12,6 @@
 #include "adapt/self_intersections.h"
 #include "embedding/embedding.h"
 #include "ffd/warp.h"
-#include "geometry/stop_token.h"
 #include "mesh/active_set.h"
 #include "mesh/mesh_change.h"
 
@@ -28,6 +28,8 @@ struct Frame {
     PassedFaces passed;       // of the faces that stay; only a commit searches for them
     bool is_complete = true;  // false if adaptive meshing was stopped and would continue
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
+
+    bool is_budget_used_up() const { return budget_hit || drag_budget_hit; }
 };
 
 // The faces that meet the zone of a warp, sorted.
@@ -67,9 +69,12 @@ class Gesture {
     Gesture& operator=(const Gesture&) = delete;
 
     // Deforms and adapts the object by these displacements of the warp's last step; see
-    // displacements_of(). stop: ends adaptive meshing early; positions and normals of the vertices
-    // that are there are right all the same, and another frame continues. Cost: O(active set).
-    const Frame& frame(std::span<const Vec3> displacements, const StopToken& stop = {});
+    // displacements_of(). time: how long adaptive meshing may take, if it is limited. Positions and
+    // normals of the vertices that are there are right all the same, and another frame with these
+    // displacements continues. Where the frames were rolled back, refinement begins anew. Cost:
+    // O(active set).
+    using Duration = std::chrono::steady_clock::duration;
+    const Frame& frame(std::span<const Vec3> displacements, std::optional<Duration> time = {});
     // Boxes that everything is in which the gesture moves by these displacements.
     std::vector<Box> zones_with_reach(std::span<const Vec3> displacements);
     // Takes back what the frames have done.

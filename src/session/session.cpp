@@ -166,6 +166,8 @@ void Session::set_frame_time(std::optional<std::chrono::steady_clock::duration> 
     state_->frame_time = time;
 }
 
+bool Session::has_unfinished_frame() const { return state_->has_unfinished_frame(); }
+
 bool Session::continue_frame() { return state_->continue_frame(); }
 
 const Frame& Session::last_frame() const { return state_->active_gesture->gesture->last_frame(); }

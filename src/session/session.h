@@ -98,8 +98,9 @@ class Session {
     // How long adaptive meshing of one frame may take, in drags of points and of control points; by
     // default as long as it needs. What is left is done by continue_frame(), or at the end.
     void set_frame_time(std::optional<std::chrono::steady_clock::duration> time);
-    // Goes on with the last frame if adaptive meshing was stopped there. Returns whether it was.
-    // Precondition: a drag is active.
+    // Whether a drag is active and adaptive meshing was stopped in its last frame.
+    bool has_unfinished_frame() const;
+    // Goes on with such a frame. Returns whether there was one.
     bool continue_frame();
     // The Drag command so far, with the waypoints that it has got.
     const command::Drag& active_drag() const;

@@ -168,6 +168,7 @@ struct Session::State {
     // --- Gestures of both kinds (active_gesture.cpp).
     void start_gesture(ActiveGesture& begun, const GestureFaces& faces, Warp warp);
     void update_frame(std::span<const Vec3> displacements);
+    bool has_unfinished_frame() const;
     bool continue_frame();
     // Ends the gesture with these displacements of the last step and adds it to the history.
     void commit(std::span<const Vec3> displacements, bool is_noop);

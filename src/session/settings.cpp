@@ -61,7 +61,8 @@ AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
 std::optional<std::uint64_t> AdaptSettings::drag_budget_for(std::uint64_t faces) const {
     if (drag_budget.is_off()) return std::nullopt;
     if (drag_budget.is_automatic()) return default_drag_budget(faces);
-    return static_cast<std::uint64_t>(std::max(drag_budget.value, 0.0));
+    constexpr double kMost = 0x1p53;  // as in scripts
+    return static_cast<std::uint64_t>(std::clamp(drag_budget.value, 0.0, kMost));
 }
 
 Lattice LatticeSettings::lattice(const Vec3& grabbed, double diagonal) const {

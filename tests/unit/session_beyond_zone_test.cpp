@@ -27,8 +27,8 @@ Session sphere(int resolution, double theta_max) {
     return session;
 }
 
-Drag fold_free(const Vec3& from, const Vec3& to, bool connected = false) {
-    return {.moves = {{from, to}}, .connected = connected, .fold_free = true};
+Drag fold_free(const Vec3& from, const Vec3& to) {
+    return {.moves = {{from, to}}, .fold_free = true};
 }
 
 // The first drag leaves a sharp wrinkle. The zone of the second ends there, and moves one side of

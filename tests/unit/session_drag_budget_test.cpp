@@ -45,7 +45,7 @@ TEST(DragBudget, EndsTheRefinementOfADragAndSaysSo) {
         << session.remark();
     EXPECT_NE(session.remark().find("drag_budget"), std::string::npos) << session.remark();
     EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
-    // Refinement stays off until the next drag or change of settings.
+    // Refinement stays off until the settings change.
     expect_done(session, Readapt{});
     EXPECT_EQ(session.statistics().last.splits, 0u);
     EXPECT_TRUE(session.statistics().drag_budget_hit);

@@ -82,11 +82,67 @@ TEST(FrameTime, TheCommitDoesEverythingAndDependsOnNoFrame) {
     for (Session* session : {&without, &with}) {
         ASSERT_FALSE(session->begin_drag(std::vector{kTop}, {}, {.fold_free = true}));
         for (const double height : {1.05, 1.3, 1.5}) ASSERT_FALSE(session->drag_to(at(height)));
+        EXPECT_EQ(session->has_unfinished_frame(), session == &with);
         ASSERT_TRUE(session->end_drag().has_value());
     }
     EXPECT_TRUE(with.mesh() == without.mesh());
     EXPECT_EQ(with.statistics().needing_refinement, 0u);
     EXPECT_GT(with.statistics().last.splits, 2000u);
+}
+
+// Decimation frees triangles, but what it frees is not used to refine again.
+TEST(FrameTime, EndsAlsoWhereABudgetIsUsedUp) {
+    for (const double first : {1.5, 1.9}) {
+        Session session = sphere();
+        ASSERT_FALSE(session.execute(Adapt{.drag_budget = Setting::of(6000)}));
+        session.set_frame_time(std::chrono::seconds(0));
+        ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
+        for (const double height : {first, 1.6}) {
+            ASSERT_FALSE(session.drag_to(at(height)));
+            for (int frames = 0; session.continue_frame(); ++frames) ASSERT_LT(frames, 1000);
+            EXPECT_TRUE(session.last_frame().drag_budget_hit);
+        }
+        const TriMesh before = session.mesh();
+        ASSERT_FALSE(session.drag_to(at(1.6)));
+        EXPECT_TRUE(session.mesh() == before) << "the drag has not changed";
+    }
+}
+
+// The 1:512 rule and the floor leave edges that need refinement in every frame.
+TEST(FrameTime, EndsAlsoWhereEdgesMayNotBeSplit) {
+    Session session = sphere();
+    ASSERT_FALSE(session.execute(Adapt{.floor = Setting::of(0.03)}));
+    session.set_frame_time(std::chrono::seconds(0));
+    ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
+    ASSERT_FALSE(session.drag_to(at(0.2)));
+    for (int frames = 0; session.continue_frame(); ++frames) ASSERT_LT(frames, 1000);
+    EXPECT_TRUE(session.last_frame().floor_hit);
+}
+
+TEST(FrameTime, HoldsForControlPointsAndOnBothSidesOfAPlane) {
+    for (const bool is_control : {false, true}) {
+        Session session = sphere();
+        ASSERT_FALSE(session.execute(command::Symmetry{.plane = command::Symmetry::Plane::x}));
+        if (is_control) {
+            ASSERT_FALSE(session.execute(command::Cage{command::Cage::Fit{{3, 3, 3}}}));
+        }
+        session.set_frame_time(std::chrono::seconds(0));
+        if (is_control) {
+            ASSERT_FALSE(session.begin_control(std::vector{IVec3{2, 1, 1}}));
+            ASSERT_FALSE(session.control_to(std::vector{Vec3{2.5, 0, 0}}));
+        } else {
+            ASSERT_FALSE(session.begin_drag(std::vector{Vec3{0.6, 0, 0.8}}, {}));
+            ASSERT_FALSE(session.drag_to(std::vector{Vec3{0.8, 0, 1.2}}));
+        }
+        EXPECT_TRUE(session.has_unfinished_frame());
+        int frames = 0;
+        while (session.continue_frame()) ASSERT_LT(++frames, 10'000);
+        EXPECT_GT(frames, 1);
+        EXPECT_EQ(session.statistics().needing_refinement, 0u);
+        EXPECT_LT(test::asymmetry(session.mesh()), 1e-6);
+        session.cancel_drag();
+        EXPECT_FALSE(session.has_unfinished_frame());
+    }
 }
 
 TEST(FrameTime, FramesWithEnoughTimeAreComplete) {
