@@ -62,6 +62,16 @@ std::size_t available_threads() {
 // the program continues with fewer threads.
 constexpr std::chrono::milliseconds kLongestStart{500};
 
+// If memory ends while TBB 2022 starts, TBB waits forever: in order to throw it needs a lock that
+// it holds already. So this throws std::bad_alloc unless there is clearly more memory than TBB
+// takes then, which is a little more than 1 MB with two threads.
+void check_memory_for_start() {
+    constexpr std::size_t kBlock = 64 * 1024;
+    const std::size_t count = 64 + 2 * std::size_t{std::thread::hardware_concurrency()};
+    std::vector<std::vector<std::byte>> blocks(count);
+    for (std::vector<std::byte>& block : blocks) block.resize(kBlock);
+}
+
 // Makes TBB start its threads now and waits until all of them have begun to work. Later there may
 // be no memory for their stacks, or for the list of tasks that each thread gets with its first
 // task. A loop for which TBB cannot allocate such a list never ends.
@@ -83,10 +93,11 @@ void start_threads(std::size_t threads) {
         tbb::simple_partitioner());
 }
 
-// Limits TBB to the threads that can be started. Returns null if the system sets no limit below the
-// number of the machine.
+// Starts TBB, limited to the threads that can be started. Returns null if the system sets no limit
+// below the number of the machine.
 const tbb::global_control* limit_threads() {
     const std::size_t threads = 1 + available_threads();
+    check_memory_for_start();  // the threads keep the memory of their stacks
     if (threads >= std::thread::hardware_concurrency()) {
         start_threads(threads);
         return nullptr;
