@@ -136,6 +136,7 @@ void Editor::update_point_drag() {
 void Editor::update_control_drag() {
     const auto start = std::chrono::steady_clock::now();
     const bool had_begun = cage_points_.is_dragging();
+    workspace_.limit_frame_time(true);  // a drag of a point may have ended in between
     if (const auto refusal = cage_points_.update_drag(workspace_.session(), view())) {
         return workspace_.set_message(rounded_numbers(*refusal));
     }

@@ -52,7 +52,7 @@ const Frame& Gesture::frame(std::span<const Vec3> displacements, std::optional<D
     const bool rests = has_frames_ && last_.is_budget_used_up() &&
                        std::ranges::equal(displacements_of(warp_.steps.back()), displacements);
     if (rests && last_.is_complete) return last_;
-    const Frame before = last_;
+    const bool was_budget_hit = last_.budget_hit, was_drag_budget_hit = last_.drag_budget_hit;
     apply(displacements, [&](ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
         const StopToken stop = time ? StopToken::after(*time) : StopToken{};
         if (!rests) return pectin::adapt(active, embedding, criteria, stop);
@@ -60,8 +60,8 @@ const Frame& Gesture::frame(std::span<const Vec3> displacements, std::optional<D
                           .decimation = decimate(active, criteria, nullptr, stop)};
     });
     if (rests && has_frames_) {
-        last_.budget_hit = before.budget_hit;
-        last_.drag_budget_hit = before.drag_budget_hit;
+        last_.budget_hit = was_budget_hit;
+        last_.drag_budget_hit = was_drag_budget_hit;
     }
     return last_;
 }
