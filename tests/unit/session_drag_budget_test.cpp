@@ -68,8 +68,12 @@ TEST(DragBudget, IsThatOfEachDrag) {
 // Otherwise readapt would refine all of what the first drag has left coarse.
 TEST(DragBudget, IsRememberedUntilTheSettingsChange) {
     Session session = sphere(Setting::of(500));
+    expect_done(session, Adapt{.l_max = Setting::off()});
     expect_done(session, upwards(1.0, 1.4));
+    expect_done(session, command::Brush{.radius = 0.05});
+    const std::uint32_t after_first = session.mesh().face_count();
     expect_done(session, Drag{.moves = {{Vec3{0, -1, 0}, Vec3{0, -1.0001, 0}}}});
+    ASSERT_LT(session.mesh().face_count(), after_first + 498) << "stays within its own budget";
     EXPECT_TRUE(session.statistics().drag_budget_hit);
     EXPECT_EQ(session.statistics().needing_refinement, 0u);
     expect_done(session, Readapt{});
