@@ -42,9 +42,10 @@ struct SelfIntersection {
 // The faces outside the active set. Active faces reach beyond the zones of a warp, and may come to
 // intersect other faces there.
 struct Surroundings {
-    const FaceTree* tree =
-        nullptr;               // of all faces of the mesh at rest; null: they are not searched
-    std::vector<Box> zones{};  // of the warp. Faces that meet these are active, or stay
+    // Of all faces of the mesh at rest. Null: the surroundings are not searched.
+    const FaceTree* tree = nullptr;
+    // Those of the warp. Faces that meet them are active, or stay.
+    std::vector<Box> zones{};
 };
 
 // Finds self-intersections among the active faces, and between these and their surroundings, at
