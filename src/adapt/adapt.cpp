@@ -3,9 +3,13 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <mutex>
 #include <numbers>
+#include <span>
 
+#include "adapt/edge_classifier.h"
 #include "adapt/self_intersections.h"
+#include "geometry/parallel.h"
 #include "mesh/first_of_siblings.h"
 
 namespace pectin {
@@ -51,17 +55,19 @@ IntersectionLimit limit_after(const SelfIntersections& self_intersections,
 
 Refinement refine_without_self_intersections(ActiveSet& active, Embedding& embedding,
                                              const Criteria& criteria,
-                                             const Surroundings& surroundings) {
-    Refinement result = refine(active, embedding, criteria);
+                                             SelfIntersections& self_intersections,
+                                             const StopToken& stop) {
+    Refinement result = refine(active, embedding, criteria, stop);
     if (embedding.is_identity()) return result;
-    SelfIntersections self_intersections(active, surroundings);
     for (int round = 0;; ++round) {
+        stop.throw_if_requested();
         const std::vector<SelfIntersection>& found = self_intersections.find();
         result.self_intersections = found.size();
         result.intersection_limit = limit_after(self_intersections, found, result, round);
         if (result.intersection_limit != IntersectionLimit::none || found.empty()) break;
-        const Refinement more = refine_at(active, embedding, criteria,
-                                          edges_to_resolve(active, embedding, criteria, found));
+        const Refinement more =
+            refine_at(active, embedding, criteria,
+                      edges_to_resolve(active, embedding, criteria, found), stop);
         add(result, more);
         if (more.splits > 0) continue;
         result.intersection_limit =
@@ -69,6 +75,46 @@ Refinement refine_without_self_intersections(ActiveSet& active, Embedding& embed
         break;
     }
     return result;
+}
+
+// The active edges that need refinement, and those that would if sides with opposed normals
+// counted. Of siblings the representative. Sorted, each once.
+std::vector<EdgeId> edges_in_need(const ActiveSet& active, const Criteria& criteria) {
+    const TriMesh& mesh = active.mesh();
+    const EdgeClassifier classifier(active, criteria);
+    const auto test = [&](EdgeId e, std::vector<EdgeId>& found) {
+        const SplitNeed need = criteria.need(active, e);
+        if (need == SplitNeed::itself || criteria.diverges_on_any_side(active, e)) {
+            found.push_back(mesh.representative(e));
+        }
+        if (need != SplitNeed::neighbour) return;
+        classifier.for_each_needed_neighbour(
+            e, [&](EdgeId first, std::uint16_t) { found.push_back(mesh.representative(first)); });
+    };
+    const std::span<const EdgeId> edges = active.edges();
+    const std::span<const std::uint8_t> smooth = active.smooth_edges();
+    std::vector<EdgeId> all;
+    std::mutex mutex;
+    for_pieces(0, static_cast<std::uint32_t>(edges.size()),
+               [&](std::uint32_t first, std::uint32_t end) {
+                   std::vector<EdgeId> found;
+                   for (std::uint32_t i = first; i < end; ++i) {
+                       const EdgeId e = edges[i];
+                       if (!mesh.is_live(e) || mesh.sibling(e) != e) continue;
+                       const bool is_fine =
+                           smooth[i] != 0 && criteria.satisfies_criteria_fast(mesh, e, true);
+                       if (!is_fine) test(e, found);
+                   }
+                   const std::scoped_lock lock(mutex);
+                   all.insert(all.end(), found.begin(), found.end());
+               });
+    FirstOfSiblings is_first(mesh);
+    for (const EdgeId e : edges) {
+        if (mesh.is_live(e) && mesh.sibling(e) != e && is_first(e)) test(e, all);
+    }
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
 }
 
 }  // namespace
@@ -87,19 +133,23 @@ Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criter
 
 Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedding,
                                             const Criteria& criteria,
-                                            const Surroundings& surroundings) {
+                                            const Surroundings& surroundings,
+                                            const StopToken& stop) {
     const bool is_guarded = criteria.limits().flatness != kOff;
+    SelfIntersections self_intersections(active, surroundings, stop);
     Adaptation result = timed(
         [&] {
-            return refine_without_self_intersections(active, embedding, criteria, surroundings);
+            return refine_without_self_intersections(active, embedding, criteria,
+                                                     self_intersections, stop);
         },
         [&] {
-            SelfIntersections self_intersections(active, surroundings);
-            return decimate(active, criteria, is_guarded ? &self_intersections : nullptr);
+            stop.throw_if_requested();
+            return decimate(active, criteria, is_guarded ? &self_intersections : nullptr, stop);
         });
+    stop.throw_if_requested();
     if (!is_guarded && !embedding.is_identity()) {
         Refinement& refinement = result.refinement;
-        refinement.self_intersections = SelfIntersections(active, surroundings).find().size();
+        refinement.self_intersections = SelfIntersections(active, surroundings, stop).find().size();
         if (refinement.self_intersections == 0)
             refinement.intersection_limit = IntersectionLimit::none;
         if (refinement.self_intersections > 0 &&
@@ -110,33 +160,34 @@ Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedd
     return result;
 }
 
-Assessment assess(const ActiveSet& active, const Criteria& criteria,
-                  std::span<const EdgeId> blocked) {
-    Assessment result;
+Assessment assess(const ActiveSet& active, const Criteria& criteria, std::vector<EdgeId> blocked) {
+    std::ranges::sort(blocked);
     const TriMesh& mesh = active.mesh();
-    FirstOfSiblings is_first(mesh);
+    Assessment result;
+    for (const EdgeId e : edges_in_need(active, criteria)) {
+        const bool is_held = criteria.is_below_floor(mesh, e) || !mesh.may_split(e) ||
+                             std::ranges::binary_search(blocked, e);
+        if (is_held) {
+            ++result.held_back;
+        } else if (criteria.needs_refinement(active, e)) {
+            ++result.needing_refinement;
+        }
+    }
+    return result;
+}
+
+double largest_divergence_degrees(const TriMesh& mesh, const Criteria& criteria) {
     double greatest = 0.0;
+    FirstOfSiblings is_first(mesh);
     for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
         const EdgeId e{i};
         if (!mesh.is_live(e) || !is_first(e)) continue;
         const HalfEdgeId h = mesh.half_edge(e);
-        if (mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h))) {
-            greatest = std::max(greatest, criteria.largest_divergence(mesh, e));
-        }
-        const bool needs = criteria.needs_refinement(active, e);
-        if (!needs && !criteria.diverges_on_any_side(mesh, e)) continue;
-        const bool held = criteria.is_below_floor(mesh, e) || !mesh.may_split(e) ||
-                          std::binary_search(blocked.begin(), blocked.end(), e);
-        if (held) {
-            ++result.held_back;
-        } else if (needs) {
-            ++result.needing_refinement;
-        }
+        if (!mesh.is_deformed(mesh.origin(h)) && !mesh.is_deformed(mesh.target(h))) continue;
+        greatest = std::max(greatest, criteria.largest_divergence(mesh, e));
     }
     // greatest = 1 - cos(angle) = 2 sin^2(angle / 2)
-    result.divergence_max_deg =
-        2.0 * std::asin(std::sqrt(std::min(1.0, 0.5 * greatest))) * 180.0 / std::numbers::pi;
-    return result;
+    return 2.0 * std::asin(std::sqrt(std::min(1.0, 0.5 * greatest))) * 180.0 / std::numbers::pi;
 }
 
 }  // namespace pectin

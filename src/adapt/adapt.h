@@ -6,7 +6,8 @@
 // needs refinement and may be split.
 #pragma once
 
-#include <span>
+#include <cstdint>
+#include <vector>
 
 #include "adapt/decimate.h"
 #include "adapt/refine.h"
@@ -33,23 +34,27 @@ Adaptation adapt(ActiveSet& active, Embedding& embedding, const Criteria& criter
 // or the end of the search prevent it (Refinement::intersection_limit); decimation keeps it so.
 // Without a step of the warp nothing can have come to intersect, so only decimation is guarded.
 // Without a flatness limit decimation is not guarded: then positions do not matter to the user.
+// Throws Stopped where `stop` asks for it. The mesh and the active set are valid then.
 // Cost: that of adapt(), plus O(n log n) in the number of active faces, plus
 // O(intersections * steps) for each of a few rounds.
 Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedding,
                                             const Criteria& criteria,
-                                            const Surroundings& surroundings = {});
+                                            const Surroundings& surroundings = {},
+                                            const StopToken& stop = {});
 
-// What the criteria say about all edges of a mesh. Edges along a cut count as one.
+// What the criteria say about the active edges. Edges along a cut count as one.
 struct Assessment {
     std::uint64_t needing_refinement = 0;  // edges that need refinement and may be split
     std::uint64_t held_back = 0;           // edges that need refinement but may not be split
-    double divergence_max_deg = 0.0;       // over edges with a deformed end
 };
 
-// A scan without edits. `active` may be idle, then the present state counts as rest. `blocked`: the
-// edges that refinement found blocked (Refinement::blocked), sorted; those that still need
-// refinement count as held back. Cost: O(n).
-Assessment assess(const ActiveSet& active, const Criteria& criteria,
-                  std::span<const EdgeId> blocked);
+// A scan without edits, on all threads. blocked: the edges that refinement found blocked
+// (Refinement::blocked), in any order; those that still need refinement count as held back.
+// Cost: O(active edges).
+Assessment assess(const ActiveSet& active, const Criteria& criteria, std::vector<EdgeId> blocked);
+
+// The largest divergence of end normals over all edges of the mesh with a deformed end, in degrees.
+// Cost: O(edges).
+double largest_divergence_degrees(const TriMesh& mesh, const Criteria& criteria);
 
 }  // namespace pectin

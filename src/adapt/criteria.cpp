@@ -41,13 +41,19 @@ Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
                    std::optional<std::vector<Box>> scope, const Embedding* steps)
     : limits_(limits),
       floor_(limits.floor),
-      length_(limits.l_max, with_images(std::move(zones), limits.symmetry),
-              {.embedding = steps, .are_only_sampled = steps && only_samples(*steps)},
+      length_(limits.l_max, with_images(std::move(zones), limits.symmetry), steps_of(steps),
               SplitOrder(limits.propagation, limits.symmetry), floor_),
       squared_difference_bound_(
           ask_curvature([](const auto& trigger) { return trigger.fast_path_bound(); })),
       squared_length_bound_(length_.fast_path_bound()) {
     if (scope) scope_ = with_images(*std::move(scope), limits.symmetry);
+}
+
+EdgeLength::Steps Criteria::steps_of(const Embedding* embedding) const {
+    return {.embedding = embedding,
+            .are_only_sampled = embedding && only_samples(*embedding),
+            .largest_rest_difference = ask_curvature(
+                [](const auto& trigger) { return trigger.rest_difference_hiding(kLeastBend); })};
 }
 
 // Whether the curvature trigger finds what the steps bend, so that L_max only has to ensure that no
@@ -69,9 +75,9 @@ void Criteria::keep(std::vector<VertexId> vertices) {
     kept_ = std::move(vertices);
 }
 
-bool Criteria::diverges_on_any_side(const TriMesh& mesh, EdgeId e) const {
+bool Criteria::diverges_on_any_side(const ActiveSet& active, EdgeId e) const {
     return ask_curvature(
-        [&](const auto& trigger) { return trigger.diverges_on_any_side(mesh, e); });
+        [&](const auto& trigger) { return trigger.diverges_on_any_side(active, e); });
 }
 
 double Criteria::largest_divergence(const TriMesh& mesh, EdgeId e) const {

@@ -30,8 +30,8 @@ class Embedding;
 
 // The curvature trigger in use: conditions (a) of refinement and of decimation. Each alternative is
 // one file in adapt/triggers and has these members of NormalDivergence: needs_refinement,
-// passes_decimation, merged_edge_needs_refinement, fast_path_bound, diverges_on_any_side and
-// largest_on_any_side.
+// passes_decimation, merged_edge_needs_refinement, fast_path_bound, rest_difference_hiding,
+// diverges_on_any_side and largest_on_any_side.
 //
 // What a trigger may depend on:
 // - needs_refinement(e) and passes_decimation(e): the two ends of e with their positions, wedges
@@ -45,7 +45,8 @@ class Embedding;
 // - The answer must not depend on the order of splits, and several threads ask at a time.
 // - merged_edge_needs_refinement(star) must give the answer that needs_refinement() gives for bc
 //   once m is gone. Otherwise refinement and decimation undo each other's work in turn.
-// - L_max relies on the trigger to find bends in long drags (EdgeLength::Steps::are_only_sampled).
+// - L_max relies on the trigger to find bends in long drags (EdgeLength::Steps::are_only_sampled),
+//   except at edges as rough as rest_difference_hiding() says.
 // - fast_path_bound(): if the trigger does not follow from the difference of the end normals, it
 //   returns 0; then the fast path accepts no edge.
 //
@@ -123,7 +124,7 @@ class Criteria {
     // --- Statistics.
     // Whether e would need refinement by refinement condition (a) if sides with opposed normals
     // counted as well.
-    bool diverges_on_any_side(const TriMesh& mesh, EdgeId e) const;
+    bool diverges_on_any_side(const ActiveSet& active, EdgeId e) const;
     // The largest divergence of e over all sides: 1 - cos(angle).
     double largest_divergence(const TriMesh& mesh, EdgeId e) const;
 
@@ -133,6 +134,7 @@ class Criteria {
     auto ask_curvature(Question question) const {
         return std::visit(question, limits_.curvature);
     }
+    EdgeLength::Steps steps_of(const Embedding* embedding) const;
     bool only_samples(const Embedding& steps) const;
     bool edges_pass(const ActiveSet& active, const Star& star) const;
     bool merged_edge_satisfies_criteria(const ActiveSet& active, const Star& star) const;

@@ -138,7 +138,7 @@ Decimation decimate(ActiveSet& active, const Criteria& criteria,
     do {
         before = decimator.result().unsplits;
         any_kept = decimator.run();
-    } while (any_kept && decimator.result().unsplits > before);
+    } while (any_kept && decimator.result().unsplits > before && !decimator.result().was_stopped);
     return decimator.result();
 }
 

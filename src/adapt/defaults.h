@@ -9,6 +9,8 @@
 #include <cstdint>
 #include <numbers>
 
+#include "adapt/triggers/normal_divergence.h"
+
 namespace pectin {
 
 // theta_max in degrees. The paper's examples (section 5) use pi/7.
@@ -27,6 +29,12 @@ constexpr double default_l_max(double smallest_cell_extent) { return smallest_ce
 inline double default_flatness(double theta_max) {
     return 0.5 * std::tan(theta_max / 4.0 * std::numbers::pi / 180.0);
 }
+
+// How much rougher than at rest an edge may be in a drag, as factors of |n1 - n2| of its end
+// normals. The paper has no such allowance. A drag has to bend the edge by a quarter of what it was
+// bent before, for it to be refined; decimation needs a margin below that, as with theta_min.
+inline constexpr NormalDivergence::RestAllowance kDefaultRestAllowance{.refinement = 1.25,
+                                                                       .decimation = 1.1};
 
 // How many triangles one drag may add, if it moves so many faces. A drag that refines everything it
 // moves to half the edge length needs three times as many. The paper has no such limit.

@@ -29,14 +29,14 @@ class Refiner {
         return result();
     }
 
-    Refinement refine_at(std::span<const EdgeId> edges) {
+    Refinement refine_at(std::span<const EdgeId> edges, const StopToken& stop) {
         for (EdgeId e : edges) {
             const bool is_below = criteria_.is_below_floor(active_.mesh(), e);
             result_.floor_hit |= is_below;
             if (!is_below) pending_.splits.push_back({e, end_of(e)});
         }
         split_one_by_one(pending_);
-        split_queued_edges({});
+        split_queued_edges(stop);
         return result();
     }
 
@@ -273,8 +273,8 @@ Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& crite
 }
 
 Refinement refine_at(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
-                     std::span<const EdgeId> edges) {
-    return Refiner(active, embedding, criteria).refine_at(edges);
+                     std::span<const EdgeId> edges, const StopToken& stop) {
+    return Refiner(active, embedding, criteria).refine_at(edges, stop);
 }
 
 }  // namespace pectin

@@ -117,6 +117,6 @@ Refinement refine(ActiveSet& active, Embedding& embedding, const Criteria& crite
 // The same, but starts from these edges alone and splits them whether they need it or not. Edges
 // along a cut: the representative only. Each at most once. Cost: O(edges + splits).
 Refinement refine_at(ActiveSet& active, Embedding& embedding, const Criteria& criteria,
-                     std::span<const EdgeId> edges);
+                     std::span<const EdgeId> edges, const StopToken& stop = {});
 
 }  // namespace pectin

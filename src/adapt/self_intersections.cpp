@@ -3,10 +3,14 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
+#include <mutex>
+#include <span>
 #include <unordered_map>
 #include <utility>
 
+#include "geometry/parallel.h"
 #include "geometry/piercing.h"
+#include "mesh/sort_ids.h"
 
 namespace pectin {
 namespace {
@@ -17,8 +21,13 @@ namespace {
 constexpr double kTouchingFraction = 1e-9;
 // The most pairs of an active and another face that are tested; this takes half a second.
 constexpr std::uint64_t kMostPairsWithOthers = 4'000'000;
+constexpr std::uint64_t kPairsBetweenQuestions = 4096;
 // If more than one in this many faces was edited, a new tree is better than an updated one.
 constexpr std::size_t kRebuildDivisor = 8;
+// If at least one in this many faces is active, a part of the mesh's tree is faster copied than
+// built.
+constexpr std::size_t kCopyDivisor = 8;
+constexpr std::uint32_t kLeavesAtATime = 512;  // pairs of leaves, on one thread
 
 using Corners = std::array<VertexId, 3>;
 
@@ -38,7 +47,7 @@ bool is_live(const TriMesh& mesh, FaceId f) {
 // The live ones among the faces, sorted, each once.
 std::vector<FaceId> live(const TriMesh& mesh, std::vector<FaceId> faces) {
     std::erase_if(faces, [&](FaceId f) { return !is_live(mesh, f); });
-    std::sort(faces.begin(), faces.end());
+    sort_ids(std::span(faces));
     faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     return faces;
 }
@@ -142,18 +151,37 @@ void for_each_edge(FaceId f, Visit visit) {
 }  // namespace
 
 const Surroundings SelfIntersections::kAlone{};
+const StopToken SelfIntersections::kNever{};
+
+void SelfIntersections::ask_whether_to_stop() {
+    if (++tests_ % kTestsBetweenQuestions == 0) stop_.throw_if_requested();
+}
 
 FaceTree& SelfIntersections::tree() {
     const auto edited = active_.edited_faces();
     if (!tree_ || kRebuildDivisor * (edited.size() - synced_upto_) > active_.faces().size()) {
-        tree_.emplace(active_.mesh(),
-                      live(active_.mesh(), {active_.faces().begin(), active_.faces().end()}));
+        make_tree();
     } else {
         tree_->update(edited.subspan(synced_upto_), active_.mesh());
     }
     synced_upto_ = edited.size();
-    if (surroundings_.tree) mark_active();
+    if (has_surroundings()) mark_active();
     return *tree_;
+}
+
+// If much of the mesh is active and few faces are new, its tree has nearly all of the new one.
+void SelfIntersections::make_tree() {
+    const TriMesh& mesh = active_.mesh();
+    const auto edited = active_.edited_faces();
+    const std::vector<FaceId> faces = live(mesh, {active_.faces().begin(), active_.faces().end()});
+    const bool has_most = surroundings_.tree && kRebuildDivisor * edited.size() <= faces.size() &&
+                          kCopyDivisor * faces.size() >= mesh.face_count();
+    if (has_most) {
+        tree_.emplace(*surroundings_.tree, mesh, faces);
+        tree_->update(edited, mesh);
+    } else {
+        tree_.emplace(mesh, faces);
+    }
 }
 
 void SelfIntersections::mark_active() {
@@ -180,7 +208,7 @@ void SelfIntersections::find_near(const Box& box) {
 }
 
 bool SelfIntersections::reaches_beyond_zones(const Box& box) const {
-    return surroundings_.tree && std::ranges::none_of(surroundings_.zones, [&](const Box& zone) {
+    return has_surroundings() && std::ranges::none_of(surroundings_.zones, [&](const Box& zone) {
                return zone.contains(box.min) && zone.contains(box.max);
            });
 }
@@ -200,11 +228,8 @@ void SelfIntersections::add_pairs_beyond_zones(FaceId f) {
 const std::vector<SelfIntersection>& SelfIntersections::find() {
     const TriMesh& mesh = active_.mesh();
     if (!has_searched_) {
-        tree().for_near_pairs(mesh, [this](FaceId f, FaceId g) {
-            add_pair(f, g);
-            return !is_exhausted();
-        });
-        if (surroundings_.tree) {
+        search_active_faces();
+        if (has_surroundings()) {
             for (FaceId f : live(mesh, {active_.faces().begin(), active_.faces().end()})) {
                 add_pairs_beyond_zones(f);
             }
@@ -226,6 +251,30 @@ const std::vector<SelfIntersection>& SelfIntersections::find() {
     return found_;
 }
 
+void SelfIntersections::search_active_faces() {
+    const TriMesh& mesh = active_.mesh();
+    const FaceTree& faces = tree();
+    std::mutex mutex;
+    faces.for_near_leaves([&](std::span<const FaceTree::LeafPair> leaves) {
+        stop_.throw_if_requested();
+        const auto search = [&](std::uint32_t first, std::uint32_t end) {
+            std::vector<SelfIntersection> found;
+            std::uint64_t pairs = 0;
+            for (std::uint32_t i = first; i < end; ++i) {
+                faces.for_near_pairs(leaves[i], mesh, [&](FaceId f, FaceId g) {
+                    ++pairs;
+                    test_pair(f, g, found);
+                });
+            }
+            const std::scoped_lock lock(mutex);
+            pairs_ += pairs;
+            found_.insert(found_.end(), found.begin(), found.end());
+        };
+        for_pieces(0, static_cast<std::uint32_t>(leaves.size()), search, kLeavesAtATime);
+        return !is_exhausted();
+    });
+}
+
 // The faces that were edited since the last search or intersected then.
 std::vector<FaceId> SelfIntersections::changed_faces() const {
     const TriMesh& mesh = active_.mesh();
@@ -236,15 +285,24 @@ std::vector<FaceId> SelfIntersections::changed_faces() const {
 }
 
 void SelfIntersections::add_pair(FaceId f, FaceId g) {
+    ++pairs_;
+    ask_whether_to_stop();
+    test_pair(f, g, found_);
+}
+
+void SelfIntersections::test_pair(FaceId f, FaceId g, std::vector<SelfIntersection>& found) const {
     const TriMesh& mesh = active_.mesh();
     const Corners of_f = corners_of(mesh, f), of_g = corners_of(mesh, g);
-    ++pairs_;
-    if (active_.stays(f) || active_.stays(g) || !may_intersect(mesh, of_f, of_g)) return;
+    // Each edge of one of two faces with a common edge has a corner of the other face.
+    const int shared =
+        (has(of_f, of_g[0]) ? 1 : 0) + (has(of_f, of_g[1]) ? 1 : 0) + (has(of_f, of_g[2]) ? 1 : 0);
+    if (shared >= 2 || active_.stays(f) || active_.stays(g) || !may_intersect(mesh, of_f, of_g))
+        return;
     const auto add = [&](FaceId through, const Corners& face) {
         return [&, through](HalfEdgeId h) {
             const VertexId p = mesh.origin(h), q = mesh.target(h);
             if (passes_through(mesh, p, q, face) && were_disjoint(active_, p, q, face)) {
-                found_.push_back({mesh.edge(h), through});
+                found.push_back({mesh.edge(h), through});
             }
         };
     };
@@ -268,6 +326,7 @@ bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a,
     const Corners restored{b, c, a}, first{b, m, a}, second{m, c, a};
     find_near(box_of(mesh, restored));
     for (FaceId g : near_) {
+        ask_whether_to_stop();
         const Corners face = corners_of(mesh, g);
         if (active_.stays(g) || has(face, m) || !may_intersect(mesh, restored, face)) continue;
         if (passes_through(mesh, b, c, face) && were_disjoint(active_, b, m, face) &&
@@ -285,7 +344,8 @@ bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a,
     return false;
 }
 
-PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others) {
+PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others,
+                              const StopToken& stop) {
     PassedFaces passed;
     if (others.empty()) return passed;
     const TriMesh& mesh = active.mesh();
@@ -296,8 +356,12 @@ PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> o
     const Box box_of_others = box_of(mesh, near_moving);
     const FaceTree tree(mesh, near_moving);
     std::vector<FaceId> near;
-    std::uint64_t pairs = 0;
+    std::uint64_t pairs = 0, asked_at = kPairsBetweenQuestions;
     for (FaceId f : moving) {
+        if (pairs >= asked_at) {
+            stop.throw_if_requested();
+            asked_at = pairs + kPairsBetweenQuestions;
+        }
         const Corners corners = corners_of(mesh, f);
         const Box box = box_of(mesh, corners);
         if (!box.meets(box_of_others)) continue;

@@ -28,6 +28,7 @@
 
 #include "adapt/criteria.h"
 #include "embedding/embedding.h"
+#include "geometry/stop_token.h"
 #include "mesh/active_set.h"
 #include "mesh/face_tree.h"
 
@@ -46,19 +47,24 @@ struct Surroundings {
     const FaceTree* tree = nullptr;
     // Those of the warp. Faces that meet them are active, or stay.
     std::vector<Box> zones{};
+    bool are_empty = false;  // all faces are active
 };
 
 // Finds self-intersections among the active faces, and between these and their surroundings, at
-// their present positions. Holds references to the active set and the surroundings.
+// their present positions. Holds references to its arguments. Its members throw Stopped where
+// `stop` asks for it.
 class SelfIntersections {
   public:
-    explicit SelfIntersections(const ActiveSet& active, const Surroundings& surroundings = kAlone)
-        : active_(active), surroundings_(surroundings) {}
+    explicit SelfIntersections(const ActiveSet& active, const Surroundings& surroundings = kAlone,
+                               const StopToken& stop = kNever)
+        : active_(active), surroundings_(surroundings), stop_(stop) {}
 
-    // All self-intersections, sorted, or those found before the search was exhausted. Cost: the
-    // first time O(n log n + pairs of near faces), and O(log m) for each active face that has moved
-    // and reaches beyond the zones, with m faces in the mesh. Later calls only search again at
-    // faces that were edited since, or intersected before.
+    // All self-intersections, sorted, or those found before the search was exhausted. The result
+    // does not depend on the number of threads. Cost: the first time O(n + pairs of near faces) if
+    // there is a tree of all faces and an eighth of these are active, else O(n log n + pairs), and
+    // O(log m) for each active face that has moved and reaches beyond the zones, with m faces in
+    // the mesh. Later calls only search again at faces that were edited since, or intersected
+    // before.
     const std::vector<SelfIntersection>& find();
 
     // Whether the faces that would replace the star intersect other faces. Cost: O(log n + near
@@ -71,10 +77,17 @@ class SelfIntersections {
 
   private:
     static constexpr std::uint64_t kMostPairs = 40'000'000;  // takes a few seconds
+    static constexpr std::uint64_t kTestsBetweenQuestions = 4096;
     static const Surroundings kAlone;
+    static const StopToken kNever;
 
+    void ask_whether_to_stop();
     FaceTree& tree();  // of the active faces at their present positions
+    void make_tree();
     void mark_active();
+    bool has_surroundings() const { return surroundings_.tree && !surroundings_.are_empty; }
+    void search_active_faces();
+    void test_pair(FaceId f, FaceId g, std::vector<SelfIntersection>& found) const;
     std::vector<FaceId> changed_faces() const;
     void find_near(const Box& box);
     bool reaches_beyond_zones(const Box& box) const;
@@ -84,6 +97,8 @@ class SelfIntersections {
 
     const ActiveSet& active_;
     const Surroundings& surroundings_;
+    const StopToken& stop_;
+    std::uint64_t tests_ = 0;  // since the last question
     std::optional<FaceTree> tree_;
     std::size_t synced_upto_ = 0;  // the tree knows this many of the active set's edited faces
     // Face slots that are or were active; kept only if there are surroundings.
@@ -105,9 +120,12 @@ struct PassedFaces {
 // face which has moved, and were disjoint from it at rest. The others were outside the active set
 // when the gesture began. Faces that share a corner do not count.
 //
+// stop: asked after each few thousand pairs; Stopped is thrown where it asks for it.
+//
 // Cost: O(1) if there are no others. Otherwise O(k log k + p) for k other and active faces and p
 // pairs of near faces, and one word per face slot.
-PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others);
+PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others,
+                              const StopToken& stop = {});
 
 // The edges to split so that the intersections are resolved. For each intersection, it is the one
 // among the edge and the edges of the face whose midpoint is farthest from the warp's image of its

@@ -20,7 +20,10 @@ constexpr std::array kShape{
 
 constexpr std::array kAdapt{
     FieldReference{"enabled", "true or false"},
-    FieldReference{"theta_max", "angle above which an edge is refined (180/7), or null: off"},
+    FieldReference{
+        "theta_max",
+        "angle above which an edge is refined (180/7), or null: off; a drag leaves edges "
+        "alone that were nearly as rough before it"},
     FieldReference{
         "theta_min",
         "angle below which it may be decimated, \"auto\" (7/9 of theta_max) or null: off"},
@@ -99,7 +102,10 @@ constexpr std::array kCommands{
     CommandReference{"undo", "undoes edits", kCount},
     CommandReference{"redo", "does undone edits again", kCount},
     CommandReference{"history", "sets how much memory undo and redo may take", kHistory},
-    CommandReference{"readapt", "refines and decimates the whole object once", {}},
+    CommandReference{
+        "readapt",
+        "refines and decimates the whole object once, also what was rough before drags moved it",
+        {}},
     CommandReference{"bake", "makes the refined mesh the base mesh", {}},
     CommandReference{"save", "writes the model, and copies material files that are not there yet",
                      kSave},

@@ -28,12 +28,13 @@ struct Statistics {
         Seconds seconds;
     } last;
 
-    double edge_max = 0.0;                 // longest edge
-    double angle_min_deg = 0.0;            // smallest triangle angle
-    double divergence_max_deg = 0.0;       // largest divergence of same-side end normals
-                                           // over edges with a deformed end
-    std::uint64_t needing_refinement = 0;  // edges that need refinement and may be split
-    std::uint64_t held_back = 0;           // edges that need it but are kept by floor or budget
+    double edge_max = 0.0;            // longest edge
+    double angle_min_deg = 0.0;       // smallest triangle angle
+    double divergence_max_deg = 0.0;  // largest divergence of same-side end normals
+                                      // over edges with a deformed end
+    // Edges that the last edit left: that need refinement and may be split, and that need it but
+    // are kept by floor or budget.
+    std::uint64_t needing_refinement = 0, held_back = 0;
     bool floor_hit = false, budget_hit = false, drag_budget_hit = false;
     std::uint64_t folded_vertices = 0;  // those with det J <= 0 in any step of the last drag or
                                         // control

@@ -113,15 +113,21 @@ void Embedding::embed_before_last(const D& deformation, std::size_t step) {
     const std::size_t count = weight_count(deformation);
     std::vector<DragWeight> all(count * active_.vertex_entries());
     const auto of_entry = [&](std::uint32_t i) { return std::span(all).subspan(i * count, count); };
-    for (std::uint32_t i = 0; i < active_.vertex_entries(); ++i) {
-        if (i < active_.influenced_at_begin()) {
-            weights_at(deformation, start_position(step, i), of_entry(i));
+    const auto vertices = static_cast<std::uint32_t>(active_.vertex_entries());
+    for_pieces(0, vertices, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+            if (i < active_.influenced_at_begin()) {
+                weights_at(deformation, start_position(step, i), of_entry(i));
+            }
+            advance(deformation, step, i, of_entry(i));
         }
-        advance(deformation, step, i, of_entry(i));
-    }
-    for (std::uint32_t w = 0; w < active_.influenced_wedges_at_begin(); ++w) {
-        transform_normal(deformation, step, w, of_entry(active_.wedge_owner(w)));
-    }
+    });
+    const std::uint32_t wedges = active_.influenced_wedges_at_begin();
+    for_pieces(0, wedges, [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t w = first; w < end; ++w) {
+            transform_normal(deformation, step, w, of_entry(active_.wedge_owner(w)));
+        }
+    });
 }
 
 template <typename D>

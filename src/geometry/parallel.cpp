@@ -114,6 +114,13 @@ const tbb::global_control* limit_threads() {
 
 void prepare_parallel_loops() {
     [[maybe_unused]] static const tbb::global_control* const limit = limit_threads();
+    // A thread that did not start the others gets its list of tasks now.
+    thread_local bool is_prepared = false;
+    if (is_prepared) return;
+    check_memory_for_start();
+    tbb::parallel_for(
+        0, 2, [](int) {}, tbb::simple_partitioner());
+    is_prepared = true;
 }
 
 void for_pieces_on_all_threads(std::uint32_t first, std::uint32_t end, std::uint32_t piece,

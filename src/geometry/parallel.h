@@ -13,9 +13,9 @@ namespace pectin {
 // microseconds, in which a streaming pass handles a few thousand elements.
 inline constexpr std::uint32_t kPiece = 8192;
 
-// Starts the threads, unless that was done before. Loops do so themselves, but with too little
-// memory for it they may never end. So a program that goes on without memory calls this first, on
-// the thread that will run loops. Throws std::bad_alloc.
+// Starts the threads, unless that was done before, and prepares the calling thread. Loops do so
+// themselves, but with too little memory for it they may never end. So a program that goes on
+// without memory calls this first, on each thread that will run loops. Throws std::bad_alloc.
 void prepare_parallel_loops();
 
 using Piece = std::function<void(std::uint32_t first, std::uint32_t end)>;

@@ -2,10 +2,17 @@
 #pragma once
 
 #include <chrono>
+#include <exception>
 #include <functional>
 #include <utility>
 
 namespace pectin {
+
+// Thrown by long work that was asked to stop and has nothing to return before it is done.
+class Stopped : public std::exception {
+  public:
+    const char* what() const noexcept override { return "stopped"; }
+};
 
 // Long work asks it from time to time, on the thread that began the work, and stops where what it
 // works on is valid. A default token never asks for that.
@@ -20,6 +27,9 @@ class StopToken {
     }
 
     bool stop_requested() const { return asked_ && asked_(); }
+    void throw_if_requested() const {
+        if (stop_requested()) throw Stopped();
+    }
 
   private:
     std::function<bool()> asked_;

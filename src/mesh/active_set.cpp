@@ -2,8 +2,10 @@
 
 #include <algorithm>
 #include <cassert>
+#include <span>
 
 #include "mesh/array_bytes.h"
+#include "mesh/sort_ids.h"
 
 namespace pectin {
 
@@ -46,7 +48,7 @@ MeshChange ActiveSet::finish() {
         const FaceId f = faces()[i];
         if (i >= log_.original_faces() || rest_.has_changed(f)) change.faces.push_back(f);
     }
-    std::sort(change.faces.begin(), change.faces.end());
+    sort_ids(std::span(change.faces));
     change.faces.erase(std::unique(change.faces.begin(), change.faces.end()), change.faces.end());
     change.faces.shrink_to_fit();
     forget();

@@ -21,7 +21,6 @@ class Renumbering {
     }
     Id operator[](Id id) const { return new_ids_[index(id)]; }
     std::uint32_t count() const { return count_; }
-    std::vector<Id> take() { return std::move(new_ids_); }
 
   private:
     std::vector<Id> new_ids_;
@@ -41,13 +40,13 @@ class MeshBaker {
           edges_(from.edge_slots()),
           faces_(from.face_slots()) {}
 
-    Baked bake() {
+    TriMesh bake() {
         number();
         take_columns();
         take_polygons();
         take_elements();
         take_seams();
-        return {std::move(to_), edges_.take()};
+        return std::move(to_);
     }
 
   private:
@@ -229,6 +228,6 @@ void MeshBaker::add_unused_vertex(VertexId v) {
     ++to_.base_vertices_;
 }
 
-Baked TriMesh::baked() const { return MeshBaker(*this).bake(); }
+TriMesh TriMesh::baked() const { return MeshBaker(*this).bake(); }
 
 }  // namespace pectin

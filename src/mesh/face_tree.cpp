@@ -5,22 +5,13 @@
 #include <limits>
 #include <utility>
 
+#include "geometry/parallel.h"
+
 namespace pectin {
 namespace {
 
-Box face_box(FaceId f, const TriMesh& mesh) {
-    Box box;
-    for (int corner = 0; corner < 3; ++corner) {
-        box.include(mesh.position(mesh.origin(TriMesh::half_edge(f, corner))));
-    }
-    return box;
-}
-
-int longest_axis(const Box& box) {
-    const Vec3 extent = box.extent();
-    if (extent.x >= extent.y && extent.x >= extent.z) return 0;
-    return extent.y >= extent.z ? 1 : 2;
-}
+constexpr std::uint32_t kNodesAtATime = 2048;  // on one thread
+constexpr std::size_t kPairsAtATime = 16384;   // of leaves, in one visit
 
 // The growth of a box when it includes another: half the surface area that it gains.
 double growth(const Box& box, const Box& added) {
@@ -35,78 +26,6 @@ double growth(const Box& box, const Box& added) {
 
 }  // namespace
 
-FaceTree::FaceTree(const TriMesh& mesh) {
-    std::vector<FaceId> faces;
-    faces.reserve(mesh.face_count());
-    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-        if (mesh.is_live(FaceId{i})) faces.push_back(FaceId{i});
-    }
-    build(mesh, faces);
-}
-
-FaceTree::FaceTree(const TriMesh& mesh, std::span<const FaceId> faces) { build(mesh, faces); }
-
-void FaceTree::build(const TriMesh& mesh, std::span<const FaceId> faces) {
-    nodes_.clear();
-    leaves_.clear();
-    node_of_face_.assign(mesh.face_slots(), kNoNode);
-    built_for_ = mesh.face_count();
-    std::vector<FaceCentre> centres;
-    centres.reserve(faces.size());
-    for (FaceId f : faces) centres.push_back({f, face_box(f, mesh).centre()});
-    build_node(centres, kNoNode, mesh);
-}
-
-// Rebuilds the tree with the faces it holds and those of `changed` that are new to it.
-void FaceTree::rebuild(const TriMesh& mesh, std::span<const FaceId> changed) {
-    node_of_face_.resize(mesh.face_slots(), kNoNode);
-    for (FaceId f : changed) {
-        if (index(f) < mesh.face_slots()) node_of_face_[index(f)] = 0;
-    }
-    std::vector<FaceId> faces;
-    for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
-        if (node_of_face_[i] != kNoNode && mesh.is_live(FaceId{i})) faces.push_back(FaceId{i});
-    }
-    build(mesh, faces);
-}
-
-std::uint32_t FaceTree::build_node(std::span<FaceCentre> faces, std::uint32_t parent,
-                                   const TriMesh& mesh) {
-    // Leaves are filled to three quarters, so that refinement does not divide all of them at once.
-    if (faces.size() <= kLeafFaces * 3 / 4) return make_leaf(faces, parent, mesh);
-    Box spread;
-    for (const FaceCentre& f : faces) spread.include(f.centre);
-    const int axis = longest_axis(spread);
-    const std::size_t middle = faces.size() / 2;
-    std::nth_element(
-        faces.begin(), faces.begin() + static_cast<std::ptrdiff_t>(middle), faces.end(),
-        [&](const FaceCentre& x, const FaceCentre& y) { return x.centre[axis] < y.centre[axis]; });
-    const auto node = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.emplace_back();
-    nodes_[node].parent = parent;
-    const std::uint32_t left = build_node(faces.first(middle), node, mesh);
-    const std::uint32_t right = build_node(faces.subspan(middle), node, mesh);
-    nodes_[node].left = left;
-    nodes_[node].right = right;
-    nodes_[node].box = fitted_box(nodes_[node], mesh);
-    return node;
-}
-
-std::uint32_t FaceTree::make_leaf(std::span<const FaceCentre> faces, std::uint32_t parent,
-                                  const TriMesh& mesh) {
-    const auto node = static_cast<std::uint32_t>(nodes_.size());
-    nodes_.emplace_back();
-    nodes_[node].parent = parent;
-    nodes_[node].leaf = static_cast<std::uint32_t>(leaves_.size());
-    Leaf& leaf = leaves_.emplace_back();
-    for (const FaceCentre& f : faces) {
-        leaf.faces[leaf.count++] = f.face;
-        node_of_face_[index(f.face)] = node;
-    }
-    nodes_[node].box = fitted_box(nodes_[node], mesh);
-    return node;
-}
-
 Box FaceTree::fitted_box(const Node& node, const TriMesh& mesh) const {
     Box box;
     if (node.is_leaf()) {
@@ -117,6 +36,12 @@ Box FaceTree::fitted_box(const Node& node, const TriMesh& mesh) const {
         box.include(nodes_[node.right].box);
     }
     return box;
+}
+
+int FaceTree::longest_axis(const Box& box) {
+    const Vec3 extent = box.extent();
+    if (extent.x >= extent.y && extent.x >= extent.z) return 0;
+    return extent.y >= extent.z ? 1 : 2;
 }
 
 std::vector<FaceId> FaceTree::faces_meeting(const Box& box, const TriMesh& mesh) const {
@@ -164,22 +89,8 @@ void FaceTree::append_near(const Box& box, const TriMesh& mesh, std::vector<Face
     }
 }
 
-void FaceTree::for_near_pairs(const TriMesh& mesh,
-                              const std::function<bool(FaceId, FaceId)>& visit) const {
-    std::array<std::array<Box, kLeafFaces>, 2> boxes;
-    const auto visit_leaves = [&](const Leaf& left, const Leaf& right) {
-        for (std::uint32_t i = 0; i < left.count; ++i) boxes[0][i] = face_box(left.faces[i], mesh);
-        for (std::uint32_t j = 0; j < right.count; ++j) {
-            boxes[1][j] = face_box(right.faces[j], mesh);
-        }
-        for (std::uint32_t i = 0; i < left.count; ++i) {
-            for (std::uint32_t j = &left == &right ? i + 1 : 0; j < right.count; ++j) {
-                if (!boxes[0][i].meets(boxes[1][j])) continue;
-                if (!visit(left.faces[i], right.faces[j])) return false;
-            }
-        }
-        return true;
-    };
+void FaceTree::for_near_leaves(const std::function<bool(std::span<const LeafPair>)>& visit) const {
+    std::vector<LeafPair> pairs;
     std::vector<std::pair<std::uint32_t, std::uint32_t>> stack{{0, 0}};
     while (!stack.empty()) {
         const auto [x, y] = stack.back();
@@ -187,7 +98,10 @@ void FaceTree::for_near_pairs(const TriMesh& mesh,
         const Node &left = nodes_[x], &right = nodes_[y];
         if (left.box.is_empty() || right.box.is_empty() || !left.box.meets(right.box)) continue;
         if (left.is_leaf() && right.is_leaf()) {
-            if (!visit_leaves(leaves_[left.leaf], leaves_[right.leaf])) return;
+            pairs.push_back({left.leaf, right.leaf});
+            if (pairs.size() < kPairsAtATime) continue;
+            if (!visit(pairs)) return;
+            pairs.clear();
         } else if (x == y) {
             stack.insert(
                 stack.end(),
@@ -199,6 +113,7 @@ void FaceTree::for_near_pairs(const TriMesh& mesh,
             stack.insert(stack.end(), {{x, right.left}, {x, right.right}});
         }
     }
+    if (!pairs.empty()) visit(pairs);
 }
 
 std::optional<FaceHit> FaceTree::first_hit(const Ray& ray, const TriMesh& mesh) const {
@@ -374,8 +289,17 @@ void FaceTree::refit_upwards(std::uint32_t node, const TriMesh& mesh) {
     }
 }
 
+// The leaves on all threads, since most of the time goes there.
 void FaceTree::refit_all(const TriMesh& mesh) {
-    for (std::size_t i = nodes_.size(); i-- > 0;) nodes_[i].box = fitted_box(nodes_[i], mesh);
+    const auto refit_leaves = [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+            if (nodes_[i].is_leaf()) nodes_[i].box = fitted_box(nodes_[i], mesh);
+        }
+    };
+    for_pieces(0, static_cast<std::uint32_t>(nodes_.size()), refit_leaves, kNodesAtATime);
+    for (std::size_t i = nodes_.size(); i-- > 0;) {
+        if (!nodes_[i].is_leaf()) nodes_[i].box = fitted_box(nodes_[i], mesh);
+    }
 }
 
 std::size_t FaceTree::memory_bytes() const {

@@ -1,11 +1,13 @@
 // A bounding-box tree over the faces of a mesh, for box, ray and nearest-face queries.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
 #include <optional>
 #include <span>
+#include <utility>
 #include <vector>
 
 #include "geometry/box.h"
@@ -30,6 +32,9 @@ class FaceTree {
     // Contains only these faces, each listed once; update() adds the faces it is given. Cost:
     // O(k log k) time, and one word per face slot.
     FaceTree(const TriMesh& mesh, std::span<const FaceId> faces);
+    // Contains those of these faces that the other tree, of the same mesh, contains, in the same
+    // order. Cost: O(n) in the size of the other tree, which is much less than building one.
+    FaceTree(const FaceTree& other, const TriMesh& mesh, std::span<const FaceId> faces);
 
     // The live faces that have a point in common with `box`, sorted by id.
     // Cost: O(answer + log n).
@@ -38,10 +43,16 @@ class FaceTree {
     // Appends the live faces whose boxes meet `box`, in the tree's order. If faces have moved since
     // the last update, the answer is right only as to the others. Cost: O(answer + log n).
     void append_near(const Box& box, const TriMesh& mesh, std::vector<FaceId>& faces) const;
-    // Calls visit(f, g) for each pair of faces whose boxes meet, once per pair, in the tree's
-    // order, until it returns false. Cost: O(visits + n).
-    void for_near_pairs(const TriMesh& mesh,
-                        const std::function<bool(FaceId, FaceId)>& visit) const;
+    // Calls visit() with the pairs of leaves whose boxes meet, each once, and each leaf with
+    // itself, until it returns false. Each call gets some thousand pairs, in an order that depends
+    // on the tree's history. Cost: O(pairs + n).
+    struct LeafPair {
+        std::uint32_t first, second;
+    };
+    void for_near_leaves(const std::function<bool(std::span<const LeafPair>)>& visit) const;
+    // Calls visit(f, g) for each pair of faces from these leaves whose boxes meet, once per pair.
+    template <typename Visit>
+    void for_near_pairs(const LeafPair& leaves, const TriMesh& mesh, Visit visit) const;
 
     // The live face that the ray meets first; at equal distances the one with the lowest id.
     // Cost: O(log n) for a ray that meets few boxes.
@@ -78,6 +89,8 @@ class FaceTree {
         Vec3 centre;  // of its box
     };
 
+    static Box face_box(FaceId f, const TriMesh& mesh);
+    static int longest_axis(const Box& box);
     void build(const TriMesh& mesh, std::span<const FaceId> faces);
     std::uint32_t build_node(std::span<FaceCentre> faces, std::uint32_t parent,
                              const TriMesh& mesh);
@@ -89,6 +102,8 @@ class FaceTree {
     void divide_leaf(std::uint32_t node, FaceId extra, const TriMesh& mesh);
     void refit_upwards(std::uint32_t node, const TriMesh& mesh);
     void refit_all(const TriMesh& mesh);
+    void copy_part(const FaceTree& other, const std::vector<std::uint32_t>& counts,
+                   const std::vector<bool>& is_wanted);
     Box fitted_box(const Node& node, const TriMesh& mesh) const;
 
     std::vector<Node> nodes_;  // children after their parent; the root first
@@ -96,5 +111,26 @@ class FaceTree {
     std::vector<std::uint32_t> node_of_face_;  // n_face_slots; kNoNode where not in the tree
     std::uint32_t built_for_ = 0;              // face count at the last build
 };
+
+inline Box FaceTree::face_box(FaceId f, const TriMesh& mesh) {
+    Box box;
+    for (int corner = 0; corner < 3; ++corner) {
+        box.include(mesh.position(mesh.origin(TriMesh::half_edge(f, corner))));
+    }
+    return box;
+}
+
+template <typename Visit>
+void FaceTree::for_near_pairs(const LeafPair& leaves, const TriMesh& mesh, Visit visit) const {
+    const Leaf &left = leaves_[leaves.first], &right = leaves_[leaves.second];
+    std::array<Box, kLeafFaces> boxes;
+    for (std::uint32_t j = 0; j < right.count; ++j) boxes[j] = face_box(right.faces[j], mesh);
+    for (std::uint32_t i = 0; i < left.count; ++i) {
+        const Box box = &left == &right ? boxes[i] : face_box(left.faces[i], mesh);
+        for (std::uint32_t j = &left == &right ? i + 1 : 0; j < right.count; ++j) {
+            if (box.meets(boxes[j])) visit(left.faces[i], right.faces[j]);
+        }
+    }
+}
 
 }  // namespace pectin

@@ -6,10 +6,22 @@
 #include <limits>
 #include <vector>
 
+#include "geometry/parallel.h"
 #include "mesh/array_bytes.h"
 #include "mesh/sort_ids.h"
 
 namespace pectin {
+namespace {
+
+// Raises `value` to at least `to`. Several threads may call it at a time.
+void raise_to(double& value, double to) {
+    const std::atomic_ref shared(value);
+    double known = shared.load(std::memory_order_relaxed);
+    while (known < to && !shared.compare_exchange_weak(known, to)) {
+    }
+}
+
+}  // namespace
 
 void RestState::begin(std::span<const FaceId> faces, const Box& zone) {
     zone_ = zone;
@@ -58,12 +70,16 @@ void RestState::collect(std::span<const FaceId> faces, std::vector<VertexId>& co
 
 void RestState::enter_edges() {
     sort_ids(std::span(edges_.ids));
-    for (std::uint32_t i = 0; i < edges_.slots(); ++i) {
-        const EdgeId e = edges_.ids[i];
-        edge_states_[index(e)].entry = i;
-        edges_.is_smooth[i] = has_smooth_normals(e) ? 1 : 0;
-        longest_square_ = std::max(longest_square_, mesh_.squared_length(e));
-    }
+    for_pieces(0, edges_.slots(), [&](std::uint32_t first, std::uint32_t end) {
+        double longest_square = 0.0;
+        for (std::uint32_t i = first; i < end; ++i) {
+            const EdgeId e = edges_.ids[i];
+            edge_states_[index(e)].entry = i;
+            edges_.is_smooth[i] = has_smooth_normals(e) ? 1 : 0;
+            longest_square = std::max(longest_square, mesh_.squared_length(e));
+        }
+        raise_to(longest_square_, longest_square);
+    });
 }
 
 void RestState::enter_vertices(std::vector<VertexId>& corners) {
@@ -73,9 +89,13 @@ void RestState::enter_vertices(std::vector<VertexId>& corners) {
     });
     influenced_vertices_ = static_cast<std::uint32_t>(first_still - corners.begin());
     vertices_.reserve(corners.size());
-    for (VertexId v : corners) {
-        enter(allocate(v), v, mesh_.position(v), mesh_.is_deformed(v), false);
-    }
+    vertices_.grow(corners.size());
+    for_pieces(0, vertices_.slots(), [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+            const VertexId v = corners[i];
+            enter(i, v, mesh_.position(v), mesh_.is_deformed(v), false);
+        }
+    });
 }
 
 void RestState::enter_wedges(std::vector<WedgeId>& wedges) {
@@ -85,10 +105,14 @@ void RestState::enter_wedges(std::vector<WedgeId>& wedges) {
         wedges.begin(), wedges.end(), [&](WedgeId w) { return owner(w) < influenced_vertices_; });
     influenced_wedges_ = static_cast<std::uint32_t>(first_still - wedges.begin());
     wedges_.reserve(wedges.size());
-    for (WedgeId w : wedges) {
-        const std::uint32_t owned_by = owner(w);
-        enter(allocate(w), w, mesh_.normal(w), owned_by);
-    }
+    wedges_.grow(wedges.size());
+    for_pieces(0, wedges_.slots(), [&](std::uint32_t first, std::uint32_t end) {
+        for (std::uint32_t i = first; i < end; ++i) {
+            const WedgeId w = wedges[i];
+            const std::uint32_t owned_by = owner(w);
+            enter(i, w, mesh_.normal(w), owned_by);
+        }
+    });
 }
 
 bool RestState::has_smooth_normals(EdgeId e) const {
@@ -99,10 +123,7 @@ bool RestState::has_smooth_normals(EdgeId e) const {
 // Lengths are rounded to float, so the bound is a little larger.
 void RestState::record_length(float length) {
     const double bound = (1.0 + 1e-6) * static_cast<double>(length);
-    const std::atomic_ref longest(longest_square_);
-    double known = longest.load(std::memory_order_relaxed);
-    while (known < bound * bound && !longest.compare_exchange_weak(known, bound * bound)) {
-    }
+    raise_to(longest_square_, bound * bound);
 }
 
 float RestState::distance_of_ends(EdgeId e) const {

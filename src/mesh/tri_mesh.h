@@ -58,8 +58,6 @@
 
 namespace pectin {
 
-struct Baked;
-
 class TriMesh {
   public:
     // --- Slots. Loops run over [0, *_slots()) and skip slots that are not live.
@@ -261,8 +259,11 @@ class TriMesh {
     // Makes room in the free lists for `count` unsplits outside cuts.
     void reserve_unsplits(std::size_t count);
 
-    // The same surface with all that splits have inserted made base (bake.cpp). O(n).
-    Baked baked() const;
+    // The same surface with all that splits have inserted made base (bake.cpp). Vertices and faces
+    // are in the order in which a save would write them, wedges and edges are ordered by id. A
+    // polygon of which no face was split stays a polygon; each piece of any other is a polygon of
+    // its own. Deformed vertices stay marked. O(n).
+    TriMesh baked() const;
 
     // One line for each violated invariant; empty if all hold. O(n).
     std::vector<std::string> validate() const;
@@ -354,14 +355,6 @@ class TriMesh {
     // Scratch of unsplit_siblings(). A split makes it large enough, so that undoing the split
     // allocates nothing.
     std::vector<Star> sheets_;
-};
-
-// A mesh of which everything is base. Vertices and faces are in the order in which a save would
-// write them, wedges and edges are ordered by id. A polygon of which no face was split stays a
-// polygon; each piece of any other is a polygon of its own. Deformed vertices stay marked.
-struct Baked {
-    TriMesh mesh;
-    std::vector<EdgeId> edges;  // edge_slots() of the original mesh: new id, or none
 };
 
 // Moves a half-edge with its origin, wedge and edge from slot `from` to slot `to`, and updates its

@@ -66,7 +66,7 @@ void Session::State::start_gesture(ActiveGesture& begun, const GestureFaces& fac
     begun.lattice = lattice_of(warp.steps.back());
     if (adapt_settings.enabled) {
         const auto drag_budget = adapt_settings.drag_budget_for(faces.moving.size());
-        adaptivity = {.limits = limits(smallest_feature_extent(warp.steps.back())),
+        adaptivity = {.limits = drag_limits(smallest_feature_extent(warp.steps.back())),
                       .drag_budget = drag_budget.value_or(Gesture::kNoBudget),
                       .kept = vertices_at_handles(begun.drag)};
         adaptivity->limits.without_self_intersections = begun.drag.fold_free;
@@ -113,13 +113,13 @@ void Session::State::commit(std::span<const Vec3> displacements, bool is_noop) {
     active_gesture->gesture->return_to_rest();
     const SearchedFaces searched{.surroundings = surroundings(),
                                  .staying = staying_faces(displacements)};
-    MeshChange change = active_gesture->gesture->commit(displacements, searched);
+    MeshChange change = active_gesture->gesture->commit(displacements, searched, stop);
     try {
         finish_commit(change);
     } catch (...) {  // out of memory: restores the object
         undo(change, *mesh);
         update_everything();
-        update_outcome();
+        outcome = history.outcome();
         active_gesture.reset();
         throw;
     }

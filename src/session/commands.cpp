@@ -82,8 +82,8 @@ Refusal Session::State::run(const command::Adapt& adapt) {
     const auto changed = adapt_settings.with(adapt);
     if (const auto* refusal = std::get_if<std::string>(&changed)) return *refusal;
     adapt_settings = std::get<AdaptSettings>(changed);
-    outcome = {};
-    history.forget_outcomes();
+    outcome.forget_limits();
+    history.forget_limits();
     return std::nullopt;
 }
 
@@ -154,8 +154,9 @@ Frame Session::State::adapt_everything() {
     // Once a budget is used up, refinement rests: until the settings change, or that of the object
     // until the next drag.
     if (outcome.has_ended_at_budget()) adapt_limits.budget = 0;
-    Adaptation adaptation = adapt_without_self_intersections(
-        *active, embedding, Criteria(adapt_limits, zones_of_readapt(), {}));
+    const Criteria criteria(adapt_limits, zones_of_readapt(), {});
+    Adaptation adaptation =
+        adapt_without_self_intersections(*active, embedding, criteria, {}, stop);
     Frame frame;
     frame.splits = adaptation.refinement.splits;
     frame.unsplits = adaptation.decimation.unsplits;
@@ -163,7 +164,7 @@ Frame Session::State::adapt_everything() {
     const bool is_used_up_now = adaptation.refinement.budget_hit && !outcome.has_ended_at_budget();
     frame.drag_budget_hit = is_used_up_now && is_drag_budget_less;
     frame.budget_hit = outcome.budget_hit || (is_used_up_now && !is_drag_budget_less);
-    frame.blocked = std::move(adaptation.refinement.blocked);
+    frame.assessment = assess(*active, criteria, std::move(adaptation.refinement.blocked));
     frame.refine_seconds = adaptation.refine_seconds;
     frame.decimate_seconds = adaptation.decimate_seconds;
     return frame;
@@ -190,17 +191,18 @@ Refusal Session::State::run(const command::Readapt& readapt) {
         const Frame frame = adapt_everything();
         change = active->finish();
         stopwatch.lap();
-        outcome.blocked.clear();
         record(frame);
         add_step(readapt, change);
-    } catch (...) {  // out of memory: restores the object
+    } catch (...) {  // stopped, or out of memory: restores the object
         if (active->is_begun()) {
             active->cancel();
+            dirty = {};
+            dirty.everything = true;  // the tree was not touched
         } else {
             undo(change, *mesh);
+            update_everything();
         }
-        update_everything();
-        update_outcome();
+        outcome = history.outcome();
         throw;
     }
     last.seconds.commit = stopwatch.lap();
@@ -210,11 +212,8 @@ Refusal Session::State::run(const command::Readapt& readapt) {
 Refusal Session::State::run(const command::Bake& bake) {
     if (!has_object()) return kNoObject;
     if (mesh->vertex_count() == mesh->base_vertex_count()) return std::nullopt;
-    Baked baked = mesh->baked();
-    AdaptOutcome reached = outcome;
-    for (EdgeId& e : reached.blocked) e = baked.edges[index(e)];
-    std::sort(reached.blocked.begin(), reached.blocked.end());
-    History::Step step{bake, {}, reached, std::make_unique<TriMesh>(std::move(baked.mesh))};
+    History::Step step{bake, {}, outcome, std::make_unique<TriMesh>(mesh->baked())};
+    stop.throw_if_requested();  // nothing has changed yet
     exchange(*step.exchanged);
     try {
         history.add(std::move(step));
@@ -222,7 +221,6 @@ Refusal Session::State::run(const command::Bake& bake) {
         exchange(*step.exchanged);
         throw;
     }
-    outcome = std::move(reached);
     last = {};
     return std::nullopt;
 }

@@ -51,9 +51,10 @@ std::vector<FaceId> Session::State::faces_meeting(std::span<const Box> zones) {
 // Those of a fold-free drag. The mesh is in its rest state.
 Surroundings Session::State::surroundings() {
     const ActiveGesture& gesture = *active_gesture;
-    const bool are_all_active = active->faces().size() == mesh->face_count();
-    if (!gesture.drag.fold_free || !adapt_settings.enabled || are_all_active) return {};
-    return {.tree = &face_tree(), .zones = zones_on_both_sides(gesture.gesture->warp())};
+    if (!gesture.drag.fold_free || !adapt_settings.enabled) return {};
+    return {.tree = &face_tree(),
+            .zones = zones_on_both_sides(gesture.gesture->warp()),
+            .are_empty = active->faces().size() == mesh->face_count()};
 }
 
 // The faces that a connected drag with these displacements leaves alone and may pass through. The

@@ -96,6 +96,10 @@ const Frame& Gesture::apply(std::span<const Vec3> displacements, Adapt adapt) {
     return last_;
 }
 
+Assessment Gesture::assessment() const {
+    return criteria_ ? assess(active_, *criteria_, last_.blocked) : Assessment{};
+}
+
 std::vector<Box> Gesture::zones_with_reach(std::span<const Vec3> displacements) {
     set_displacements(displacements);
     std::vector<Box> boxes;
@@ -118,16 +122,21 @@ void Gesture::set_displacements(std::span<const Vec3> displacements) {
     std::ranges::copy(displacements, d.begin());
 }
 
-MeshChange Gesture::commit(std::span<const Vec3> displacements, const SearchedFaces& searched) {
+MeshChange Gesture::commit(std::span<const Vec3> displacements, const SearchedFaces& searched,
+                           const StopToken& stop) {
     return_to_rest();
     apply(displacements, [&](ActiveSet& active, Embedding& embedding, const Criteria& criteria) {
-        return criteria.limits().without_self_intersections
-                   ? adapt_without_self_intersections(active, embedding, criteria,
-                                                      searched.surroundings)
-                   : pectin::adapt(active, embedding, criteria);
+        const Adaptation adaptation =
+            criteria.limits().without_self_intersections
+                ? adapt_without_self_intersections(active, embedding, criteria,
+                                                   searched.surroundings, stop)
+                : pectin::adapt(active, embedding, criteria, stop);
+        stop.throw_if_requested();
+        return adaptation;
     });
+    last_.assessment = assessment();
     folded_ = embedding_.folded_vertices();
-    last_.passed = find_passed_faces(active_, searched.staying);
+    last_.passed = find_passed_faces(active_, searched.staying, stop);
     return active_.finish();
 }
 

@@ -23,6 +23,7 @@ struct Frame {
     bool floor_hit = false;
     bool budget_hit = false, drag_budget_hit = false;  // not both: the one that was reached first
     std::vector<EdgeId> blocked;                       // see Refinement
+    Assessment assessment;                             // only a commit makes one
     std::uint64_t self_intersections = 0;  // that remain; see Refinement. Only a commit finds them.
     IntersectionLimit intersection_limit = IntersectionLimit::none;
     PassedFaces passed;       // of the faces that stay; only a commit searches for them
@@ -80,8 +81,10 @@ class Gesture {
     // Takes back what the frames have done.
     void return_to_rest();
     // Ends the gesture with a single frame from the rest state, and returns what it has changed.
-    // Only this frame searches for intersections.
-    MeshChange commit(std::span<const Vec3> displacements, const SearchedFaces& searched = {});
+    // Only this frame searches for intersections. Throws Stopped where `stop` asks for it; the
+    // gesture can be cancelled then.
+    MeshChange commit(std::span<const Vec3> displacements, const SearchedFaces& searched = {},
+                      const StopToken& stop = {});
     // Restores the mesh byte for byte, without allocating. Returns the faces that the gesture had
     // changed, or nothing if there is no memory for the list.
     std::optional<std::vector<FaceId>> cancel() noexcept;
@@ -101,6 +104,8 @@ class Gesture {
     // without adaptive meshing, so that it can be done later.
     bool limits_edge_length() const { return !criteria_ || criteria_->length().limits_result(); }
     const Frame& last_frame() const { return last_; }
+    // What the last frame has left. Cost: O(active set).
+    Assessment assessment() const;
     std::uint64_t influenced_vertices() const { return influenced_; }
     std::uint64_t folded_vertices() const { return folded_; }  // after the commit
 

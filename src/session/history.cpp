@@ -20,7 +20,6 @@ std::size_t owned_bytes(const Command& command) {
 
 std::size_t History::Step::memory_bytes() const {
     return sizeof(Step) + owned_bytes(command) + change.memory_bytes() +
-           capacity_bytes(outcome.blocked) +
            (exchanged ? sizeof(TriMesh) + exchanged->memory_bytes() : 0);
 }
 
@@ -49,13 +48,9 @@ void History::clear() noexcept {
     bytes_ = 0;
 }
 
-void History::forget_outcomes() {
-    for (Entry& entry : steps_) {
-        entry.step.outcome = {};
-        measure(entry);
-    }
-    bytes_ -= capacity_bytes(first_outcome_.blocked);
-    first_outcome_ = {};
+void History::forget_limits() noexcept {
+    for (Entry& entry : steps_) entry.step.outcome.forget_limits();
+    first_outcome_.forget_limits();
 }
 
 void History::set_limit(std::optional<std::size_t> limit) {
@@ -69,9 +64,8 @@ void History::keep_limit() {
 
 void History::drop_oldest() {
     Entry& oldest = steps_.front();
-    bytes_ -= oldest.bytes + capacity_bytes(first_outcome_.blocked);
-    first_outcome_ = std::move(oldest.step.outcome);
-    bytes_ += capacity_bytes(first_outcome_.blocked);
+    bytes_ -= oldest.bytes;
+    first_outcome_ = oldest.step.outcome;
     steps_.pop_front();
     --done_;
     ++lost_undos_;

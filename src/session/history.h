@@ -9,6 +9,7 @@
 #include <utility>
 #include <vector>
 
+#include "adapt/adapt.h"
 #include "command/command.h"
 #include "mesh/mesh_change.h"
 
@@ -18,10 +19,12 @@ namespace pectin {
 struct AdaptOutcome {
     bool floor_hit = false;
     bool budget_hit = false;
-    bool drag_budget_hit = false;   // in this step or an earlier one, with the present settings
-    std::vector<EdgeId> blocked{};  // sorted; see Refinement::blocked
+    bool drag_budget_hit = false;  // in this step or an earlier one, with the present settings
+    Assessment assessment{};       // of the edges that the step could refine
 
     bool has_ended_at_budget() const { return budget_hit || drag_budget_hit; }
+    // Which limits were hit means nothing after a change of settings.
+    void forget_limits() { floor_hit = budget_hit = drag_budget_hit = false; }
 };
 
 class History {
@@ -73,8 +76,12 @@ class History {
     const AdaptOutcome& outcome() const {
         return done_ > 0 ? steps_[done_ - 1].step.outcome : first_outcome_;
     }
-    // Clears all outcomes, which mean nothing after a change of settings.
-    void forget_outcomes();
+    // The same for an outcome that has changed without a step.
+    void set_outcome(const AdaptOutcome& outcome) noexcept {
+        (done_ > 0 ? steps_[done_ - 1].step.outcome : first_outcome_) = outcome;
+    }
+    // AdaptOutcome::forget_limits() for all outcomes.
+    void forget_limits() noexcept;
 
     // Sets the limit in bytes; nothing means no limit. From now on the oldest steps that can be
     // undone are dropped until memory_bytes() is within the limit. The newest step is always kept,
@@ -106,7 +113,7 @@ class History {
     std::size_t lost_undos_ = 0;
     std::size_t dropped_ = 0;     // by the limit, not yet reported
     AdaptOutcome first_outcome_;  // of the mesh before the first step
-    std::size_t bytes_ = 0;       // of all steps and the first outcome
+    std::size_t bytes_ = 0;       // of all steps
     std::optional<std::size_t> limit_ = kDefaultLimit;
 };
 

@@ -84,12 +84,10 @@ void Session::State::record(const Frame& frame) {
     outcome.budget_hit = frame.budget_hit;
     // What an earlier drag has left coarse stays so.
     outcome.drag_budget_hit |= frame.drag_budget_hit;
-    std::vector<EdgeId>& blocked = outcome.blocked;
-    blocked.insert(blocked.end(), frame.blocked.begin(), frame.blocked.end());
-    std::erase_if(blocked,
-                  [this](EdgeId e) { return index(e) >= mesh->edge_slots() || !mesh->is_live(e); });
-    std::sort(blocked.begin(), blocked.end());
-    blocked.erase(std::unique(blocked.begin(), blocked.end()), blocked.end());
+    outcome.assessment = frame.assessment;
+    if (!outcome.has_ended_at_budget()) return;
+    outcome.assessment.held_back += outcome.assessment.needing_refinement;
+    outcome.assessment.needing_refinement = 0;
 }
 
 Session::Session() : state_(std::make_unique<State>()) { prepare_parallel_loops(); }
@@ -97,13 +95,32 @@ Session::~Session() = default;
 Session::Session(Session&&) noexcept = default;
 Session& Session::operator=(Session&&) noexcept = default;
 
-std::optional<std::string> Session::execute(const Command& command) {
+// Calls work(), which this token may stop. A drag that is stopped is cancelled.
+template <typename Work>
+auto Session::stoppable(const StopToken& stop, Work work) {
+    state_->stop = stop;
+    try {
+        auto done = work();
+        state_->stop = {};
+        state_->report_dropped_steps();
+        return done;
+    } catch (const Stopped&) {
+        state_->stop = {};
+        if (is_dragging()) cancel_drag();
+        throw;
+    } catch (...) {
+        state_->stop = {};
+        throw;
+    }
+}
+
+std::optional<std::string> Session::execute(const Command& command, const StopToken& stop) {
     if (is_dragging()) return "a drag is active; end or cancel it first";
     state_->remark.clear();
     state_->has_failed_partly = false;
-    Refusal refusal = std::visit([this](const auto& c) { return state_->run(c); }, command);
-    state_->report_dropped_steps();
-    return refusal;
+    return stoppable(stop, [&] {
+        return std::visit([this](const auto& c) -> Refusal { return state_->run(c); }, command);
+    });
 }
 
 void Session::adopt(LoadedModel model) noexcept {
@@ -156,10 +173,8 @@ std::optional<std::string> Session::control_to(std::span<const Vec3> targets) {
     return state_->control_to(targets);
 }
 
-std::optional<command::Control> Session::end_control() {
-    auto done = state_->end_control();
-    state_->report_dropped_steps();
-    return done;
+std::optional<command::Control> Session::end_control(const StopToken& stop) {
+    return stoppable(stop, [this] { return state_->end_control(); });
 }
 
 void Session::set_frame_time(std::optional<std::chrono::steady_clock::duration> time) {
@@ -172,15 +187,17 @@ bool Session::continue_frame() { return state_->continue_frame(); }
 
 const Frame& Session::last_frame() const { return state_->active_gesture->gesture->last_frame(); }
 
-std::optional<command::Drag> Session::end_drag() {
-    auto done = state_->end_drag();
-    state_->report_dropped_steps();
-    return done;
+std::optional<command::Drag> Session::end_drag(const StopToken& stop) {
+    return stoppable(stop, [this] { return state_->end_drag(); });
 }
 
 void Session::cancel_drag() { state_->cancel_drag(); }
 
 bool Session::is_dragging() const { return state_->active_gesture != nullptr; }
+
+bool Session::is_dragging_control_points() const {
+    return is_dragging() && state_->active_gesture->is_control();
+}
 
 const TriMesh& Session::mesh() const { return *state_->mesh; }
 
@@ -205,6 +222,10 @@ std::optional<Pick> Session::pick(const Ray& ray) {
     return Pick{first->face,
                 first->hit.u * corner(0) + first->hit.v * corner(1) + first->hit.w * corner(2),
                 area_normal / glm::length(area_normal)};
+}
+
+void Session::prepare_to_pick() {
+    if (state_->has_object() && !is_dragging()) state_->face_tree();
 }
 
 DirtyElements Session::take_dirty() {

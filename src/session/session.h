@@ -18,6 +18,7 @@
 #include "ffd/symmetry.h"
 #include "geometry/move.h"
 #include "geometry/ray.h"
+#include "geometry/stop_token.h"
 #include "mesh/tri_mesh.h"
 #include "session/gesture.h"
 #include "session/history.h"
@@ -62,8 +63,9 @@ class Session {
     // --- Commands and files
 
     // Executes a command. Refused while a gesture is active. Paths are used as they are given.
-    // Throws what io throws for files (FileError); the object is then unchanged, too.
-    std::optional<std::string> execute(const Command& command);
+    // Throws what io throws for files (FileError); the object is then unchanged, too. The same
+    // holds for Stopped, which drag, control, readapt and bake throw where `stop` asks for it.
+    std::optional<std::string> execute(const Command& command, const StopToken& stop = {});
 
     // Makes the model the object of the session, as opening its file does. The history is cleared,
     // and the settings stay. Precondition: no gesture is active. Cost: O(1), and the time to free
@@ -106,18 +108,20 @@ class Session {
     const command::Drag& active_drag() const;
     const Frame& last_frame() const;
     // Ends the drag and returns the command that it amounts to, or nothing if all targets are the
-    // points where it began. It is a step in the history if it has changed the object.
-    std::optional<command::Drag> end_drag();
+    // points where it began. It is a step in the history if it has changed the object. Throws
+    // Stopped where `stop` asks for it; the drag is cancelled then.
+    std::optional<command::Drag> end_drag(const StopToken& stop = {});
     // Restores the object byte for byte. Also cancels a drag of control points.
     void cancel_drag();
     // Whether a gesture is active, of points or of control points.
     bool is_dragging() const;
+    bool is_dragging_control_points() const;
 
     // --- A drag of control points of the cage, in the same way. indices: at least one, each once,
     // as users count them (Lattice::user_index).
     std::optional<std::string> begin_control(std::span<const IVec3> indices);
     std::optional<std::string> control_to(std::span<const Vec3> targets);
-    std::optional<command::Control> end_control();
+    std::optional<command::Control> end_control(const StopToken& stop = {});
 
     // --- Queries
 
@@ -125,6 +129,9 @@ class Session {
     // Returns the first point of the surface on the ray; nothing during a gesture. Cost: O(log n);
     // O(n log n) for the first pick of an object.
     std::optional<Pick> pick(const Ray& ray);
+    // Does now what the next pick would have to do first: O(n log n) where the object is another
+    // one since the last pick, else O(1).
+    void prepare_to_pick();
     // The lattice of the active gesture, or of the last drag.
     std::optional<Lattice> lattice_in_use() const;
     // Displaced lattices whose fields add up to the last step of the active gesture: one, or two if
@@ -154,6 +161,9 @@ class Session {
 
   private:
     struct State;
+    template <typename Work>
+    auto stoppable(const StopToken& stop, Work work);
+
     std::unique_ptr<State> state_;
 };
 

@@ -70,6 +70,7 @@ struct Session::State {
     DirtyElements dirty;
     Viewport* viewport = nullptr;
     std::optional<std::chrono::steady_clock::duration> frame_time;  // none: as long as it needs
+    StopToken stop;                         // of the command or release that is being done
     double diagonal = 0.0;                  // of the object's box when it was opened
     std::optional<Lattice> lattice_in_use;  // of the last step of the last drag
     std::vector<Box> zones_in_use;          // of all its steps, if edges there are limited to L_max
@@ -84,15 +85,20 @@ struct Session::State {
     std::vector<std::string> material_folders;  // see LoadedModel
 
     bool has_object() const { return mesh->face_slots() > 0; }
-    // The limits of adaptive meshing. feature_extent: the smallest feature that the deformation can
-    // give the surface, from which L_max follows.
-    AdaptLimits limits(double feature_extent) const {
-        AdaptLimits limits = adapt_settings.limits(feature_extent, diagonal, largest_coordinate);
+    // The limits of adaptive meshing for a drag. feature_extent: the smallest feature that the
+    // deformation can give the surface, from which L_max follows.
+    AdaptLimits drag_limits(double feature_extent) const {
+        AdaptLimits limits =
+            adapt_settings.drag_limits(feature_extent, diagonal, largest_coordinate);
         limits.symmetry = symmetry;
         return limits;
     }
+    // The limits for readapt.
     AdaptLimits limits_in_use() const {
-        return limits(lattice_in_use ? lattice_in_use->smallest_cell_extent() : kOff);
+        const double cell = lattice_in_use ? lattice_in_use->smallest_cell_extent() : kOff;
+        AdaptLimits limits = adapt_settings.limits(cell, diagonal, largest_coordinate);
+        limits.symmetry = symmetry;
+        return limits;
     }
     void adopt(LoadedModel model) noexcept;
     void record_saved(const std::string& path);
@@ -104,8 +110,6 @@ struct Session::State {
     void update_faces(std::span<const FaceId> faces) noexcept;
     // Marks everything and drops the tree. Allocates nothing.
     void update_everything() noexcept;
-    // Sets the outcome to that of the step of the history that led to the present mesh.
-    void update_outcome() noexcept;
     struct UpdateOutcomeAtExit;
 
     // --- One function for each command.

@@ -58,6 +58,19 @@ AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
     return limits;
 }
 
+AdaptLimits AdaptSettings::drag_limits(double feature_extent, double diagonal,
+                                       double largest_coordinate) const {
+    AdaptLimits result = limits(feature_extent, diagonal, largest_coordinate);
+    auto* const trigger = std::get_if<NormalDivergence>(&result.curvature);
+    if (!trigger) return result;
+    NormalDivergence::RestAllowance allowance = kDefaultRestAllowance;
+    // Flatness is then all that keeps the shape of a rough surface. With a theta_min of 0 nothing
+    // is decimated.
+    if (result.flatness == kOff || !(trigger->angles().theta_min > 0.0)) allowance.decimation = 0.0;
+    *trigger = NormalDivergence(trigger->angles(), allowance);
+    return result;
+}
+
 std::optional<std::uint64_t> AdaptSettings::drag_budget_for(std::uint64_t faces) const {
     if (drag_budget.is_off()) return std::nullopt;
     if (drag_budget.is_automatic()) return default_drag_budget(faces);

@@ -26,11 +26,15 @@ struct AdaptSettings {
     // Returns these settings with the changes of the command, or the reason why they contradict
     // each other.
     std::variant<AdaptSettings, std::string> with(const command::Adapt& change) const;
-    // The limits in world units. feature_extent: the smallest feature extent of the deformation, or
-    // kOff if there is none. diagonal, largest_coordinate: of the object's box when it was opened.
-    // The floor is well above what coordinates of that size resolve.
+    // The limits in world units, for a command that applies them to the object as it is (readapt).
+    // feature_extent: the smallest feature extent of the deformation, or kOff if there is none.
+    // diagonal, largest_coordinate: of the object's box when it was opened. The floor is well above
+    // what coordinates of that size resolve.
     AdaptLimits limits(double feature_extent, double diagonal,
                        double largest_coordinate = 0.0) const;
+    // The same for a drag, which leaves roughness alone that it has not made.
+    AdaptLimits drag_limits(double feature_extent, double diagonal,
+                            double largest_coordinate = 0.0) const;
     // In triangles, for a drag that moves so many faces; nothing if there is no limit.
     std::optional<std::uint64_t> drag_budget_for(std::uint64_t faces) const;
 };

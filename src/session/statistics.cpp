@@ -11,12 +11,13 @@ Statistics Session::State::statistics() const {
     measure(*mesh, s);
     s.input = input_counts(input_report, read_report);
     s.last = last;
-    const Criteria criteria(limits_in_use(), zones_in_use, {});
-    const Assessment assessment = assess(*active, criteria, outcome.blocked);
-    s.divergence_max_deg = assessment.divergence_max_deg;
-    const bool has_ended = outcome.has_ended_at_budget();
-    s.needing_refinement = has_ended ? 0 : assessment.needing_refinement;
-    s.held_back = assessment.held_back + (has_ended ? assessment.needing_refinement : 0);
+    const Criteria criteria(limits_in_use(), std::nullopt, std::nullopt);
+    s.divergence_max_deg = largest_divergence_degrees(*mesh, criteria);
+    const bool has_frame = active_gesture && active_gesture->gesture;
+    const Assessment assessment =
+        has_frame ? active_gesture->gesture->assessment() : outcome.assessment;
+    s.needing_refinement = assessment.needing_refinement;
+    s.held_back = assessment.held_back;
     s.floor_hit = outcome.floor_hit;
     s.budget_hit = outcome.budget_hit;
     s.drag_budget_hit = outcome.drag_budget_hit;

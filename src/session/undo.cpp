@@ -34,26 +34,17 @@ void Session::State::exchange(TriMesh& other) {
     update_everything();
 }
 
-void Session::State::update_outcome() noexcept {
-    try {
-        outcome = history.outcome();
-    } catch (const std::bad_alloc&) {
-        outcome = {};  // blocked edges are not counted then
-    }
-}
-
 // Updates the outcome when undo or redo ends, even if it stops before the last step because memory
 // has run out.
 struct Session::State::UpdateOutcomeAtExit {
     State& state;
-    ~UpdateOutcomeAtExit() { state.update_outcome(); }
+    ~UpdateOutcomeAtExit() { state.outcome = state.history.outcome(); }
 };
 
 void Session::State::add_step(Command command, MeshChange& change) {
     update_faces(change.faces);
-    if (change.is_empty()) return;
-    AdaptOutcome reached = outcome;
-    History::Step step{std::move(command), std::move(change), std::move(reached)};
+    if (change.is_empty()) return history.set_outcome(outcome);
+    History::Step step{std::move(command), std::move(change), outcome};
     try {
         history.add(std::move(step));
     } catch (...) {

@@ -36,7 +36,9 @@ AdaptLimits random_limits(const Warp& warp, double diagonal, Random& random) {
     // Small thresholds on large zones need millions of triangles; a floor keeps the cases small
     // and is itself part of what is tested.
     settings.floor = Setting::of(diagonal * random.scale(8e-3, 6e-2));
-    AdaptLimits limits = settings.limits(warp.smallest_feature_extent(), diagonal);
+    const double extent = warp.smallest_feature_extent();
+    AdaptLimits limits = random.chance(0.6) ? settings.drag_limits(extent, diagonal)
+                                            : settings.limits(extent, diagonal);
     limits.partitioning.batch = static_cast<std::size_t>(partition_batch);
     return limits;
 }

@@ -55,9 +55,9 @@ struct DecimationRun {
     std::vector<TopologyEdit> unsplits;
     TriMesh decimated;
 
-    const NormalDivergence::Angles& angles() const {
-        return std::get<NormalDivergence>(limits.curvature).angles();
-    }
+    const NormalDivergence& trigger() const { return std::get<NormalDivergence>(limits.curvature); }
+    const NormalDivergence::Angles& angles() const { return trigger().angles(); }
+    const NormalDivergence::RestAllowance& allowance() const { return trigger().allowance(); }
 };
 
 DecimationRun deform_and_decimate(TriMesh& mesh, const Warp& warp, const AdaptLimits& limits) {
@@ -84,8 +84,10 @@ DecimationRun deform_and_decimate(TriMesh& mesh, const Warp& warp, const AdaptLi
     return result;
 }
 
-// The largest angle between the end normals over the sides that count.
-double bend_deg(const TriMesh& mesh, EdgeId e, const std::vector<Vec3f>& rest_normals) {
+// The largest angle between the end normals over the sides that count. allowance: sides whose
+// normals differ by up to this factor more than at rest do not.
+double bend_deg(const DecimationRun& t, const TriMesh& mesh, EdgeId e, double allowance) {
+    const std::vector<Vec3f>& rest_normals = t.rest_normals;
     double greatest = 0.0;
     const HalfEdgeId h = mesh.half_edge(e);
     for (HalfEdgeId side : {h, mesh.twin(h)}) {
@@ -94,6 +96,9 @@ double bend_deg(const TriMesh& mesh, EdgeId e, const std::vector<Vec3f>& rest_no
         const Vec3f zero{0.0f};
         if (mesh.normal(p) == zero || mesh.normal(q) == zero) continue;
         if (glm::dot(rest_normals[index(p)], rest_normals[index(q)]) < -0.5f) continue;
+        const float at_rest = glm::distance(rest_normals[index(p)], rest_normals[index(q)]);
+        const float now = glm::distance(mesh.normal(p), mesh.normal(q));
+        if (static_cast<double>(now) <= allowance * static_cast<double>(at_rest) + 1e-6) continue;
         greatest = std::max(greatest, angle_deg(mesh.normal(p), mesh.normal(q)));
     }
     return greatest;
@@ -112,7 +117,8 @@ void expect_edges_of_star_pass(const DecimationRun& t, const TriMesh& mesh, Vert
         const HalfEdgeId h = mesh.half_edge(e);
         if (mesh.origin(h) != m && mesh.target(h) != m) continue;
         if (t.angles().theta_min < kOff) {
-            EXPECT_LT(bend_deg(mesh, e, t.rest_normals), t.angles().theta_min + kAngleSlack);
+            EXPECT_LT(bend_deg(t, mesh, e, t.allowance().decimation),
+                      t.angles().theta_min + kAngleSlack);
         }
         EXPECT_LT(mesh.length(e), t.limits.l_max * (1 + kLengthSlack));
     }
@@ -139,7 +145,8 @@ void expect_restored_edge_satisfies_criteria(const DecimationRun& t, const TriMe
                                              EdgeId bc) {
     const HalfEdgeId h = mesh.half_edge(bc), twin = mesh.twin(h);
     if (mesh.is_deformed(mesh.origin(h)) || mesh.is_deformed(mesh.target(h))) {
-        EXPECT_LE(bend_deg(mesh, bc, t.rest_normals), t.angles().theta_max + kAngleSlack);
+        EXPECT_LE(bend_deg(t, mesh, bc, t.allowance().refinement),
+                  t.angles().theta_max + kAngleSlack);
     }
     for (HalfEdgeId side : {h, twin}) {
         if (!exists(side) || !meets_zone_at_rest(t, mesh, TriMesh::face(side))) continue;
@@ -178,7 +185,8 @@ AdaptLimits random_limits(double smallest_cell, double diagonal, Random& random)
     if (random.chance(0.3)) settings.flatness = Setting::of(random.scale(1e-3, 0.5));
     if (random.chance(0.1)) settings.flatness = Setting::off();
     settings.floor = Setting::of(diagonal * random.scale(1e-2, 5e-2));
-    return settings.limits(smallest_cell, diagonal);
+    return random.chance(0.6) ? settings.drag_limits(smallest_cell, diagonal)
+                              : settings.limits(smallest_cell, diagonal);
 }
 
 TEST(Decimation, RemovesOnlyFlatVerticesHighestLevelsFirst) {
@@ -262,7 +270,7 @@ Outcome decimate_with_large_brush(const Bump& bump, double theta_max, const Sett
     AdaptSettings settings;
     settings.theta_max = Setting::of(theta_max);
     const auto limits = [&](const Warp& warp) {
-        return settings.limits(warp.smallest_feature_extent(), diagonal);
+        return settings.drag_limits(warp.smallest_feature_extent(), diagonal);
     };
     const Warp sculpt = brush_warp(bump.at, bump.radius, bump.height * bump.up);
     deform_and_decimate(mesh, sculpt, limits(sculpt));

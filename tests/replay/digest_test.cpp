@@ -61,7 +61,7 @@ const std::string kFine = R"({"cmd": "adapt", "theta_max": 11})";
 std::vector<FixedScript> fixed_scripts() {
     return {
         {"BrushThatRefinesAndThins",
-         0xdb9e77c5499c6ebeu,
+         0xa66bff88006f7946u,
          {kSphere, kFine, R"({"cmd": "brush", "radius": 0.8})",
           R"({"cmd": "drag", "moves": [{"from": [0, 0, 1], "to": [0.1, 0.05, 1.5]}]})",
           R"({"cmd": "drag", "moves": [{"from": [0.1, 0.05, 1.5], "to": [0, 0.1, 1.1]}]})",
@@ -95,7 +95,7 @@ std::vector<FixedScript> fixed_scripts() {
           R"({"cmd": "drag", "moves": [{"from": [0.6, 0, 0.8], "to": [0.8, 0.1, 1.2]}], )"
           R"("pins": [[0, 0, 1]]})"}},
         {"ControlPoints",
-         0x2ff1a2e6b2df6634u,
+         0x8de6fa1fff2d81f4u,
          {kSphere, R"({"cmd": "adapt", "theta_max": 5})", R"({"cmd": "cage", "fit": [3, 4, 3]})",
           R"({"cmd": "control", "points": [{"index": [0, 3, 1], "to": [-1.5, 1.75, 0.25]}, )"
           R"({"index": [2, 0, 2], "to": [1.25, -1.5, 1]}]})"}},

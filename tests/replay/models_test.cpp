@@ -8,6 +8,8 @@
 #include "io/obj_writer.h"
 #include "mesh/shapes.h"
 #include "session/session.h"
+#include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -15,7 +17,8 @@ namespace {
 struct Subject {
     std::string name;
     Command begin;
-    Vec3 direction;  // the extreme vertex in this direction is dragged in this direction
+    Vec3 direction;          // the extreme vertex in this direction is dragged in this direction
+    bool is_smooth = false;  // no edge is nearly as rough as the theta_max of the tests
 };
 
 void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.name; }
@@ -24,8 +27,8 @@ Subject model(const std::string& name, const Vec3& direction) {
     return {name, command::Open{.path = PECTIN_MODELS "/" + name + ".obj"}, direction};
 }
 
-Subject shape(const std::string& name, command::Shape::Kind kind, int resolution) {
-    return {name, command::Shape{kind, resolution}, {0, 1, 0}};
+Subject shape(const std::string& name, command::Shape::Kind kind, int resolution, bool is_smooth) {
+    return {name, command::Shape{kind, resolution}, {0, 1, 0}, is_smooth};
 }
 
 VertexId extreme_vertex(const TriMesh& mesh, const Vec3& direction) {
@@ -73,7 +76,7 @@ TEST_P(Sculpting, DragsExactlyRefinesAndUndoesToTheByte) {
     EXPECT_FALSE(after.budget_hit);
     EXPECT_GT(after.last.splits, 0u);
     EXPECT_EQ(session_.mesh().validate(), std::vector<std::string>{});
-    if (!after.floor_hit) {
+    if (!after.floor_hit && GetParam().is_smooth) {
         EXPECT_LE(after.divergence_max_deg, 10.0 + 1e-6);
     }
     std::printf("%s: %llu faces, then %llu; %llu splits; off by %.1e of its size; held back %llu\n",
@@ -110,6 +113,44 @@ TEST_P(Sculpting, DecimatesToTheBaseMeshWithAllThresholdsOff) {
     }
 }
 
+// The point and the target of a moderate drag, and its radius.
+command::Drag random_drag(const TriMesh& mesh, double radius, test::Random& random) {
+    VertexId v{0};
+    do {
+        v = VertexId{static_cast<std::uint32_t>(
+            random.integer(0, static_cast<int>(mesh.vertex_slots()) - 1))};
+    } while (!mesh.is_live(v) || !exists(mesh.half_edge(v)));
+    const Vec3 from = mesh.position(v);
+    return {.moves = {{from, from + 0.2 * radius * random.direction()}}, .fold_free = true};
+}
+
+// Real models are rough, and eighty drags bend the same places again and again. By the paper's rule
+// suzanne would get 75 times as many triangles as it has, and spot 6 times as many.
+TEST_P(Sculpting, EndsManyModerateDragsWithFewTriangles) {
+    const TriMesh base = session_.mesh();
+    const std::string first = format_obj(base);
+    const double size = base.bounding_box().diagonal();
+    test::Random random(80);
+    const int drags = test::is_sanitized() ? 20 : 80;
+    std::uint64_t left_needing = 0;
+    for (int i = 0; i < drags; ++i) {
+        const double radius = size * random.uniform(0.06, 0.2);
+        expect_done(command::Brush{.radius = radius});
+        expect_done(random_drag(session_.mesh(), radius, random));
+        left_needing += session_.statistics().needing_refinement;
+    }
+    EXPECT_EQ(left_needing, 0u);
+    EXPECT_EQ(session_.mesh().validate(), std::vector<std::string>{});
+    EXPECT_LT(session_.mesh().face_count(), 2 * base.face_count() + 20'000);
+    std::printf("%s: %u faces, then %u\n", GetParam().name.c_str(), base.face_count(),
+                session_.mesh().face_count());
+    const std::string dragged = format_obj(session_.mesh());
+    expect_done(command::Undo{.count = drags});
+    EXPECT_EQ(format_obj(session_.mesh()), first);
+    expect_done(command::Redo{.count = drags});
+    EXPECT_EQ(format_obj(session_.mesh()), dragged);
+}
+
 std::string identifier_of(const testing::TestParamInfo<Subject>& subject) {
     std::string name = subject.param.name;
     std::erase(name, '-');
@@ -120,11 +161,12 @@ INSTANTIATE_TEST_SUITE_P(Subjects, Sculpting,
                          testing::Values(model("spot", {0, 0, -1}), model("rocker-arm", {0, 1, 0}),
                                          model("teapot", {1, 0, 0}), model("suzanne", {0, 0, 1}),
                                          model("fandisk", {0, 1, 0}), model("beetle", {0, 1, 0}),
-                                         shape("cube", command::Shape::Kind::cube, 8),
-                                         shape("plane", command::Shape::Kind::plane, 8),
-                                         shape("torus", command::Shape::Kind::torus, 8),
-                                         shape("cylinder", command::Shape::Kind::cylinder, 6),
-                                         shape("sphere", command::Shape::Kind::sphere, 3)),
+                                         shape("cube", command::Shape::Kind::cube, 8, true),
+                                         shape("plane", command::Shape::Kind::plane, 8, true),
+                                         shape("torus", command::Shape::Kind::torus, 8, false),
+                                         shape("cylinder", command::Shape::Kind::cylinder, 6,
+                                               false),
+                                         shape("sphere", command::Shape::Kind::sphere, 3, false)),
                          identifier_of);
 
 TEST(SculptingACube, RefinesWhereItBendsButNotItsRightAngles) {

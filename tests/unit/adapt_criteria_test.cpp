@@ -6,6 +6,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "embedding/embedding.h"
+#include "ffd/drag_solver.h"
+#include "ffd/warp.h"
+#include "mesh/build_mesh.h"
+#include "mesh/face_tree.h"
+#include "mesh/shapes.h"
 #include "support/mesh_figures.h"
 
 namespace pectin {
@@ -106,6 +112,33 @@ TEST(NeedsRefinement, DoesNotTestASideWithoutNormalsOrWhoseNormalsStayOpposed) {
     }
 }
 
+// 40 degrees at rest are 0.684 as a chord. A quarter more is 50.6 degrees.
+TEST(NeedsRefinement, AllowsAnEdgeThatWasRoughAtRestAQuarterMore) {
+    const NormalDivergence allowing({.theta_max = 20.0}, {.refinement = 1.25});
+    const auto needs = [&](double at_rest, double now, const NormalDivergence& trigger) {
+        TwoTriangles two(kSmooth);
+        two.mesh.set_normal(two.wedge(0, 1), at_rest < 0.0 ? Vec3f{0.0f} : rotated(at_rest));
+        two.active.begin(std::vector<FaceId>{FaceId{0}, FaceId{1}}, kEverywhere);
+        two.mesh.set_deformed(VertexId{1}, true);
+        two.mesh.set_normal(two.wedge(0, 1), rotated(now));
+        const bool result = two.needs({.curvature = trigger});
+        two.active.finish();
+        return result;
+    };
+    EXPECT_FALSE(needs(40.0, 40.0, allowing));
+    EXPECT_FALSE(needs(40.0, 50.5, allowing));
+    EXPECT_TRUE(needs(40.0, 50.7, allowing));
+    EXPECT_TRUE(needs(40.0, 40.0, angles(20.0))) << "the paper's rule";
+    // Where theta_max is larger, it decides.
+    EXPECT_FALSE(needs(2.0, 19.9, allowing));
+    EXPECT_TRUE(needs(2.0, 20.1, allowing));
+    // Nothing is allowed where the normal at rest is undefined.
+    EXPECT_TRUE(needs(-1.0, 20.1, allowing));
+    // A quarter more than 110 degrees is more than normals can diverge.
+    EXPECT_FALSE(needs(110.0, 179.0, allowing));
+    EXPECT_TRUE(needs(110.0, 179.0, angles(20.0)));
+}
+
 TEST(NeedsRefinement, FindsLongEdgesOfFacesThatMeetTheZone) {
     TwoTriangles two(kSmooth);
     const double length = std::sqrt(2.0);
@@ -173,6 +206,44 @@ TEST(Floor, ForbidsHalvesThatAreShorter) {
     EXPECT_FALSE(below(0.0));
 }
 
+// Two steps act on a face inside a plane, whose edges are long. A smooth edge shows what they bend;
+// a rough one hides it, if the trigger allows that.
+TEST(NeedsRefinement, SamplesEachStepAtEdgesThatHideBends) {
+    const auto needs = [](double at_rest, double allowance) {
+        TriMesh mesh = build_mesh(make_shape(ShapeKind::plane, 6)).mesh;
+        const Vec3 middle = mesh.bounding_box().centre();
+        const FaceId inside = *FaceTree(mesh).nearest(middle + Vec3{0.01, 0.0, 0.02}, mesh);
+        const HalfEdgeId h = TriMesh::half_edge(inside, 0);
+        const double angle = at_rest * std::numbers::pi / 180.0;
+        mesh.set_normal(mesh.wedge(h), Vec3f{Vec3{std::sin(angle), std::cos(angle), 0.0}});
+        const auto solver = std::get<DragSolver>(
+            DragSolver::create(brush_lattice(middle, 3.0, 3), {&middle, 1}, {}));
+        Warp warp;
+        warp.moves_middles_most = true;
+        for (int step = 0; step < 2; ++step) {
+            warp.steps.push_back(DragStep{solver.field(), {Vec3{0.0, 1e-3, 0.0}}});
+        }
+        ActiveSet active(mesh);
+        active.begin(test::live_faces(mesh), warp.zone());
+        Embedding embedding(active, warp);
+        embedding.embed();
+        embedding.deform();
+        // At rest the face does not meet the zone, so L_max only holds before the later step.
+        const AdaptLimits limits{
+            .curvature = NormalDivergence({.theta_max = 20.0}, {.refinement = allowance}),
+            .l_max = 0.5 * mesh.length(mesh.edge(h)),
+            .l_max_is_automatic = true};
+        const Criteria criteria(limits, std::vector{kElsewhere}, std::nullopt, &embedding);
+        const bool result = exists(criteria.length().needed_split(active, h));
+        active.cancel();
+        return result;
+    };
+    // 1.25 times the difference at 36 degrees is that at 45.
+    EXPECT_FALSE(needs(35.0, 1.25));
+    EXPECT_TRUE(needs(37.0, 1.25));
+    EXPECT_FALSE(needs(37.0, 0.0)) << "without an allowance nothing is hidden";
+}
+
 // --- Decimation: m is the midpoint of the middle edge
 
 class Midpoint : public TwoTriangles {
@@ -209,6 +280,26 @@ TEST(MayUnsplit, RequiresAllFourEdgesToDivergeByLessThanThetaMin) {
         EXPECT_TRUE(m.may_unsplit({.curvature = angles(kOff, 20.001)})) << bent;
         EXPECT_FALSE(m.may_unsplit({.curvature = angles(kOff, 19.999)})) << bent;
     }
+}
+
+// The edge from m to vertex 0. A tenth more than 40 degrees, as chords, is 44.2 degrees.
+TEST(MayUnsplit, AllowsAnEdgeThatWasRoughAtRestATenthMore) {
+    const auto may_unsplit = [](double now, double allowed) {
+        Midpoint m;
+        m.mesh.set_normal(m.wedge(0, 0), rotated(40.0));
+        m.active.begin(std::vector<FaceId>{FaceId{0}, FaceId{1}, FaceId{2}, FaceId{3}},
+                       kEverywhere);
+        m.mesh.set_normal(m.wedge(0, 0), rotated(now));
+        const bool result = m.may_unsplit(
+            {.curvature = NormalDivergence({.theta_min = 20.0}, {.decimation = allowed})});
+        m.active.finish();
+        return result;
+    };
+    EXPECT_TRUE(may_unsplit(40.0, 1.1));
+    EXPECT_TRUE(may_unsplit(44.1, 1.1));
+    EXPECT_FALSE(may_unsplit(44.3, 1.1));
+    EXPECT_FALSE(may_unsplit(40.0, 0.0)) << "the paper's rule";
+    EXPECT_TRUE(may_unsplit(19.9, 0.0));
 }
 
 TEST(MayUnsplit, TestsBothSidesOfACrease) {

@@ -202,7 +202,7 @@ TEST(Partitions, UndoAllSplitsWithAllLimitsOff) {
         EXPECT_EQ(refined.mesh().vertex_count(), before.vertex_count());
         EXPECT_EQ(refined.mesh().face_count(), before.face_count());
         EXPECT_EQ(refined.mesh().validate(), kValid);
-        EXPECT_TRUE(refined.mesh().baked().mesh == before.baked().mesh);
+        EXPECT_TRUE(refined.mesh().baked() == before.baked());
         refined.active().finish();
     }
 }

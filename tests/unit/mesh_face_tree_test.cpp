@@ -56,6 +56,21 @@ Box box_of(const TriMesh& mesh, FaceId f) {
     return box;
 }
 
+// Sorted, with the lower id first.
+std::vector<std::pair<FaceId, FaceId>> near_pairs(const FaceTree& tree, const TriMesh& mesh) {
+    std::vector<std::pair<FaceId, FaceId>> pairs;
+    tree.for_near_leaves([&](std::span<const FaceTree::LeafPair> leaves) {
+        for (const FaceTree::LeafPair& pair : leaves) {
+            tree.for_near_pairs(pair, mesh, [&](FaceId f, FaceId g) {
+                pairs.emplace_back(std::min(f, g), std::max(f, g));
+            });
+        }
+        return true;
+    });
+    std::ranges::sort(pairs);
+    return pairs;
+}
+
 TEST(FaceTree, PairsFacesWhoseBoxesMeet) {
     for (std::uint64_t seed = 7500; seed < 7530; ++seed) {
         Random random(seed);
@@ -79,13 +94,35 @@ TEST(FaceTree, PairsFacesWhoseBoxesMeet) {
             }
             ASSERT_EQ(near, met) << "seed " << seed;
         }
-        std::vector<std::pair<FaceId, FaceId>> pairs;
-        tree.for_near_pairs(mesh, [&](FaceId f, FaceId g) {
-            pairs.emplace_back(std::min(f, g), std::max(f, g));
-            return true;
-        });
-        std::sort(pairs.begin(), pairs.end());
-        ASSERT_EQ(pairs, expected) << "seed " << seed;
+        ASSERT_EQ(near_pairs(tree, mesh), expected) << "seed " << seed;
+    }
+}
+
+// A part of a tree that was built before the vertices moved.
+TEST(FaceTree, APartOfAnotherTreeMatchesBruteForceWhereTheFacesAreNow) {
+    for (std::uint64_t seed = 700; seed < 740; ++seed) {
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        TriMesh mesh = test::random_mesh(random).mesh;
+        const FaceTree whole(mesh);
+        std::vector<FaceId> some;
+        for (FaceId f : test::live_faces(mesh)) {
+            if (random.chance(0.4)) some.push_back(f);
+        }
+        const double size = mesh.bounding_box().diagonal();
+        for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
+            mesh.set_position(VertexId{v},
+                              mesh.position(VertexId{v}) + 0.05 * size * random.direction());
+        }
+        const FaceTree part(whole, mesh, some), built(mesh, some);
+        for (int i = 0; i < 20; ++i) {
+            const Vec3 at = mesh.bounding_box().centre() + 0.5 * size * random.direction();
+            const double extent = size * random.scale(0.01, 0.5);
+            const Box box{.min = at - Vec3{extent}, .max = at + Vec3{extent}};
+            ASSERT_EQ(part.faces_meeting(box, mesh), built.faces_meeting(box, mesh));
+            ASSERT_EQ(part.nearest(at, mesh), built.nearest(at, mesh));
+        }
+        ASSERT_EQ(near_pairs(part, mesh), near_pairs(built, mesh));
     }
 }
 

@@ -320,7 +320,7 @@ TEST(UnsharedSeam, KeepsTheColoursOfEachSide) {
             mesh.split(edges[static_cast<std::size_t>(
                 random.integer(0, static_cast<int>(edges.size()) - 1))]);
         }
-        for (const std::string& text : {format_obj(mesh), format_obj(mesh.baked().mesh)}) {
+        for (const std::string& text : {format_obj(mesh), format_obj(mesh.baked())}) {
             const IndexedFaceSet saved = parse_obj(text, "saved.obj");
             ASSERT_EQ(saved.colors.size(), saved.positions.size());
             for (std::size_t p = 0; p < saved.polygon_count(); ++p) {
@@ -355,7 +355,7 @@ TEST(UnsharedSeam, IsKeptByABakeToTheByte) {
             const std::string text = format_obj(mesh);
             ASSERT_EQ(test::open_sides(parse_obj(text, "t.obj")), test::open_edges(mesh));
             ASSERT_EQ(format_obj(build_mesh(parse_obj(text, "t.obj")).mesh), text);
-            TriMesh baked = mesh.baked().mesh;
+            TriMesh baked = mesh.baked();
             ASSERT_EQ(baked.validate(), kValid);
             ASSERT_EQ(format_obj(baked), text);
             ASSERT_EQ(baked.vertex_slots(),

@@ -215,9 +215,6 @@ TEST(HistoryMemory, CountsAllThatAStepOwns) {
     std::get<Drag>(step.command).pins.assign(20, Vec3{0.0});
     EXPECT_GE(step.memory_bytes(), bare + 70 * sizeof(Vec3));
     step = step_of(0);
-    step.outcome.blocked.assign(300, EdgeId{0});
-    EXPECT_GE(step.memory_bytes(), bare + 1200);
-    step = step_of(0);
     step.command = command::Control{.points = std::vector<command::Control::Point>(30)};
     EXPECT_GE(step.memory_bytes(), bare + 30 * sizeof(command::Control::Point));
     step = step_of(0);
@@ -231,7 +228,6 @@ TEST(HistoryMemory, IsTheSumOfItsStepsWhateverHappensToThem) {
     std::size_t expected = 0;
     for (const std::size_t faces : {100u, 2000u, 30u}) {
         History::Step step = step_of(faces);
-        step.outcome.blocked = std::vector<EdgeId>(faces);
         expected += step.memory_bytes();
         history.add(std::move(step));
         EXPECT_EQ(history.memory_bytes(), expected);
@@ -245,9 +241,6 @@ TEST(HistoryMemory, IsTheSumOfItsStepsWhateverHappensToThem) {
         step.change.faces.shrink_to_fit();
     });
     expected -= sizeof(FaceId) * (5000 - 30);
-    EXPECT_EQ(history.memory_bytes(), expected);
-    history.forget_outcomes();
-    expected -= sizeof(EdgeId) * 2130;
     EXPECT_EQ(history.memory_bytes(), expected);
     history.undo(2, [](History::Step&) {});
     history.add(step_of(7));

@@ -82,12 +82,25 @@ HalfEdgeId EdgeLength::needed_split(const ActiveSet& active, HalfEdgeId h) const
 
 bool EdgeLength::is_too_coarse(const ActiveSet& active, HalfEdgeId h) const {
     const TriMesh& mesh = active.mesh();
-    const HalfEdgeId next = TriMesh::next(h), prev = TriMesh::prev(h);
-    const bool is_strict = steps_.are_only_sampled &&
-                           (is_line(active, h) || is_line(active, next) || is_line(active, prev));
     return is_too_coarse(
         active,
-        {.a = mesh.origin(prev), .b = mesh.origin(h), .c = mesh.target(h), .is_strict = is_strict});
+        {.a = mesh.origin(TriMesh::prev(h)), .b = mesh.origin(h), .c = mesh.target(h), .side = h});
+}
+
+// Whether L_max holds before all steps, since the curvature trigger may not notice what they bend.
+bool EdgeLength::may_hide_a_step(const ActiveSet& active, const Face& face) const {
+    return !exists(face.side) || hides_bends(active, face.side) ||
+           hides_bends(active, TriMesh::next(face.side)) ||
+           hides_bends(active, TriMesh::prev(face.side));
+}
+
+// Whether the edge of h may bend without the curvature trigger noticing it.
+bool EdgeLength::hides_bends(const ActiveSet& active, HalfEdgeId h) const {
+    if (is_line(active, h)) return true;
+    const TriMesh& mesh = active.mesh();
+    const Vec3f difference =
+        active.rest_normal(mesh.wedge(h)) - active.rest_normal(mesh.wedge(TriMesh::next(h)));
+    return static_cast<double>(glm::dot(difference, difference)) > steps_.largest_rest_difference;
 }
 
 bool EdgeLength::is_too_coarse(const ActiveSet& active, const Face& face) const {
@@ -96,8 +109,9 @@ bool EdgeLength::is_too_coarse(const ActiveSet& active, const Face& face) const 
         const Corners now{mesh.position(face.a), mesh.position(face.b), mesh.position(face.c)};
         return is_long_in_zone(now, face, active) || is_long_before_a_step(face);
     }
-    return is_long_in_zone(corners_before(0, face), face, active) ||
-           (face.is_strict ? is_long_before_a_step(face) : may_miss_a_step(face));
+    if (is_long_in_zone(corners_before(0, face), face, active)) return true;
+    if (!is_long_before_a_step(face)) return false;
+    return may_hide_a_step(active, face) || may_miss_a_step(face);
 }
 
 // Whether an edge is longer than L_max with its ends at these corners, and the face meets a zone at
@@ -179,7 +193,7 @@ bool EdgeLength::shows_at_no_corner(const Corners& corners, const Box& zone) con
 //          d                  d
 bool EdgeLength::restored_face_is_too_coarse(const ActiveSet& active, const Star& star) const {
     const auto passes = [&](VertexId a, VertexId b, VertexId c) {
-        return !is_too_coarse(active, {.a = a, .b = b, .c = c, .is_strict = true});
+        return !is_too_coarse(active, {.a = a, .b = b, .c = c});
     };
     return is_on() && !all_sheets(active.mesh(), star, [&](const Star& sheet) {
                return passes(sheet.a, sheet.b, sheet.c) &&

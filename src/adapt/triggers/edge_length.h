@@ -7,6 +7,7 @@
 
 #include <array>
 #include <cstdint>
+#include <limits>
 #include <vector>
 
 #include "adapt/floor.h"
@@ -48,8 +49,9 @@ enum class SplitNeed : std::uint8_t {
 //   counts by how much farther it moves one corner than another along the normal of the face. On
 //   the straight sides of a spike, steps move all corners along the face.
 // - At boundaries, seams and between parts none of these exceptions hold, since a line there can
-//   bend in the plane of its faces, where no normal shows it. Nor do they hold for faces that
-//   decimation would restore.
+//   bend in the plane of its faces, where no normal shows it. Nor do they hold at edges so rough at
+//   rest that the curvature trigger allows bends of 45 degrees, or for faces that decimation would
+//   restore.
 // - The edges of the result may be longer than L_max.
 //
 // A face that is too coarse is split at the edge that is longest at rest (SplitOrder::first_edge).
@@ -64,6 +66,8 @@ class EdgeLength {
         // L_max follows from the lattice, the curvature trigger finds bends, and each step moves
         // the middles of its zones most.
         bool are_only_sampled = false;
+        // The curvature trigger may miss bends at edges with a larger |n1 - n2|^2 at rest.
+        double largest_rest_difference = std::numeric_limits<double>::infinity();
     };
 
     // l_max: world units, deformed lengths. zones: at rest; with none the trigger is off.
@@ -100,12 +104,13 @@ class EdgeLength {
     // A face of the mesh, or one that undoing a split restores.
     struct Face {
         VertexId a, b, c;
-        // Whether L_max holds before all steps; false if it does so for all faces.
-        bool is_strict;
+        HalfEdgeId side = kNone<HalfEdgeId>;  // none for a face that is only restored
     };
     using Corners = std::array<Vec3, 3>;
 
     bool is_too_coarse(const ActiveSet& active, HalfEdgeId h) const;
+    bool may_hide_a_step(const ActiveSet& active, const Face& face) const;
+    bool hides_bends(const ActiveSet& active, HalfEdgeId h) const;
     bool is_too_coarse(const ActiveSet& active, const Face& face) const;
     bool is_long_in_zone(const Corners& corners, const Face& face, const ActiveSet& active) const;
     bool is_long_before_a_step(const Face& face) const;
