@@ -6,6 +6,7 @@
 #include <functional>
 #include <future>
 #include <memory>
+#include <new>
 #include <stop_token>
 #include <system_error>
 #include <thread>
@@ -22,7 +23,7 @@ template <typename Result>
 class BackgroundTask {
   public:
     // work: called once, with a Progress that it should advance often. If no thread can be created,
-    // the constructor does the work itself.
+    // for want of threads or of memory, the constructor does the work itself.
     explicit BackgroundTask(std::function<Result(const Progress&)> work) {
         auto task = std::make_shared<std::packaged_task<Result(const Progress&)>>(std::move(work));
         result_ = task->get_future();
@@ -32,6 +33,8 @@ class BackgroundTask {
         try {
             thread_ = std::jthread(run);
         } catch (const std::system_error&) {
+            run({});
+        } catch (const std::bad_alloc&) {
             run({});
         }
     }

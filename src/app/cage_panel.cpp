@@ -34,12 +34,13 @@ void CagePanel::draw(Editor& editor, float scale) {
     const auto& cage = editor.session().lattice_settings().cage;
     if (ImGui::RadioButton("Brush", !cage) && cage) {
         editor.set_radius(editor.radius());
-        editor.display.lattice = false;
+        if (!editor.session().lattice_settings().cage) editor.display.lattice = false;
     }
     ImGui::SameLine(0.0f, 22.0f * scale);
     if (ImGui::RadioButton("Cage", cage.has_value()) && !cage) {
-        editor.execute(command::Cage{command::Cage::Fit{counts_}});
-        editor.display.lattice = true;
+        if (editor.execute(command::Cage{command::Cage::Fit{counts_}})) {
+            editor.display.lattice = true;
+        }
     }
     if (cage) {
         draw_cage(editor, *cage, scale);

@@ -167,25 +167,14 @@ std::vector<Vec3> CagePoints::displacements(const Session& session) const {
     return all;
 }
 
-std::optional<command::Control> CagePoints::release(Session& session, const View& view) {
+void CagePoints::release(const Session& session, const View& view) {
+    assert(!is_dragging());
     if (box_) {
         select_in_box(session, view);
         box_.reset();
-        return std::nullopt;
-    }
-    if (!is_dragging()) {
+    } else {
         if (grabbed_ && grabbed_->was_selected) selected_ = {grabbed_->index};
         grabbed_.reset();
-        return std::nullopt;
-    }
-    try {
-        auto done = session.end_control();
-        grabbed_.reset();
-        return done;
-    } catch (...) {
-        // The drag may still be active, and must then be cancelled.
-        if (!session.is_dragging()) grabbed_.reset();
-        throw;
     }
 }
 

@@ -34,8 +34,10 @@ class CagePoints {
     // click allows. The session's dirty elements say whether the object has changed. Returns why
     // the move is refused; then the points stay where they were in the frame before.
     std::optional<std::string> update_drag(Session& session, const View& view);
-    // Returns the command that does the same as the drag; nothing if no point has moved.
-    std::optional<command::Control> release(Session& session, const View& view);
+    // Ends a click or a box. Precondition: not is_dragging().
+    void release(const Session& session, const View& view);
+    // Forgets the drag, once the session has ended or cancelled it.
+    void end_drag() { grabbed_.reset(); }
     void cancel(Session& session);
 
     // Clears the selection if the cage has other counts than in the last call.

@@ -22,19 +22,25 @@ Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_b
 }
 
 void Editor::advance() {
-    if (has_drag()) {
+    if (restoration_) {
+        continue_restoring();
+    } else if (workspace_.is_working()) {
+        poll_work();
+    } else if (has_drag()) {
         if (std::exchange(drag_is_stale_, false)) {
             drag();
         } else {
             continue_frame();
         }
-    } else if (restoration_) {
-        continue_restoring();
-    } else if (const auto* task = workspace_.file_task()) {
-        const Command command = task->command;
-        finish_command(command, workspace_.poll());
     }
     update_hover();
+}
+
+void Editor::poll_work() {
+    const EditTask* const edit = workspace_.edit_task();
+    if (edit && !edit->command()) return finish_drag(workspace_.poll());
+    const Command command = edit ? *edit->command() : workspace_.file_task()->command;
+    finish_command(command, workspace_.poll());
 }
 
 void Editor::update_hover() {
@@ -86,6 +92,7 @@ command::Symmetry Editor::symmetry_command(bool is_on) const {
 void Editor::set_symmetry(bool is_on) { execute(symmetry_command(is_on)); }
 
 void Editor::choose_mirror(const MirrorChoice& choice) {
+    if (is_busy()) return;
     mirror_ = choice;
     if (session().symmetry()) set_symmetry(true);
 }

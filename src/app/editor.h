@@ -61,18 +61,19 @@ class Editor {
 
     // --- Input.
     void handle(const InputEvent& input, const UiClaims& claims = {});
-    // Updates the active drag, the work on a file, a restoration and what is under the cursor. To
-    // be called once per frame, after the frame's events.
+    // Updates the active drag, work in the background, a restoration and what is under the cursor.
+    // To be called once per frame, after the frame's events.
     void advance();
 
     // Whether advance() has more to do for the active drag, although there is no further input.
     bool has_unfinished_frame() const;
 
-    // Cancels the active drag and shows a message. what: what needed the memory, such as "frame".
+    // Cancels the active drag and shows a message; does nothing during an edit in the background.
+    // what: what needed the memory, such as "frame".
     void handle_out_of_memory(const char* what) noexcept;
 
-    // --- Actions of menus, panels and keys. They do nothing during a drag, and while a file is
-    // being read or written.
+    // --- Actions of menus, panels and keys. They do nothing during a drag, and during work in the
+    // background.
     void perform(Action action);
     bool execute(const Command& command);  // returns whether the command is already done
     // Opens the window's first object: the model, or a sphere if `model` is empty or cannot be
@@ -119,8 +120,9 @@ class Editor {
     // --- Dialogs. A dialog that is open takes all input.
     bool has_dialog() const { return browser || question || offered_session() || is_working(); }
 
-    // Work on a file, or a restoration, whose progress a dialog shows.
-    bool is_working() const { return restoration_ || workspace_.file_task(); }
+    // Work on a file, an edit that takes long, or a restoration. A dialog shows its progress. Only
+    // settings of the session may be used meanwhile.
+    bool is_working() const { return restoration_ || workspace_.is_working(); }
     const Restoration* restoration() const { return restoration_ ? &*restoration_ : nullptr; }
     void cancel_work();  // the work ends soon afterwards; does nothing without any
 
@@ -147,9 +149,10 @@ class Editor {
     // Sessions that may be restored.
     // Offers these, one after the other.
     void offer(std::vector<LostSession> sessions) { lost_sessions_ = std::move(sessions); }
-    // The session that is being offered; null if there is none, and during work on a file.
+    // The session that is being offered; null if there is none, and during work.
     const LostSession* offered_session() const {
-        return lost_sessions_.empty() || workspace_.file_task() ? nullptr : &lost_sessions_.front();
+        return lost_sessions_.empty() || workspace_.is_working() ? nullptr
+                                                                 : &lost_sessions_.front();
     }
     // restore: begins to restore the session, which advance() continues.
     // later: this session and the remaining ones are offered again at the next start.
@@ -192,7 +195,9 @@ class Editor {
     void reset_figures();
     void record_frame(std::chrono::duration<double> taken);
     void release_drag();
-    void end_drag(const Command& done, std::size_t steps_before);
+    void finish_drag(Workspace::Outcome outcome);
+    void abandon_drag() noexcept;
+    void report_drag();
     void cancel_drag();
     void rotate_or_scale(double notches);
     void toggle_pin();
@@ -218,8 +223,10 @@ class Editor {
 
     // --- Everything else (editor.cpp).
     View view() const { return {camera(), size_}; }
+    // Whether a drag follows the mouse, or its end is being worked on.
     bool has_drag() const { return sculptor_.is_dragging() || cage_points_.is_active(); }
     bool is_busy() const { return has_drag() || radius_drag_ || is_working(); }
+    void poll_work();
     void update_hover();
     void begin_radius_drag();
     void end_radius_drag(bool keeps);

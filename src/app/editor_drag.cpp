@@ -32,14 +32,23 @@ bool Editor::attempt(Part part) {
     } catch (const std::bad_alloc&) {
         handle_out_of_memory("drag");
     } catch (const std::exception& error) {
-        if (session().is_dragging()) cancel_drag();
+        abandon_drag();
         workspace_.set_message(std::string("The drag was cancelled: ") + error.what());
     }
     return false;
 }
 
+// Cancels the active drag, if any. The session may no longer have it: then its end has failed.
+void Editor::abandon_drag() noexcept {
+    if (session().is_dragging()) return cancel_drag();
+    sculptor_.end();
+    if (cage_points_.is_dragging()) cage_points_.end_drag();
+    drag_is_stale_ = false;
+}
+
 void Editor::handle_out_of_memory(const char* what) noexcept {
-    if (session().is_dragging()) cancel_drag();
+    if (workspace_.edit_task()) return;  // the session, also its history, is in use
+    abandon_drag();
     try {
         workspace_.set_message(not_enough_memory(what, session().history()));
     } catch (const std::bad_alloc&) {
@@ -91,7 +100,9 @@ void Editor::drag() {
     });
 }
 
-bool Editor::has_unfinished_frame() const { return session().has_unfinished_frame(); }
+bool Editor::has_unfinished_frame() const {
+    return !is_working() && session().has_unfinished_frame();
+}
 
 // Goes on with adaptive meshing for which the frame before had no time left.
 void Editor::continue_frame() {
@@ -169,19 +180,21 @@ void Editor::record_frame(std::chrono::duration<double> taken) {
 
 void Editor::release_drag() {
     if (std::exchange(drag_is_stale_, false)) drag();
-    attempt([&] {
-        const std::size_t steps = session().history().step_number();
-        if (sculptor_.is_dragging()) {
-            if (const auto done = sculptor_.release(workspace_.session())) end_drag(*done, steps);
-        } else if (cage_points_.is_active()) {
-            const auto done = cage_points_.release(workspace_.session(), view());
-            if (done) end_drag(*done, steps);
-        }
-    });
+    if (session().is_dragging()) {
+        attempt([&] { finish_drag(workspace_.end_drag()); });
+    } else if (cage_points_.is_active()) {
+        cage_points_.release(session(), view());
+    }
 }
 
-void Editor::end_drag(const Command& done, std::size_t steps_before) {
-    workspace_.record_drag(done, session().history().step_number() > steps_before);
+void Editor::finish_drag(Workspace::Outcome outcome) {
+    if (outcome == Workspace::Outcome::in_progress) return;
+    abandon_drag();
+    if (outcome == Workspace::Outcome::done && workspace_.has_moved()) report_drag();
+    if (std::exchange(quits_next_, false)) quit();
+}
+
+void Editor::report_drag() {
     figures_.folded = session().folded_vertices();
     std::string message;
     if (figures_.folded > 0) {
@@ -198,10 +211,11 @@ void Editor::end_drag(const Command& done, std::size_t steps_before) {
 
 FrameFigures Editor::figures() const {
     FrameFigures figures = figures_;
-    if (!session().is_dragging()) {
-        figures.floor_hit = session().outcome().floor_hit;
-        figures.budget_hit = session().outcome().budget_hit;
-        figures.drag_budget_hit = session().outcome().drag_budget_hit;
+    if (!sculptor_.is_dragging() && !cage_points_.is_dragging()) {
+        const AdaptOutcome outcome = workspace_.object_figures().outcome;
+        figures.floor_hit = outcome.floor_hit;
+        figures.budget_hit = outcome.budget_hit;
+        figures.drag_budget_hit = outcome.drag_budget_hit;
     }
     return figures;
 }

@@ -154,8 +154,8 @@ void Editor::save_picture(const std::string& path) {
 void Editor::cancel_work() {
     if (restoration_) {
         restoration_->cancel(workspace_);
-    } else if (workspace_.file_task()) {
-        workspace_.cancel_file_task();
+    } else if (workspace_.is_working()) {
+        workspace_.cancel_work();
     }
 }
 

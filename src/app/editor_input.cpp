@@ -46,7 +46,7 @@ void Editor::on(const event::Release& release, const UiClaims&) {
     cursor_ = release.at;
     modifiers_ = release.modifiers;
     if (navigation_.button() == release.button) navigation_.end();
-    if (has_drag() && release.button == MouseButton::left) release_drag();
+    if (has_drag() && !is_working() && release.button == MouseButton::left) release_drag();
 }
 
 void Editor::on(const event::MouseMove& move, const UiClaims& claims) {
@@ -66,7 +66,7 @@ void Editor::on(const event::MouseMove& move, const UiClaims& claims) {
 void Editor::on(const event::Leave&, const UiClaims&) { cursor_in_viewport_ = false; }
 
 void Editor::on(const event::Scroll& scroll, const UiClaims& claims) {
-    if (sculptor_.is_dragging()) return rotate_or_scale(scroll.amount);
+    if (sculptor_.is_dragging() && !is_working()) return rotate_or_scale(scroll.amount);
     if (!claims.mouse && !is_busy()) navigation_.scroll(scroll.amount, scroll.at, size_);
 }
 
@@ -105,6 +105,7 @@ void Editor::escape(bool is_claimed) {
 
 // Returns whether there was a gesture to cancel.
 bool Editor::escape_gesture() {
+    if (is_working()) return false;
     if (has_drag()) {
         cancel_drag();
     } else if (radius_drag_) {

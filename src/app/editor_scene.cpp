@@ -48,9 +48,12 @@ void add_circle(Overlay& overlay, const Vec3& centre, const Vec3& normal, double
 
 void add_active_drag(Overlay& overlay, const Editor& editor) {
     const Sculptor& sculptor = editor.sculptor();
-    // After several steps, these are the lattices of the last step.
-    for (const LatticeField& field : editor.session().active_lattices()) {
-        add_lattice(overlay, field.lattice(), field.displacements());
+    // After several steps, these are the lattices of the last step. While the drag is being
+    // applied in the background, the session may not be asked for them.
+    if (!editor.is_working()) {
+        for (const LatticeField& field : editor.session().active_lattices()) {
+            add_lattice(overlay, field.lattice(), field.displacements());
+        }
     }
     add_drag(overlay, sculptor.from(), sculptor.to());
     const auto& plane = editor.session().symmetry();
@@ -109,7 +112,7 @@ void add_brush(Overlay& overlay, const Editor& editor, const Pick& hover) {
 std::optional<Lattice> preview_lattice(const Editor& editor) {
     const int span = editor.session().lattice_settings().span;
     if (editor.hover()) return brush_lattice(editor.hover()->point, editor.radius(), span);
-    return editor.session().lattice_in_use();
+    return editor.is_working() ? std::nullopt : editor.session().lattice_in_use();
 }
 
 }  // namespace

@@ -19,17 +19,23 @@ inline std::string not_enough_memory(const std::string& what, const History& his
            " MB; lower its limit, or use a lower resolution or budget or a smaller model";
 }
 
-// Calls `work`, which executes the command and returns what is wrong, if anything. Returns the
-// same, or the message of the exception that it throws.
+// Calls `work`, which does something and returns what is wrong, if anything. Returns the same, or
+// the message of the exception that it throws. what: as for not_enough_memory().
 template <typename Work>
-std::optional<std::string> try_command(const Command& command, const Session& session, Work work) {
+std::optional<std::string> try_to(const std::string& what, const Session& session, Work work) {
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        return not_enough_memory(name(command), session.history());
+        return not_enough_memory(what, session.history());
     } catch (const std::exception& error) {
         return error.what();
     }
+}
+
+// The same with work that executes the command.
+template <typename Work>
+std::optional<std::string> try_command(const Command& command, const Session& session, Work work) {
+    return try_to(name(command), session, work);
 }
 
 // Returns what is wrong with the command; nothing if it was executed.

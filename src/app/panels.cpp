@@ -80,18 +80,18 @@ std::string megabytes(std::size_t bytes) {
     return grouped(static_cast<std::uint64_t>(std::llround(number))) + " MB";
 }
 
-std::string undo_memory(const History& history) {
-    return megabytes(history.memory_bytes()) +
-           (history.limit() ? " of " + megabytes(*history.limit()) : "");
+std::string undo_memory(const ObjectFigures& object) {
+    return megabytes(object.undo_bytes) +
+           (object.undo_limit ? " of " + megabytes(*object.undo_limit) : "");
 }
 
 void draw_undo_memory_menu(Editor& editor) {
     if (!ImGui::BeginMenu("Memory for undo")) return;
-    const History& history = editor.session().history();
-    ImGui::TextDisabled("%s in use", undo_memory(history).c_str());
+    const ObjectFigures object = editor.workspace().object_figures();
+    ImGui::TextDisabled("%s in use", undo_memory(object).c_str());
     ImGui::Separator();
     const auto choice = [&](const std::string& label, std::optional<std::size_t> limit) {
-        if (!ImGui::MenuItem(label.c_str(), nullptr, history.limit() == limit)) return;
+        if (!ImGui::MenuItem(label.c_str(), nullptr, object.undo_limit == limit)) return;
         const double number = 1e-6 * static_cast<double>(limit.value_or(0));
         editor.execute(command::History{limit ? Setting::of(number) : Setting::off()});
     };
@@ -152,17 +152,16 @@ void Panels::draw_menus(Editor& editor) {
         ImGui::EndMenu();
     }
     if (ImGui::BeginMenu("Edit")) {
-        item(editor, "Undo", Action::undo, editor.session().undo_count() > 0);
-        item(editor, "Redo", Action::redo, editor.session().redo_count() > 0);
+        const ObjectFigures object = editor.workspace().object_figures();
+        item(editor, "Undo", Action::undo, object.undo_steps > 0);
+        item(editor, "Redo", Action::redo, object.redo_steps > 0);
         draw_undo_memory_menu(editor);
         ImGui::Separator();
         toggle(editor, "Symmetry", Action::toggle_symmetry,
                editor.session().symmetry().has_value());
         item(editor, "Remove all pins", Action::remove_pins, !editor.pins().is_empty());
         ImGui::Separator();
-        const TriMesh& mesh = editor.session().mesh();
-        const bool is_refined = mesh.vertex_count() > mesh.base_vertex_count();
-        if (ImGui::MenuItem("Bake refinement", nullptr, false, is_refined)) {
+        if (ImGui::MenuItem("Bake refinement", nullptr, false, object.is_refined)) {
             editor.execute(command::Bake{});
         }
         ImGui::EndMenu();
@@ -231,8 +230,8 @@ void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
     ImGui::Begin("status", nullptr, kBare);
     claim_window();
     const FrameFigures frame = editor.figures();
-    ImGui::TextUnformatted(
-        counted(editor.session().mesh().face_count(), "triangle", "triangles").c_str());
+    const ObjectFigures object = editor.workspace().object_figures();
+    ImGui::TextUnformatted(counted(object.faces, "triangle", "triangles").c_str());
     ImGui::SameLine(scaled(180.0f));
     ImGui::Text("+%s  −%s", grouped(frame.splits).c_str(), grouped(frame.unsplits).c_str());
     if (ImGui::IsItemHovered()) {
@@ -244,7 +243,7 @@ void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
     if (ImGui::IsItemHovered()) draw_frame_tooltip(frame, figures);
     ImGui::SameLine(scaled(420.0f));
     ImGui::Text("%.0f MB", 1e-6 * static_cast<double>(figures.memory_bytes));
-    if (ImGui::IsItemHovered()) draw_memory_tooltip(editor.session().history(), figures);
+    if (ImGui::IsItemHovered()) draw_memory_tooltip(object, figures);
     draw_drag_figures(editor);
     ImGui::End();
     ImGui::PopStyleVar(3);
@@ -275,14 +274,14 @@ void Panels::draw_frame_tooltip(const FrameFigures& frame, const PictureFigures&
     ImGui::EndTooltip();
 }
 
-void Panels::draw_memory_tooltip(const History& history, const PictureFigures& figures) const {
+void Panels::draw_memory_tooltip(const ObjectFigures& object, const PictureFigures& figures) const {
     begin_status_tooltip("Memory");
     tooltip_row("program", megabytes(figures.memory_bytes));
-    tooltip_row("undo", undo_memory(history));
-    tooltip_row("steps", grouped(history.undo_count()) + " to undo, " +
-                             grouped(history.redo_count()) + " to redo");
-    if (history.lost_undo_count() > 0) {
-        tooltip_row("dropped", grouped(history.lost_undo_count()) + " older");
+    tooltip_row("undo", undo_memory(object));
+    tooltip_row("steps", grouped(object.undo_steps) + " to undo, " + grouped(object.redo_steps) +
+                             " to redo");
+    if (object.lost_undo_steps > 0) {
+        tooltip_row("dropped", grouped(object.lost_undo_steps) + " older");
     }
     ImGui::EndTooltip();
 }

@@ -45,7 +45,7 @@ class Panels {
     void begin_status_tooltip(const char* title) const;
     void tooltip_row(const char* what, const std::string& figure) const;
     void draw_frame_tooltip(const FrameFigures& frame, const PictureFigures& figures) const;
-    void draw_memory_tooltip(const History& history, const PictureFigures& figures) const;
+    void draw_memory_tooltip(const ObjectFigures& object, const PictureFigures& figures) const;
     void draw_drag_figures(const Editor& editor) const;
     void draw_selection(const Editor& editor) const;
     void draw_message(Editor& editor);

@@ -4,14 +4,20 @@
 
 #include <algorithm>
 #include <array>
+#include <chrono>
 #include <cstdio>
 #include <filesystem>
+#include <optional>
 #include <string>
 
+#include "app/command_kind.h"
 #include "app/file_panel.h"
 
 namespace pectin {
 namespace {
+
+// A dialog for an edit that is soon done would only flicker.
+constexpr std::chrono::milliseconds kHiddenTime{400};
 
 // Shortens the text to the available width by leaving out its middle. No UTF-8 character is split.
 std::string fitted(const std::string& text, float available) {
@@ -43,28 +49,66 @@ void draw_bar(double fraction, float height) {
     ImGui::TextUnformatted(percent.data());
 }
 
+// What the dialog shows about the work.
+struct Work {
+    const char* title;
+    std::string text;
+    std::optional<double> fraction{};  // none: not known
+    bool is_cancelled = false;
+};
+
+Work describe(const Restoration& restoration) {
+    return {"Restoring", restoration.session().object, restoration.fraction(),
+            restoration.is_cancelled()};
+}
+
+Work describe(const FileTask& task) {
+    const auto* const save = std::get_if<command::Save>(&task.command);
+    const std::filesystem::path path =
+        save ? save->path : std::get<command::Open>(task.command).path;
+    return {save ? "Saving" : "Opening", path.filename().string(), task.work.fraction(),
+            task.work.is_cancelled()};
+}
+
+const char* title_of(const EditTask& edit) {
+    if (!edit.command()) return "Applying the drag";
+    if (is_any_of<command::Undo>(*edit.command())) return "Undoing";
+    if (is_any_of<command::Redo>(*edit.command())) return "Redoing";
+    if (is_any_of<command::Bake>(*edit.command())) return "Baking";
+    return "Refining and decimating";
+}
+
+Work describe(const EditTask& edit) {
+    const double seconds = std::chrono::duration<double>(edit.duration()).count();
+    std::array<char, 80> text{};
+    std::snprintf(text.data(), text.size(), "%.0f s, %.2f million triangles", seconds,
+                  1e-6 * static_cast<double>(edit.faces()));
+    return {title_of(edit), text.data(), std::nullopt, edit.is_cancelled()};
+}
+
+// Nothing while there is no work, or it has only begun.
+std::optional<Work> present_work(const Editor& editor) {
+    if (const Restoration* restoration = editor.restoration()) return describe(*restoration);
+    if (const FileTask* task = editor.workspace().file_task()) return describe(*task);
+    const EditTask* const edit = editor.workspace().edit_task();
+    if (edit && edit->duration() >= kHiddenTime) return describe(*edit);
+    return std::nullopt;
+}
+
 }  // namespace
 
 void draw_progress_panel(Editor& editor, float scale) {
-    const FileTask* const task = editor.workspace().file_task();
-    const Restoration* const restoration = editor.restoration();
-    const auto* open = task ? std::get_if<command::Open>(&task->command) : nullptr;
-    const auto* save = task ? std::get_if<command::Save>(&task->command) : nullptr;
-    const char* const doing = restoration ? "Restoring" : save ? "Saving" : "Opening";
+    const std::optional<Work> work = present_work(editor);
     // The part after ### identifies the dialog, which stays the same when its title changes.
-    const std::string title = std::string(doing) + "###progress";
-    if (!begin_dialog(editor.is_working(), title.c_str(), 420.0f * scale, 0.0f)) return;
-    const std::filesystem::path path = save ? save->path : open ? open->path : "";
-    const std::string name = restoration ? restoration->session().object : path.filename().string();
-    ImGui::TextUnformatted(fitted(name, ImGui::GetContentRegionAvail().x).c_str());
-    const double fraction = restoration ? restoration->fraction() : task->work.fraction();
-    draw_bar(std::clamp(fraction, 0.0, 1.0), 8.0f * scale);
+    const std::string title = std::string(work ? work->title : "") + "###progress";
+    if (!begin_dialog(work.has_value(), title.c_str(), 420.0f * scale, 0.0f)) return;
+    ImGui::TextUnformatted(fitted(work->text, ImGui::GetContentRegionAvail().x).c_str());
+    if (work->fraction) draw_bar(std::clamp(*work->fraction, 0.0, 1.0), 8.0f * scale);
     ImGui::Spacing();
-    const bool is_cancelled = restoration ? restoration->is_cancelled() : task->work.is_cancelled();
     const ImVec2 size(120.0f * scale, 0.0f);
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size.x);
-    ImGui::BeginDisabled(is_cancelled);
-    if (ImGui::Button(is_cancelled ? "Cancelling…" : "Cancel", size)) editor.cancel_work();
+    ImGui::BeginDisabled(work->is_cancelled);
+    if (ImGui::Button(work->is_cancelled ? "Cancelling…" : "Cancel", size)) editor.cancel_work();
     ImGui::EndDisabled();
     ImGui::EndPopup();
 }

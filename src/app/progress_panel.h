@@ -1,4 +1,4 @@
-// The dialog that shows the progress of work on a file or of a restoration.
+// The dialog that shows the progress of work in the background.
 #pragma once
 
 #include "app/editor.h"

@@ -17,20 +17,19 @@ constexpr double kMinLMax = 0.002, kMaxLMax = 0.5;          // in diagonals of t
 
 constexpr const char* kThetaMaxHelp =
     "Edges whose end normals diverge by more than this angle are\n"
-    "split. Off: no edge is split because of its angle.";
+    "split, unless they were nearly as rough before the drag.\n"
+    "Off: no edge is split because of its angle.";
 constexpr const char* kThetaMinHelp =
     "Refined edges whose end normals diverge by less than this\n"
-    "angle may be merged again. auto: 7/9 of θ max. Off: nothing\n"
-    "is decimated.";
+    "angle may be merged again where the surface stays as flat.\n"
+    "auto: 7/9 of θ max. Off: nothing is decimated.";
+constexpr const char* kReadaptHelp =
+    "The settings are those of the next drag. This applies them to\n"
+    "the whole object. It also splits edges that were rough before,\n"
+    "where a drag has moved them.";
 constexpr const char* kLMaxHelp =
     "Longer edges are split where the lattice reaches.\n"
     "auto: the smallest cell size of the lattice in use.";
-
-void apply(Editor& editor, const command::Adapt& change) {
-    if (editor.execute(change) && editor.session().adapt_settings().enabled) {
-        editor.execute(command::Readapt{});
-    }
-}
 
 // The smallest cell size of the lattice that the next drag will use.
 double next_cell(const Editor& editor) {
@@ -94,10 +93,17 @@ std::optional<Setting> RefinePanel::draw_row(const Row& row, std::optional<float
     return set;
 }
 
+void RefinePanel::draw_readapt(Editor& editor) {
+    if (ImGui::Button("Apply to the whole object", ImVec2(-1.0f, 0.0f))) {
+        editor.execute(command::Readapt{});
+    }
+    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", kReadaptHelp);
+}
+
 void RefinePanel::draw(Editor& editor) {
     bool enabled = editor.session().adapt_settings().enabled;
     if (ImGui::Checkbox("Refine and decimate while dragging", &enabled)) {
-        apply(editor, {.enabled = enabled});
+        editor.execute(command::Adapt{.enabled = enabled});
     }
     ImGui::BeginDisabled(!enabled);
     if (ImGui::BeginTable("criteria", 3)) {
@@ -118,6 +124,7 @@ void RefinePanel::draw(Editor& editor) {
         ImGui::PopStyleColor();
     }
     ImGui::EndDisabled();
+    draw_readapt(editor);
 }
 
 void RefinePanel::draw_angles(Editor& editor) {
@@ -139,7 +146,7 @@ void RefinePanel::draw_angles(Editor& editor) {
         const bool overtaken = settings.theta_min.kind == Setting::Kind::value &&
                                !(settings.theta_min.value < value_of(*set, 180.0));
         if (overtaken) change.theta_min = Setting::automatic();
-        apply(editor, change);
+        editor.execute(change);
     }
     // No angle is below 0 degrees, so nothing is decimated.
     const Setting never = Setting::of(0.0);
@@ -154,7 +161,9 @@ void RefinePanel::draw_angles(Editor& editor) {
                       .format = "%.1f°",
                       .when_on = Setting::automatic(),
                       .when_off = never};
-    if (const auto set = draw_row(min_row, theta_min_)) apply(editor, {.theta_min = *set});
+    if (const auto set = draw_row(min_row, theta_min_)) {
+        editor.execute(command::Adapt{.theta_min = *set});
+    }
 }
 
 void RefinePanel::draw_length(Editor& editor) {
@@ -173,7 +182,9 @@ void RefinePanel::draw_length(Editor& editor) {
                   .format = "%.3g",
                   .when_on = Setting::automatic(),
                   .when_off = Setting::off()};
-    if (const auto set = draw_row(row, l_max_)) apply(editor, {.l_max = *set});
+    if (const auto set = draw_row(row, l_max_)) {
+        editor.execute(command::Adapt{.l_max = *set});
+    }
 }
 
 }  // namespace pectin

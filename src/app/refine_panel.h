@@ -9,7 +9,8 @@ namespace pectin {
 
 class RefinePanel {
   public:
-    // A changed setting readapts the object at once, or, with a slider, when it is released.
+    // A setting changes at once, or, with a slider, when it is released. The object is only
+    // readapted by the button for it.
     void draw(Editor& editor);
 
   private:
@@ -18,6 +19,7 @@ class RefinePanel {
     std::optional<Setting> draw_row(const Row& row, std::optional<float>& edited) const;
     void draw_angles(Editor& editor);
     void draw_length(Editor& editor);
+    static void draw_readapt(Editor& editor);
 
     // Values of sliders that are being dragged.
     std::optional<float> theta_max_, theta_min_, l_max_;

@@ -50,16 +50,16 @@ Restoration::State Restoration::advance(Workspace& workspace) {
     State state = State::in_progress;
     do {
         state = advance_once(workspace);
-    } while (state == State::in_progress && !workspace.file_task() &&
+    } while (state == State::in_progress && !workspace.is_working() &&
              std::chrono::steady_clock::now() < end);
     return state;
 }
 
 Restoration::State Restoration::advance_once(Workspace& workspace) {
-    if (is_cancelled_ && !workspace.file_task()) return State::cancelled;
+    if (is_cancelled_ && !workspace.is_working()) return State::cancelled;
     if (next_ == steps_.size()) return State::done;
     const Workspace::Outcome outcome =
-        workspace.file_task() ? workspace.poll() : execute_step(steps_[next_], workspace);
+        workspace.is_working() ? workspace.poll() : execute_step(steps_[next_], workspace);
     if (outcome == Workspace::Outcome::failed) {
         return is_cancelled_ ? State::cancelled : State::failed;
     }
@@ -83,7 +83,7 @@ Workspace::Outcome Restoration::execute_step(std::size_t command_index,
 
 void Restoration::cancel(Workspace& workspace) {
     is_cancelled_ = true;
-    if (workspace.file_task()) workspace.cancel_file_task();
+    if (workspace.is_working()) workspace.cancel_work();
 }
 
 double Restoration::fraction() const {

@@ -94,19 +94,6 @@ Move Sculptor::move_to(const Goal& goal) const {
 
 double Sculptor::scale() const { return move_to(grabbed_->applied).scale; }
 
-std::optional<command::Drag> Sculptor::release(Session& session) {
-    assert(is_dragging());
-    try {
-        auto done = session.end_drag();
-        grabbed_.reset();
-        return done;
-    } catch (...) {
-        // The drag may still be active, and must then be cancelled.
-        if (!session.is_dragging()) grabbed_.reset();
-        throw;
-    }
-}
-
 void Sculptor::cancel(Session& session) {
     assert(is_dragging());
     grabbed_.reset();

@@ -40,8 +40,8 @@ class Sculptor {
     // before, and twist and scale requested since then are discarded.
     std::optional<std::string> drag(Session& session, const Camera& camera, const Ray& ray,
                                     DragPath path);
-    // Returns the command that does the same as the drag; nothing if it has changed nothing.
-    std::optional<command::Drag> release(Session& session);
+    // Forgets the drag, once the session has ended or cancelled it.
+    void end() { grabbed_.reset(); }
     void cancel(Session& session);
 
     // --- Twist and scale of the point's surroundings, from the next drag() on. The twist follows

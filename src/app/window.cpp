@@ -33,11 +33,14 @@ constexpr int kSettlingFrames = 3;
 // How long adaptive meshing of one frame of a drag may take. The frame also deforms, uploads and
 // draws, and should take no more than 16 ms in all.
 constexpr std::chrono::milliseconds kFrameTime{8};
+// How long the release of a drag or a command may block the window. Longer ones continue in the
+// background, and the window keeps showing the last picture of the object.
+constexpr std::chrono::milliseconds kEditTime{100};
 // Seconds to wait for events when nothing has to be drawn. The wait is limited, because the driver
 // reads from the same connection while drawing and may already have taken an event from there.
 constexpr double kLongestWait = 0.1;
-// Seconds between frames that show the progress of work on a file. Drawing more often would slow
-// the work down.
+// Seconds between frames that show the progress of work in the background. Drawing more often would
+// slow the work down.
 constexpr double kProgressWait = 1.0 / 15.0;
 
 // Memory used by the whole program, as the system reports it; 0 if it does not.
@@ -62,6 +65,7 @@ class Window {
           viewport_(host_.gl(), renderer_, object_) {
         editor_.workspace().set_viewport(&viewport_);
         editor_.workspace().set_frame_time(kFrameTime);
+        editor_.workspace().set_max_edit_time(kEditTime);
         interface_.set_size(host_.size(), host_.framebuffer_size());
         editor_.handle(event::Resize{host_.size()});
         std::vector<LostSession> lost_sessions = begin_recovery();
@@ -166,6 +170,7 @@ class Window {
     }
 
     void update_object() {
+        if (editor_.workspace().edit_task()) return;  // the mesh is in use
         const GpuMesh::Upload upload = object_.update(editor_.workspace().session());
         if (upload.bytes == 0) return;
         figures_.uploaded_bytes = upload.bytes;

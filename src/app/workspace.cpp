@@ -69,10 +69,13 @@ FileWork Workspace::file_work(const Command& command) const {
 // make_work: returns the work on a file that the command needs, or null.
 template <typename MakeWork>
 Workspace::Outcome Workspace::run(const Command& command, MakeWork make_work) {
-    if (file_task_) {
-        return fail("a file is still being read or written; wait until that is done, or cancel it");
+    if (is_working()) {
+        return fail(file_task_ ? "a file is still being read or written; wait until that is done, "
+                                 "or cancel it"
+                               : "an edit is still in progress; wait until it is done, or cancel "
+                                 "it");
     }
-    const std::size_t step_number = session_.history().step_number();
+    if (is_edit(command)) return begin_edit(command);
     const auto error = try_command(command, session_, [&]() -> std::optional<std::string> {
         FileWork work = make_work();
         if (!work) return session_.execute(command);
@@ -83,7 +86,6 @@ Workspace::Outcome Workspace::run(const Command& command, MakeWork make_work) {
     if (file_task_) {
         return max_blocking_time_.count() > 0 ? poll(max_blocking_time_) : Outcome::in_progress;
     }
-    if (session_.history().step_number() != step_number) is_modified_ = true;
     finish(command);
     tell_if_possible([&] {
         if (!session_.remark().empty()) set_message(sentence(session_.remark()));
@@ -91,7 +93,29 @@ Workspace::Outcome Workspace::run(const Command& command, MakeWork make_work) {
     return Outcome::done;
 }
 
+Workspace::Outcome Workspace::end_drag() { return begin_edit(); }
+
+template <typename... Arguments>
+Workspace::Outcome Workspace::begin_edit(const Arguments&... arguments) {
+    has_moved_ = false;
+    figures_before_edit_ = figures_now();
+    const auto error = try_to("edit", session_, [&]() -> std::optional<std::string> {
+        edit_task_ = std::make_unique<EditTask>(session_, arguments...);
+        return std::nullopt;
+    });
+    return error ? fail(*error) : poll(max_edit_time_);
+}
+
 Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
+    return file_task_ ? poll_file(longest_wait) : poll_edit(longest_wait);
+}
+
+void Workspace::cancel_work() {
+    if (file_task_) file_task_->work.cancel();
+    if (edit_task_) edit_task_->cancel();
+}
+
+Workspace::Outcome Workspace::poll_file(std::chrono::milliseconds longest_wait) {
     if (!file_task_->work.has_ended(longest_wait)) return Outcome::in_progress;
     const std::unique_ptr<FileTask> task = std::move(file_task_);
     const bool is_cancelled = task->work.is_cancelled();
@@ -111,6 +135,37 @@ Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
     return Outcome::done;
 }
 
+Workspace::Outcome Workspace::poll_edit(std::chrono::milliseconds longest_wait) {
+    if (!edit_task_->has_ended(longest_wait)) return Outcome::in_progress;
+    const std::unique_ptr<EditTask> task = std::move(edit_task_);
+    const std::string what = task->command() ? name(*task->command()) : "drag";
+    EditResult result;
+    bool is_stopped = false;
+    const auto error = try_to(what, session_, [&]() -> std::optional<std::string> {
+        try {
+            result = task->take();
+        } catch (const Stopped&) {
+            is_stopped = true;
+        }
+        return result.error;
+    });
+    has_moved_ = result.drag.has_value();
+    if (error) return fail(*error);
+    if (is_stopped) return Outcome::failed;
+    finish_edit(*task, result);
+    return Outcome::done;
+}
+
+void Workspace::finish_edit(const EditTask& task, const EditResult& result) {
+    if (session_.history().step_number() != task.step_before()) is_modified_ = true;
+    if (result.drag) record(*result.drag);
+    if (!task.command()) return;
+    finish(*task.command());
+    tell_if_possible([&] {
+        if (!session_.remark().empty()) set_message(sentence(session_.remark()));
+    });
+}
+
 Workspace::Outcome Workspace::fail(const std::string& error) {
     set_message(error);
     return Outcome::failed;
@@ -126,11 +181,6 @@ void Workspace::finish(const Command& command, const std::string& fingerprint) {
             set_message(input_summary(open->path, session_.input_report(), session_.read_report()));
         });
     }
-}
-
-void Workspace::record_drag(const Command& drag, bool has_changed) {
-    is_modified_ |= has_changed;
-    record(drag);
 }
 
 // --- Session.
@@ -166,6 +216,23 @@ void Workspace::limit_frame_time(bool is_shown) {
 }
 
 // --- Object.
+
+ObjectFigures Workspace::object_figures() const {
+    return edit_task_ ? figures_before_edit_ : figures_now();
+}
+
+ObjectFigures Workspace::figures_now() const {
+    const TriMesh& mesh = session_.mesh();
+    const History& history = session_.history();
+    return {.faces = mesh.face_count(),
+            .is_refined = mesh.vertex_count() > mesh.base_vertex_count(),
+            .outcome = session_.outcome(),
+            .undo_steps = history.undo_count(),
+            .redo_steps = history.redo_count(),
+            .lost_undo_steps = history.lost_undo_count(),
+            .undo_bytes = history.memory_bytes(),
+            .undo_limit = history.limit()};
+}
 
 void Workspace::begin_object(std::string path) {
     path_ = std::move(path);

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "app/command_log.h"
+#include "app/edit_task.h"
 #include "app/file_task.h"
 #include "app/lost_sessions.h"
 #include "app/messages.h"
@@ -20,6 +21,17 @@ namespace pectin {
 // The longest time for which reading or writing a file may block the window. Work that takes longer
 // continues in the background.
 inline constexpr std::chrono::milliseconds kMaxBlockingTime{200};
+
+// What the window shows of the object and its history.
+struct ObjectFigures {
+    std::uint64_t faces = 0;
+    bool is_refined = false;
+    AdaptOutcome outcome{};
+    std::size_t undo_steps = 0, redo_steps = 0;
+    std::size_t lost_undo_steps = 0;  // that the limit has dropped
+    std::size_t undo_bytes = 0;
+    std::optional<std::size_t> undo_limit{};  // in bytes
+};
 
 class Workspace {
   public:
@@ -40,11 +52,16 @@ class Workspace {
 
     enum class Outcome { done, failed, in_progress };
     // Executes and records the command. If it fails, the message says why and nothing has changed.
-    // Work on a file that takes longer than max_blocking_time is in_progress: it continues in the
-    // background, the object does not change before poll() says so, and all commands fail.
+    // Work on a file that takes longer than max_blocking_time, or an edit that takes longer than
+    // the limit for edits, is in_progress: it continues in the background, and until poll() says
+    // that it has ended all commands fail, and only settings of the session may be used.
     Outcome execute(const Command& command);
-    // Records a drag of points or control points that the session has already done.
-    void record_drag(const Command& drag, bool has_changed);
+    // Ends the active drag of points or control points in the same way, and records it if it has
+    // moved anything (has_moved()). If memory runs out, the drag may still be active afterwards.
+    Outcome end_drag();
+    bool has_moved() const { return has_moved_; }
+    // How long an edit may block the window; by default as long as it takes.
+    void set_max_edit_time(std::chrono::milliseconds time) { max_edit_time_ = time; }
 
     // --- Restoring another session.
     // Replaces the session by a new one with default settings and without an object. The commands
@@ -58,15 +75,17 @@ class Workspace {
     // Forgets the object's file, so that the next save asks for one.
     void clear_path() { path_.clear(); }
 
-    // --- The file that is being read or written in the background.
+    // --- Work in the background: a file that is being read or written, or an edit.
     // Null if there is none.
     const FileTask* file_task() const { return file_task_.get(); }
-    // Waits for the file task for at most this time. If the task has ended, its command is finished
-    // and the task is removed. A cancelled task fails without a message.
-    // Precondition: there is a file task.
+    const EditTask* edit_task() const { return edit_task_.get(); }
+    bool is_working() const { return file_task_ || edit_task_; }
+    // Waits for the work for at most this time. If it has ended, its command is finished and the
+    // task is removed. Cancelled work fails without a message.
+    // Precondition: is_working().
     Outcome poll(std::chrono::milliseconds longest_wait = {});
-    // Precondition: there is a file task.
-    void cancel_file_task() { file_task_->work.cancel(); }
+    // Precondition: is_working().
+    void cancel_work();
 
     // As Session::set_viewport(), also for the session after reset_session().
     void set_viewport(Viewport* viewport);
@@ -87,6 +106,8 @@ class Workspace {
     void dismiss() { messages_.dismiss(); }
 
     // --- The object.
+    // During an edit these are the figures before it.
+    ObjectFigures object_figures() const;
     // The path of its file; empty if it is in none.
     const std::string& path() const { return path_; }
     // Its name for titles.
@@ -102,6 +123,12 @@ class Workspace {
   private:
     template <typename MakeWork>
     Outcome run(const Command& command, MakeWork make_work);
+    template <typename... Arguments>
+    Outcome begin_edit(const Arguments&... arguments);
+    Outcome poll_file(std::chrono::milliseconds longest_wait);
+    Outcome poll_edit(std::chrono::milliseconds longest_wait);
+    void finish_edit(const EditTask& task, const EditResult& result);
+    ObjectFigures figures_now() const;
     FileWork file_work(const Command& command) const;
     Outcome fail(const std::string& error);
     void finish(const Command& command, const std::string& fingerprint = {});
@@ -117,12 +144,17 @@ class Workspace {
     CommandLog log_;
     Messages messages_;
     std::chrono::milliseconds max_blocking_time_;
+    std::chrono::milliseconds max_edit_time_ = std::chrono::hours(24);
+    ObjectFigures figures_before_edit_;
+    bool has_moved_ = false;  // the last drag that ended
     std::string path_;
     std::string shape_name_ = "untitled";
     Box box_;
     double diagonal_ = 1.0;
     bool is_modified_ = false;
-    std::unique_ptr<FileTask> file_task_;  // last, so that it ends before the mesh that it reads
+    // Last, so that they end before the mesh that they use.
+    std::unique_ptr<FileTask> file_task_;
+    std::unique_ptr<EditTask> edit_task_;
 };
 
 }  // namespace pectin

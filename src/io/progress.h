@@ -28,6 +28,7 @@ class Progress {
         if (stop_.stop_requested()) throw Cancelled();
         if (report_) report_(begin_ + fraction * (end_ - begin_));
     }
+    bool is_stop_requested() const { return stop_.stop_requested(); }
     // The progress of the part [begin, end] of this work; its own fractions run from 0 to 1.
     Progress part(double begin, double end) const {
         Progress piece = *this;

@@ -63,6 +63,25 @@ def shown(value):
     return "-" if value is None else f"{value:.4g}"
 
 
+def print_hand(results):
+    """What the hand feels: milliseconds, and multiples of the deformation of the same vertices."""
+    steps = ["press", "frame", "release", "undo", "redo"]
+    faces = {"6": "82 k", "8": "1.3 M", "9": "5.2 M"}
+    brushes = {"0": "small brush", "1": "default brush", "2": "whole object"}
+    print(f"\n{'what the hand feels':28}{'vertices':>10}{'deform':>9}" +
+          "".join(f"{step:>17}" for step in steps))
+    for name, result in results.items():
+        if not name.startswith("hand/"):
+            continue
+        arguments = dict(part.split(":") for part in name.split("/")[1:] if ":" in part)
+        deform = result["deform"]
+        row = f"{faces[arguments['resolution']] + ', ' + brushes[arguments['brush']]:28}"
+        row += f"{result['vertices']:10.0f}{deform:6.2f} ms"
+        for step in steps:
+            row += f"{result[step]:9.1f} ms" + (f"{result[step] / deform:5.0f}" if deform else "")
+        print(row)
+
+
 def main():
     results = {}
     for path in sys.argv[1:]:
@@ -79,6 +98,7 @@ def main():
         x, y = figure(results, ours), figure(results, beside)
         ratio = x / y if x is not None and y else None
         print(f"{what:52}{shown(x):>12}{shown(y):>12}{wanted:>9}{shown(ratio):>11}")
+    print_hand(results)
 
 
 main()

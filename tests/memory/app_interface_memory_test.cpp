@@ -25,6 +25,7 @@ TEST(InterfaceMemory, EventsAfterALackOfMemoryStillReachThePanels) {
     };
     std::size_t failures = 0;
     for (bool has_failed = true; has_failed; failures += has_failed) {
+        editor.workspace().set_message("A message so long that laying it out needs memory.");
         {
             const test::FailingNew failing(failures, test::FailingNew::How::once);
             try {

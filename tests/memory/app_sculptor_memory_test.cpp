@@ -1,6 +1,6 @@
-// Drags with the mouse in which memory runs out. Sculptor and session agree on whether the drag is
-// still active, and the displayed positions are those of the object. In a long run every allocation
-// fails in turn, otherwise a sample of them (see FailurePoints) and each of the last ones.
+// Drags with the mouse in which memory runs out. The displayed positions are those of the object,
+// and a window whose drag could not be ended has none. In a long run every allocation fails in
+// turn, otherwise a sample of them (see FailurePoints) and each of the last ones.
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/editor.h"
 #include "app/sculptor.h"
 #include "memory/failing_new.h"
 #include "session/session.h"
@@ -85,7 +86,8 @@ void drag_with_mouse(Session& session, Sculptor& hand, Picture& picture) {
         ASSERT_FALSE(hand.drag(session, camera, towards, DragPath::view_plane));
         picture.update(session);
     }
-    hand.release(session);
+    session.end_drag();
+    hand.end();
 }
 
 // Drags while only so many allocations succeed. Returns whether the drag was not interrupted.
@@ -106,17 +108,57 @@ bool drag_until_memory_ends(std::size_t served, FailingNew::How how) {
         }
         if (!failing.has_failed()) return true;
     }
-    EXPECT_EQ(hand.is_dragging(), session.is_dragging());
     // A step that was done is never reported as failed.
     EXPECT_EQ(session.history().step_number(), steps + (has_ended ? 1 : 0));
-    if (hand.is_dragging() && session.is_dragging()) hand.cancel(session);
+    if (session.is_dragging()) hand.cancel(session);
     picture.update(session);
     EXPECT_TRUE(picture.shows(session.mesh()));
     EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
     return false;
 }
 
-TEST(SculptorMemory, SculptorAndPictureAgreeWithTheSession) {
+// Releases the mouse while only so many allocations succeed. Returns whether none failed.
+bool release_until_memory_ends(std::size_t served, FailingNew::How how) {
+    const Vec2 from{640, 400}, to{700, 300};
+    Editor editor;
+    editor.handle(event::Resize{{1280, 800}});
+    editor.new_shape(command::Shape::Kind::sphere, 3);
+    const TriMesh before = editor.session().mesh();
+    editor.handle(event::MouseMove{from, {}});
+    editor.handle(event::Press{MouseButton::left, from, {}});
+    editor.handle(event::MouseMove{to, {}});
+    editor.advance();
+    EXPECT_TRUE(editor.sculptor().is_dragging());
+    {
+        const FailingNew failing(served, how);
+        try {
+            editor.handle(event::Release{MouseButton::left, to, {}});
+            editor.advance();
+        } catch (const std::bad_alloc&) {
+            editor.handle_out_of_memory("frame");
+        }
+        if (!failing.has_failed()) return true;
+    }
+    EXPECT_FALSE(editor.sculptor().is_dragging());
+    EXPECT_FALSE(editor.session().is_dragging());
+    EXPECT_EQ(editor.session().mesh() == before, editor.session().undo_count() == 0);
+    EXPECT_EQ(editor.session().mesh().validate(), std::vector<std::string>{});
+    return false;
+}
+
+TEST(EditorMemory, NoDragIsLeftWhoseEndHasFailed) {
+    int failures = 0;
+    for (const auto how : {FailingNew::How::once, FailingNew::How::from_there_on}) {
+        for (FailurePoints points(24); !release_until_memory_ends(points.served(), how);
+             points.advance()) {
+            ++failures;
+            ASSERT_FALSE(HasFailure()) << "served " << points.served();
+        }
+    }
+    EXPECT_GT(failures, 20);
+}
+
+TEST(SculptorMemory, ThePictureAgreesWithTheSession) {
     int failures = 0;
     for (const auto how : {FailingNew::How::once, FailingNew::How::from_there_on}) {
         // Then each of the last allocations, when the drag ends.

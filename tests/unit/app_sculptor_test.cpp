@@ -60,7 +60,8 @@ TEST(Sculptor, ReleaseGivesTheSameMeshAsTheDragCommand) {
     }
     EXPECT_EQ(sculptor.from(), pick->point);
     EXPECT_NEAR(glm::distance(*camera.project(sculptor.to(), kSize), Vec2(490, 205)), 0.0, 1e-6);
-    const auto done = sculptor.release(session);
+    const auto done = session.end_drag();
+    sculptor.end();
     ASSERT_TRUE(done);
     EXPECT_FALSE(sculptor.is_dragging());
     ASSERT_FALSE(other.execute(*done));
@@ -86,7 +87,7 @@ TEST(Sculptor, AClickDoesNotCountAsADrag) {
     const Ray ray = camera.ray_through({400, 300}, kSize);
     Sculptor sculptor;
     ASSERT_FALSE(sculptor.grab(session, *session.pick(ray), ray));
-    EXPECT_FALSE(sculptor.release(session));
+    EXPECT_FALSE(session.end_drag());
     EXPECT_EQ(session.undo_count(), 0u);
 }
 

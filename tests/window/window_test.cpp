@@ -105,11 +105,12 @@ TEST_F(WindowTest, AltDragsAlongTheNormal) {
     EXPECT_GT(z, 1.1);
 }
 
-TEST_F(WindowTest, ReleasingASliderReadaptsTheObject) {
+TEST_F(WindowTest, ASliderAndTheButtonBelowItReadaptTheObject) {
     open_window();
     desktop().drag(kMiddleX, kMiddleY, 760, 290);
     ASSERT_TRUE(records("\"drag\""));
-    for (int y = 145; y < 260 && recorded("\"theta_max\"") == 0; y += 10) {
+    int y = 145;
+    for (; y < 260 && recorded("\"theta_max\"") == 0; y += 10) {
         desktop().move(1110, y);
         desktop().press();
         desktop().move(1085, y);
@@ -118,6 +119,14 @@ TEST_F(WindowTest, ReleasingASliderReadaptsTheObject) {
     }
     ASSERT_EQ(recorded("\"theta_max\""), 1u);
     EXPECT_EQ(recorded("\"theta_max\": null"), 0u) << "its toggle, not the slider";
+    EXPECT_EQ(recorded("\"readapt\""), 0u);
+    // Two rows below there is a button as wide as the panel.
+    for (int below = 50; below < 110 && recorded("\"readapt\"") == 0; below += 6) {
+        desktop().move(1110, y + below);
+        desktop().press();
+        desktop().release();
+        wait_until_handled();
+    }
     ASSERT_TRUE(records("\"readapt\""));
     desktop().move(kMiddleX, kMiddleY);
     save_as("window.obj");
