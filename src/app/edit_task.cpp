@@ -1,6 +1,5 @@
 #include "app/edit_task.h"
 
-#include <new>
 #include <utility>
 
 #include "app/command_kind.h"
