@@ -10,6 +10,7 @@
 
 #include "geometry/parallel.h"
 #include "geometry/piercing.h"
+#include "mesh/leaf_boxes.h"
 #include "mesh/sort_ids.h"
 
 namespace pectin {
@@ -252,8 +253,8 @@ const std::vector<SelfIntersection>& SelfIntersections::find() {
 }
 
 void SelfIntersections::search_active_faces() {
-    const TriMesh& mesh = active_.mesh();
     const FaceTree& faces = tree();
+    const LeafBoxes boxes(faces, active_.mesh());
     std::mutex mutex;
     faces.for_near_leaves([&](std::span<const FaceTree::LeafPair> leaves) {
         stop_.throw_if_requested();
@@ -261,7 +262,7 @@ void SelfIntersections::search_active_faces() {
             std::vector<SelfIntersection> found;
             std::uint64_t pairs = 0;
             for (std::uint32_t i = first; i < end; ++i) {
-                faces.for_near_pairs(leaves[i], mesh, [&](FaceId f, FaceId g) {
+                boxes.for_near_pairs(leaves[i], [&](FaceId f, FaceId g) {
                     ++pairs;
                     test_pair(f, g, found);
                 });

@@ -71,8 +71,9 @@ class SelfIntersections {
     // faces), and as much for each edit since the last call; the first time O(n log n).
     bool would_intersect(const Star& star);
 
-    // Whether find() has tested as many pairs of faces as it may, over all its calls. If the object
-    // is pressed into one sheet, nearly every face is near nearly every other.
+    // Whether find() has tested as many pairs of faces with boxes that meet, or nearly do, as it
+    // may, over all its calls. If the object is pressed into one sheet, nearly every face is near
+    // nearly every other.
     bool is_exhausted() const { return pairs_ >= kMostPairs; }
 
   private:

@@ -8,8 +8,8 @@
 namespace pectin {
 namespace {
 
-// The command that takes back what this one does; nothing if Session::execute() can be stopped in
-// it.
+// The command that takes back what this one does, for commands that may be done before
+// Session::execute() asks whether to stop: undo never asks, and redo only where it splits.
 std::optional<Command> inverse(const Command& command) {
     if (const auto* undo = std::get_if<command::Undo>(&command)) {
         return command::Redo{.count = undo->count};
@@ -41,7 +41,7 @@ EditTask::EditTask(Session& session, const Command& command)
             session_.execute(*back);
             throw Stopped();
         }
-        session_.prepare_to_pick();
+        session_.prepare_for_drags();
         return result;
     });
 }

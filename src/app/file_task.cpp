@@ -1,5 +1,8 @@
 #include "app/file_task.h"
 
+#include <new>
+#include <utility>
+
 #include "app/fingerprint.h"
 #include "io/file_error.h"
 #include "session/model_file.h"
@@ -21,6 +24,16 @@ std::string make_copies(const std::vector<ModelCopy>& copies, const Progress& pr
     return warning;
 }
 
+// Takes memory for the first drag while the file is being opened, if there is any.
+LoadedModel prepared(LoadedModel model) {
+    try {
+        model.active->prepare_splits(kPreparedSplits);
+    } catch (const std::bad_alloc&) {
+        // The drag does so itself, if there is memory by then.
+    }
+    return model;
+}
+
 }  // namespace
 
 FileWork open_work(const command::Open& open, bool with_fingerprint) {
@@ -32,14 +45,14 @@ FileWork open_work(const command::Open& open, bool with_fingerprint) {
         if (with_fingerprint) {
             result.fingerprint = fingerprint(open.path, progress.part(0.0, fingerprint_time));
         }
-        result.model = load_model(open, progress.part(fingerprint_time, 1.0));
+        result.model = prepared(load_model(open, progress.part(fingerprint_time, 1.0)));
         return result;
     };
 }
 
 FileWork reopen_work(const command::Open& open, const ModelCopy& copy) {
     return [open, copy](const Progress& progress) {
-        return FileResult{.model = load_original(open, copy, progress),
+        return FileResult{.model = prepared(load_original(open, copy, progress)),
                           .fingerprint = copy.fingerprint};
     };
 }

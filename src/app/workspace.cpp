@@ -176,6 +176,7 @@ void Workspace::finish(const Command& command, const std::string& fingerprint) {
     clear_command_message();
     record(command, fingerprint);  // first, since memory may run out for the rest
     update_file_state(command);
+    session_.prepare_for_drags();
     if (const auto* open = std::get_if<command::Open>(&command)) {
         tell_if_possible([&] {
             set_message(input_summary(open->path, session_.input_report(), session_.read_report()));

@@ -27,7 +27,7 @@ void for_each_wedge(std::span<const ActiveSet::Inserted> sheets, Visit visit) {
 
 }  // namespace
 
-void Embedding::embed() {
+void Embedding::embed(const StopToken& stop) {
     step_starts_.assign(warp_.steps.size(), {});
     normals_.clear();
     has_folded_.clear();
@@ -42,18 +42,23 @@ void Embedding::embed() {
         evaluator_.emplace(*field);
     }
     if (weight_count_ == 1) runs_ = lasting_runs(active_);
-    weights_.resize(active_.vertex_entries() * weight_count_);
     fit_to_entries();
-    for (std::uint32_t w = 0; w < normals_.size(); ++w) normals_[w] = active_.rest_normal_at(w);
+    if (step_starts_.size() > 1) normals_.assign(active_.rest_normals());
     for (std::size_t step = 0; step + 1 < step_starts_.size(); ++step) {
+        stop.throw_if_requested();
         dispatch(warp_.steps[step],
                  [&](const auto& deformation) { embed_before_last(deformation, step); });
     }
     if (weight_count_ == 0) return;
     dispatch(warp_.steps.back(), [&](const auto& deformation) {
-        for_pieces(0, active_.influenced_at_begin(), [&](std::uint32_t first, std::uint32_t end) {
+        const auto vertices = static_cast<std::uint32_t>(active_.vertex_entries());
+        for_pieces(0, vertices, [&](std::uint32_t first, std::uint32_t end) {
             for (std::uint32_t i = first; i < end; ++i) {
-                weights_at(deformation, start_position(last(), i), weights_of(i));
+                if (i < active_.influenced_at_begin()) {
+                    weights_at(deformation, start_position(last(), i), weights_of(i));
+                } else {
+                    std::ranges::fill(weights_of(i), DragWeight{});
+                }
             }
         });
     });

@@ -12,6 +12,7 @@
 
 #include "ffd/lattice_evaluator.h"
 #include "ffd/warp.h"
+#include "geometry/stop_token.h"
 #include "mesh/active_set.h"
 #include "mesh/growing_array.h"
 
@@ -25,8 +26,8 @@ class Embedding {
     Embedding(ActiveSet& active, const Warp& warp) : active_(active), warp_(warp) {}
 
     // Computes, for every influenced vertex, its position before the last step and its weights
-    // there. Cost: O(influenced vertices) for each step.
-    void embed();
+    // there. Throws Stopped where `stop` asks for it. Cost: O(influenced vertices) for each step.
+    void embed(const StopToken& stop = {});
     // Sets the positions, wedge normals and deformed marks of all influenced vertices from their
     // rest state, by the present displacements of the warp. Cost: O(influenced vertices),
     // streaming.

@@ -23,8 +23,8 @@ void for_pieces_on_all_threads(std::uint32_t first, std::uint32_t end, std::uint
                                const Piece& work);
 
 // Calls work(first, end) for pieces of [first, end), in no particular order, and on all threads if
-// there are more than two pieces. Precondition: no piece accesses what another one writes. The
-// result then does not depend on the number of threads.
+// there are more than two pieces. Precondition: no piece accesses what another one writes, unless
+// atomically. The result then does not depend on the number of threads.
 template <typename Work>
 void for_pieces(std::uint32_t first, std::uint32_t end, const Work& work,
                 std::uint32_t piece = kPiece) {

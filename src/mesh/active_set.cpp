@@ -4,6 +4,7 @@
 #include <cassert>
 #include <span>
 
+#include "geometry/two_groups.h"
 #include "mesh/array_bytes.h"
 #include "mesh/sort_ids.h"
 
@@ -20,6 +21,7 @@ void ActiveSet::begin(std::span<const FaceId> faces, const Box& zone,
 }
 
 void ActiveSet::roll_back() noexcept {
+    if (log_.edits().empty()) return rest_.restore_attributes(mesh_);
     log_.take_back(mesh_);
     assert(mesh_.slot_counts() == log_.slots_at_begin());
     rest_.restore(mesh_);
@@ -44,15 +46,23 @@ MeshChange ActiveSet::finish() {
     change.slots_before = log_.slots_at_begin();
     rest_.record(change);
     change.edits.assign(log_.edits().begin(), log_.edits().end());
-    for (std::size_t i = 0; i < faces().size(); ++i) {
-        const FaceId f = faces()[i];
-        if (i >= log_.original_faces() || rest_.has_changed(f)) change.faces.push_back(f);
-    }
-    sort_ids(std::span(change.faces));
-    change.faces.erase(std::unique(change.faces.begin(), change.faces.end()), change.faces.end());
-    change.faces.shrink_to_fit();
+    change.faces = changed_faces();
     forget();
     return change;
+}
+
+std::vector<FaceId> ActiveSet::changed_faces() const {
+    const TwoGroups changed(static_cast<std::uint32_t>(faces().size()), [&](std::uint32_t i) {
+        const bool is_edited = i >= log_.original_faces();
+        return is_edited || rest_.has_changed(faces()[i]) ? Group::first : Group::none;
+    });
+    std::vector<FaceId> result(changed.size());
+    changed.for_each([&](std::uint32_t i, std::uint32_t number) { result[number] = faces()[i]; });
+    if (log_.edits().empty()) return result;
+    sort_ids(std::span(result));
+    result.erase(std::unique(result.begin(), result.end()), result.end());
+    result.shrink_to_fit();
+    return result;
 }
 
 void ActiveSet::forget() noexcept {

@@ -128,6 +128,10 @@ class ActiveSet {
     // Makes room for `count` splits of edges outside cuts, here and in the mesh, so that these move
     // no array.
     void reserve_splits(std::uint32_t count);
+    // Takes memory from the system for the first `count` splits of the next gesture, which would
+    // otherwise wait for it. Only between gestures. Throws std::bad_alloc; the mesh is then
+    // unchanged. Cost: O(count), and O(mesh) the first time.
+    void prepare_splits(std::uint32_t count);
     // Precondition: star.m has an entry. Throws std::bad_alloc before anything changes.
     void unsplit(const Star& star);
 
@@ -201,6 +205,7 @@ class ActiveSet {
     bool midpoint_stays(const Split& split) const;
     void log_faces(std::size_t first, const Split& split);
     void drop_sheet(const Star& star);
+    std::vector<FaceId> changed_faces() const;  // for a MeshChange
     void forget() noexcept;
 
     TriMesh& mesh_;

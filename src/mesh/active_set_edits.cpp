@@ -23,6 +23,13 @@ void ActiveSet::reserve_splits(std::uint32_t count) {
     split_capacity_ = staying_.empty() ? capacity : std::min(capacity, count);
 }
 
+void ActiveSet::prepare_splits(std::uint32_t count) {
+    assert(!begun_);
+    mesh_.prepare_splits(count);
+    rest_.prepare_splits(count);
+    log_.prepare_splits(count);
+}
+
 // Reserves all memory that the split needs before anything changes.
 void ActiveSet::reserve_for_split(EdgeId e) {
     std::uint32_t sheets = 1;

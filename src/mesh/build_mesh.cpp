@@ -32,17 +32,16 @@ class MeshBuilder {
     MeshBuilder(IndexedFaceSet input, const BuildOptions& options)
         : input_(std::move(input)), options_(options) {}
 
-    BuiltMesh build() {
+    BuiltMesh build(const StopToken& stop) {
         take_input();
-        make_faces();
-        match_twins();
-        exchange_diagonals();
-        join_unshared();
-        make_edges();
-        join_siblings();
-        name_vertices();
-        make_wedges();
-        keep_elements();
+        for (const auto step :
+             {&MeshBuilder::make_faces, &MeshBuilder::match_twins, &MeshBuilder::exchange_diagonals,
+              &MeshBuilder::join_unshared, &MeshBuilder::make_edges, &MeshBuilder::join_siblings,
+              &MeshBuilder::name_vertices, &MeshBuilder::make_wedges,
+              &MeshBuilder::keep_elements}) {
+            stop.throw_if_requested();
+            (this->*step)();
+        }
         survey(mesh_, report_);
         return {std::move(mesh_), report_};
     }
@@ -348,8 +347,8 @@ void MeshBuilder::keep_elements() {
     }
 }
 
-BuiltMesh build_mesh(IndexedFaceSet input, const BuildOptions& options) {
-    return MeshBuilder(std::move(input), options).build();
+BuiltMesh build_mesh(IndexedFaceSet input, const BuildOptions& options, const StopToken& stop) {
+    return MeshBuilder(std::move(input), options).build(stop);
 }
 
 }  // namespace pectin

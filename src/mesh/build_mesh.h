@@ -3,6 +3,7 @@
 
 #include <cstdint>
 
+#include "geometry/stop_token.h"
 #include "mesh/build_report.h"
 #include "mesh/indexed_face_set.h"
 #include "mesh/tri_mesh.h"
@@ -28,7 +29,9 @@ struct BuiltMesh {
 // the vertex with the lowest index (UnsharedSeams), and the edges become twins or siblings by the
 // same rule. InputForm keeps the corners of polygons, and also polygons without surface, lines and
 // points. Precondition: indices in range, positions finite, fewer than 2^31 corners of triangles.
+// Throws Stopped where `stop` asks for it, which it does between its steps.
 // Cost: O(n log n) at worst, O(n) if no vertex has many faces.
-BuiltMesh build_mesh(IndexedFaceSet input, const BuildOptions& options = {});
+BuiltMesh build_mesh(IndexedFaceSet input, const BuildOptions& options = {},
+                     const StopToken& stop = {});
 
 }  // namespace pectin

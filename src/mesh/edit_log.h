@@ -54,6 +54,11 @@ class EditLog {
         return std::min(edits_.capacity() - edits_.size(),
                         (faces_.capacity() - faces_.size()) / kFacesPerSheet);
     }
+    // TriMesh::prepare_splits() for the log.
+    void prepare_splits(std::size_t count) {
+        edits_.prepare(count);
+        faces_.prepare(kFacesPerSheet * count);
+    }
     // Makes room for edits of so many sheets in all.
     void reserve(std::size_t sheets) {
         edits_.reserve_additional(sheets);

@@ -6,12 +6,14 @@
 #include <utility>
 
 #include "geometry/parallel.h"
+#include "mesh/sort_ids.h"
 
 namespace pectin {
 namespace {
 
 constexpr std::uint32_t kNodesAtATime = 2048;  // on one thread
 constexpr std::size_t kPairsAtATime = 16384;   // of leaves, in one visit
+constexpr std::size_t kFewLeaves = 16;         // one to this many nodes
 
 // The growth of a box when it includes another: half the surface area that it gains.
 double growth(const Box& box, const Box& added) {
@@ -57,6 +59,10 @@ std::vector<FaceId> FaceTree::faces_meeting(const Box& box, const TriMesh& mesh)
             continue;
         }
         const Leaf& leaf = leaves_[node.leaf];
+        if (box.contains(node.box)) {
+            answer.insert(answer.end(), leaf.faces, leaf.faces + leaf.count);
+            continue;
+        }
         for (std::uint32_t i = 0; i < leaf.count; ++i) {
             const HalfEdgeId h = TriMesh::half_edge(leaf.faces[i], 0);
             if (triangle_meets_box(mesh.position(mesh.origin(h)), mesh.position(mesh.target(h)),
@@ -65,7 +71,7 @@ std::vector<FaceId> FaceTree::faces_meeting(const Box& box, const TriMesh& mesh)
             }
         }
     }
-    std::sort(answer.begin(), answer.end());
+    sort_ids(std::span(answer));
     return answer;
 }
 
@@ -196,30 +202,34 @@ void FaceTree::update(std::span<const FaceId> changed, const TriMesh& mesh) {
         return;
     }
     // An undo may have removed slots. Their faces leave the tree before node_of_face_ shrinks.
+    std::vector<FaceId> added;
+    std::vector<std::uint32_t> leaves;  // nodes of leaves whose faces have moved or gone
     for (FaceId f : changed) {
-        if (index(f) >= mesh.face_slots() || !mesh.is_live(f)) remove(f);
+        const bool is_there = index(f) < node_of_face_.size() && node_of_face_[index(f)] != kNoNode;
+        const bool is_live = index(f) < mesh.face_slots() && mesh.is_live(f);
+        if (is_there) leaves.push_back(node_of_face_[index(f)]);
+        if (is_there && !is_live) remove(f);
+        if (is_live && !is_there) added.push_back(f);
     }
     node_of_face_.resize(mesh.face_slots(), kNoNode);
-    // Refitting a leaf walks to the root. Beyond a quarter of the mesh, refitting all is cheaper.
-    const bool all = changed.size() > mesh.face_count() / 4;
-    std::vector<std::uint32_t> leaves;
-    for (FaceId f : changed) {
-        if (index(f) < mesh.face_slots() && mesh.is_live(f) && node_of_face_[index(f)] != kNoNode) {
-            leaves.push_back(node_of_face_[index(f)]);
-        }
+    refit_leaves(std::move(leaves), mesh);
+    for (FaceId f : added) {
+        if (node_of_face_[index(f)] == kNoNode) insert(f, mesh);  // it may be listed twice
+    }
+}
+
+// Refits these leaves, which may be listed several times, and the nodes above them. Walking from
+// each leaf to the root is slower than a pass over all nodes if there are many leaves.
+void FaceTree::refit_leaves(std::vector<std::uint32_t> leaves, const TriMesh& mesh) {
+    if (leaves.size() > nodes_.size() / kFewLeaves) {
+        std::vector<std::uint8_t> is_changed(nodes_.size(), 0);
+        for (std::uint32_t node : leaves) is_changed[node] = 1;
+        refit(std::move(is_changed), mesh);
+        return;
     }
     std::sort(leaves.begin(), leaves.end());
     leaves.erase(std::unique(leaves.begin(), leaves.end()), leaves.end());
-    if (all) {
-        refit_all(mesh);
-    } else {
-        for (std::uint32_t node : leaves) refit_upwards(node, mesh);
-    }
-    for (FaceId f : changed) {
-        if (index(f) < mesh.face_slots() && mesh.is_live(f) && node_of_face_[index(f)] == kNoNode) {
-            insert(f, mesh);
-        }
-    }
+    for (std::uint32_t node : leaves) refit_upwards(node, mesh);
 }
 
 void FaceTree::insert(FaceId f, const TriMesh& mesh) {
@@ -241,9 +251,8 @@ void FaceTree::insert(FaceId f, const TriMesh& mesh) {
     }
 }
 
-// Boxes are not shrunk until the next refit.
+// Precondition: f is in the tree. The boxes are not shrunk.
 void FaceTree::remove(FaceId f) {
-    if (index(f) >= node_of_face_.size() || node_of_face_[index(f)] == kNoNode) return;
     Leaf& leaf = leaves_[nodes_[node_of_face_[index(f)]].leaf];
     FaceId* const found = std::find(leaf.faces, leaf.faces + leaf.count, f);
     *found = leaf.faces[--leaf.count];
@@ -289,16 +298,25 @@ void FaceTree::refit_upwards(std::uint32_t node, const TriMesh& mesh) {
     }
 }
 
-// The leaves on all threads, since most of the time goes there.
 void FaceTree::refit_all(const TriMesh& mesh) {
+    refit(std::vector<std::uint8_t>(nodes_.size(), 1), mesh);
+}
+
+// Refits the nodes that have changed and those above them. The leaves on all threads, since most of
+// the time goes there.
+void FaceTree::refit(std::vector<std::uint8_t> is_changed, const TriMesh& mesh) {
     const auto refit_leaves = [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t i = first; i < end; ++i) {
-            if (nodes_[i].is_leaf()) nodes_[i].box = fitted_box(nodes_[i], mesh);
+            if (nodes_[i].is_leaf() && is_changed[i] != 0)
+                nodes_[i].box = fitted_box(nodes_[i], mesh);
         }
     };
     for_pieces(0, static_cast<std::uint32_t>(nodes_.size()), refit_leaves, kNodesAtATime);
     for (std::size_t i = nodes_.size(); i-- > 0;) {
-        if (!nodes_[i].is_leaf()) nodes_[i].box = fitted_box(nodes_[i], mesh);
+        if (nodes_[i].is_leaf()) continue;
+        if (is_changed[nodes_[i].left] == 0 && is_changed[nodes_[i].right] == 0) continue;
+        is_changed[i] = 1;
+        nodes_[i].box = fitted_box(nodes_[i], mesh);
     }
 }
 

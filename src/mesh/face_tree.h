@@ -1,7 +1,6 @@
 // A bounding-box tree over the faces of a mesh, for box, ray and nearest-face queries.
 #pragma once
 
-#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <functional>
@@ -12,6 +11,7 @@
 
 #include "geometry/box.h"
 #include "geometry/ray.h"
+#include "geometry/stop_token.h"
 #include "mesh/tri_mesh.h"
 
 namespace pectin {
@@ -28,7 +28,8 @@ struct FaceHit {
 // tree's order.
 class FaceTree {
   public:
-    explicit FaceTree(const TriMesh& mesh);  // O(n log n)
+    // Throws Stopped where `stop` asks for it. Cost: O(n log n).
+    explicit FaceTree(const TriMesh& mesh, const StopToken& stop = {});
     // Contains only these faces, each listed once; update() adds the faces it is given. Cost:
     // O(k log k) time, and one word per face slot.
     FaceTree(const TriMesh& mesh, std::span<const FaceId> faces);
@@ -50,9 +51,6 @@ class FaceTree {
         std::uint32_t first, second;
     };
     void for_near_leaves(const std::function<bool(std::span<const LeafPair>)>& visit) const;
-    // Calls visit(f, g) for each pair of faces from these leaves whose boxes meet, once per pair.
-    template <typename Visit>
-    void for_near_pairs(const LeafPair& leaves, const TriMesh& mesh, Visit visit) const;
 
     // The live face that the ray meets first; at equal distances the one with the lowest id.
     // Cost: O(log n) for a ray that meets few boxes.
@@ -63,13 +61,22 @@ class FaceTree {
     std::optional<FaceId> nearest(const Vec3& point, const TriMesh& mesh) const;
 
     // Must be called with every slot whose face has moved, been added or been removed.
-    // Cost: O(k log n), at most O(n); O(n log n) when the tree is rebuilt.
+    // Cost: O(k log n), at most O(k + n); O(n log n) when the tree is rebuilt.
     void update(std::span<const FaceId> changed, const TriMesh& mesh);
 
     std::size_t memory_bytes() const;
 
-  private:
+    // What LeafBoxes (leaf_boxes.h) needs to find the near faces of such leaves.
     static constexpr std::uint32_t kLeafFaces = 16;
+    struct Leaf {
+        std::uint32_t count = 0;
+        FaceId faces[kLeafFaces] = {};
+    };
+    std::span<const Leaf> leaves() const { return leaves_; }
+    // A box that contains all faces; empty if there are none.
+    const Box& box() const { return nodes_.front().box; }
+
+  private:
     static constexpr std::uint32_t kNoNode = 0xffffffffu;
 
     struct Node {
@@ -79,11 +86,6 @@ class FaceTree {
         std::uint32_t leaf = kNoNode;                   // index into leaves_; none in an inner node
         bool is_leaf() const { return leaf != kNoNode; }
     };
-    struct Leaf {
-        std::uint32_t count = 0;
-        FaceId faces[kLeafFaces] = {};
-    };
-
     struct FaceCentre {
         FaceId face = kNone<FaceId>;
         Vec3 centre;  // of its box
@@ -91,17 +93,19 @@ class FaceTree {
 
     static Box face_box(FaceId f, const TriMesh& mesh);
     static int longest_axis(const Box& box);
-    void build(const TriMesh& mesh, std::span<const FaceId> faces);
-    std::uint32_t build_node(std::span<FaceCentre> faces, std::uint32_t parent,
-                             const TriMesh& mesh);
+    void build(const TriMesh& mesh, std::span<const FaceId> faces, const StopToken& stop = {});
+    std::uint32_t build_node(std::span<FaceCentre> faces, std::uint32_t parent, const TriMesh& mesh,
+                             const StopToken& stop);
     void rebuild(const TriMesh& mesh, std::span<const FaceId> changed);
     std::uint32_t make_leaf(std::span<const FaceCentre> faces, std::uint32_t parent,
                             const TriMesh& mesh);
     void insert(FaceId f, const TriMesh& mesh);
     void remove(FaceId f);
     void divide_leaf(std::uint32_t node, FaceId extra, const TriMesh& mesh);
+    void refit_leaves(std::vector<std::uint32_t> leaves, const TriMesh& mesh);
     void refit_upwards(std::uint32_t node, const TriMesh& mesh);
     void refit_all(const TriMesh& mesh);
+    void refit(std::vector<std::uint8_t> is_changed, const TriMesh& mesh);
     void copy_part(const FaceTree& other, const std::vector<std::uint32_t>& counts,
                    const std::vector<bool>& is_wanted);
     Box fitted_box(const Node& node, const TriMesh& mesh) const;
@@ -118,19 +122,6 @@ inline Box FaceTree::face_box(FaceId f, const TriMesh& mesh) {
         box.include(mesh.position(mesh.origin(TriMesh::half_edge(f, corner))));
     }
     return box;
-}
-
-template <typename Visit>
-void FaceTree::for_near_pairs(const LeafPair& leaves, const TriMesh& mesh, Visit visit) const {
-    const Leaf &left = leaves_[leaves.first], &right = leaves_[leaves.second];
-    std::array<Box, kLeafFaces> boxes;
-    for (std::uint32_t j = 0; j < right.count; ++j) boxes[j] = face_box(right.faces[j], mesh);
-    for (std::uint32_t i = 0; i < left.count; ++i) {
-        const Box box = &left == &right ? boxes[i] : face_box(left.faces[i], mesh);
-        for (std::uint32_t j = &left == &right ? i + 1 : 0; j < right.count; ++j) {
-            if (box.meets(boxes[j])) visit(left.faces[i], right.faces[j]);
-        }
-    }
 }
 
 }  // namespace pectin

@@ -4,14 +4,19 @@
 #include "mesh/face_tree.h"
 
 namespace pectin {
+namespace {
 
-FaceTree::FaceTree(const TriMesh& mesh) {
+constexpr std::size_t kFacesBetweenQuestions = 4096;  // whether to stop
+
+}  // namespace
+
+FaceTree::FaceTree(const TriMesh& mesh, const StopToken& stop) {
     std::vector<FaceId> faces;
     faces.reserve(mesh.face_count());
     for (std::uint32_t i = 0; i < mesh.face_slots(); ++i) {
         if (mesh.is_live(FaceId{i})) faces.push_back(FaceId{i});
     }
-    build(mesh, faces);
+    build(mesh, faces, stop);
 }
 
 FaceTree::FaceTree(const TriMesh& mesh, std::span<const FaceId> faces) { build(mesh, faces); }
@@ -22,17 +27,26 @@ FaceTree::FaceTree(const FaceTree& other, const TriMesh& mesh, std::span<const F
     for (FaceId f : faces) is_wanted[index(f)] = true;
     // How many wanted faces are below each node. Children come after their parent.
     std::vector<std::uint32_t> counts(other.nodes_.size(), 0);
+    std::uint32_t all = 0;
     for (std::size_t i = other.nodes_.size(); i-- > 0;) {
         const Node& node = other.nodes_[i];
         if (node.is_leaf()) {
             const Leaf& leaf = other.leaves_[node.leaf];
+            all += leaf.count;
             counts[i] = static_cast<std::uint32_t>(std::count_if(
                 leaf.faces, leaf.faces + leaf.count,
                 [&](FaceId f) { return index(f) < is_wanted.size() && is_wanted[index(f)]; }));
         }
         if (node.parent != kNoNode) counts[node.parent] += counts[i];
     }
-    copy_part(other, counts, is_wanted);
+    if (counts.front() == all) {
+        nodes_ = other.nodes_;
+        leaves_ = other.leaves_;
+        node_of_face_ = other.node_of_face_;
+        node_of_face_.resize(mesh.face_slots(), kNoNode);
+    } else {
+        copy_part(other, counts, is_wanted);
+    }
     refit_all(mesh);
 }
 
@@ -76,7 +90,7 @@ void FaceTree::copy_part(const FaceTree& other, const std::vector<std::uint32_t>
     }
 }
 
-void FaceTree::build(const TriMesh& mesh, std::span<const FaceId> faces) {
+void FaceTree::build(const TriMesh& mesh, std::span<const FaceId> faces, const StopToken& stop) {
     nodes_.clear();
     leaves_.clear();
     node_of_face_.assign(mesh.face_slots(), kNoNode);
@@ -84,7 +98,7 @@ void FaceTree::build(const TriMesh& mesh, std::span<const FaceId> faces) {
     std::vector<FaceCentre> centres;
     centres.reserve(faces.size());
     for (FaceId f : faces) centres.push_back({f, face_box(f, mesh).centre()});
-    build_node(centres, kNoNode, mesh);
+    build_node(centres, kNoNode, mesh, stop);
 }
 
 // Rebuilds the tree with the faces it holds and those of `changed` that are new to it.
@@ -101,7 +115,8 @@ void FaceTree::rebuild(const TriMesh& mesh, std::span<const FaceId> changed) {
 }
 
 std::uint32_t FaceTree::build_node(std::span<FaceCentre> faces, std::uint32_t parent,
-                                   const TriMesh& mesh) {
+                                   const TriMesh& mesh, const StopToken& stop) {
+    if (faces.size() > kFacesBetweenQuestions) stop.throw_if_requested();
     // Leaves are filled to three quarters, so that refinement does not divide all of them at once.
     if (faces.size() <= kLeafFaces * 3 / 4) return make_leaf(faces, parent, mesh);
     Box spread;
@@ -114,8 +129,8 @@ std::uint32_t FaceTree::build_node(std::span<FaceCentre> faces, std::uint32_t pa
     const auto node = static_cast<std::uint32_t>(nodes_.size());
     nodes_.emplace_back();
     nodes_[node].parent = parent;
-    const std::uint32_t left = build_node(faces.first(middle), node, mesh);
-    const std::uint32_t right = build_node(faces.subspan(middle), node, mesh);
+    const std::uint32_t left = build_node(faces.first(middle), node, mesh, stop);
+    const std::uint32_t right = build_node(faces.subspan(middle), node, mesh, stop);
     nodes_[node].left = left;
     nodes_[node].right = right;
     nodes_[node].box = fitted_box(nodes_[node], mesh);

@@ -63,6 +63,15 @@ class GrowingArray {
         if (capacity_ - size_ < count) [[unlikely]]
             grow_to(size_ + count);
     }
+    // Makes room for `count` further elements, and not more, and lets the system provide the memory
+    // now. Later each first write to a page would wait for that.
+    void prepare(std::size_t count) {
+        constexpr std::size_t kPage = 4096;
+        reserve(size_ + count);
+        const std::size_t end = sizeof(T) * (size_ + count);
+        auto* const bytes = reinterpret_cast<volatile std::byte*>(data_);
+        for (std::size_t i = sizeof(T) * size_; i < end; i += kPage) bytes[i] = std::byte{0};
+    }
     void push_back(T value) {
         reserve_additional(1);
         data_[size_++] = value;
@@ -92,6 +101,11 @@ class GrowingArray {
         reserve(size);
         clear();
         resize(size, value);
+    }
+    void assign(std::span<const T> values) {  // must not be part of this array
+        reserve(values.size());
+        clear();
+        append(values);
     }
     void append(std::span<const T> values) {  // must not be part of this array
         if (values.empty()) return;

@@ -4,15 +4,22 @@
 
 namespace pectin {
 
-void AttributeState::add(const TriMesh& mesh, VertexId v) {
-    vertices.push_back(v);
-    positions.push_back(mesh.position(v));
-    deformed.push_back(mesh.is_deformed(v) ? 1 : 0);
+void AttributeState::grow_vertices(std::size_t count) {
+    const std::size_t size = vertices.size() + count;
+    vertices.reserve(size);
+    positions.reserve(size);
+    deformed.reserve(size);
+    vertices.grow(count);
+    positions.grow(count);
+    deformed.grow(count);
 }
 
-void AttributeState::add(const TriMesh& mesh, WedgeId w) {
-    wedges.push_back(w);
-    normals.push_back(mesh.normal(w));
+void AttributeState::grow_wedges(std::size_t count) {
+    const std::size_t size = wedges.size() + count;
+    wedges.reserve(size);
+    normals.reserve(size);
+    wedges.grow(count);
+    normals.grow(count);
 }
 
 void AttributeState::write_to(TriMesh& mesh) const {
@@ -21,14 +28,6 @@ void AttributeState::write_to(TriMesh& mesh) const {
         mesh.set_deformed(vertices[i], deformed[i] != 0);
     }
     for (std::size_t i = 0; i < wedges.size(); ++i) mesh.set_normal(wedges[i], normals[i]);
-}
-
-void AttributeState::shrink_to_fit() {
-    vertices.shrink_to_fit();
-    positions.shrink_to_fit();
-    deformed.shrink_to_fit();
-    wedges.shrink_to_fit();
-    normals.shrink_to_fit();
 }
 
 std::size_t AttributeState::memory_bytes() const {
@@ -45,6 +44,8 @@ std::size_t MeshChange::memory_bytes() const {
 VertexId inserted_vertex(const TriMesh& mesh, EdgeId bc) { return mesh.target(mesh.half_edge(bc)); }
 
 namespace {
+
+constexpr std::size_t kEditsBetweenQuestions = 4096;  // whether to stop
 
 void unsplit_edge(TriMesh& mesh, EdgeId bc) {
     const auto star = mesh.removable(inserted_vertex(mesh, bc));
@@ -72,10 +73,11 @@ void undo(const MeshChange& change, TriMesh& mesh) noexcept {
     change.before.write_to(mesh);
 }
 
-void redo(const MeshChange& change, TriMesh& mesh) {
+void redo(const MeshChange& change, TriMesh& mesh, const StopToken& stop) {
     const std::span<const TopologyEdit> edits = change.edits;
     for (std::size_t i = 0; i < edits.size(); ++i) {
         try {
+            if (i % kEditsBetweenQuestions == 0) stop.throw_if_requested();
             if (edits[i].is_split()) {
                 mesh.insert_midpoint(edits[i].edge());
             } else {

@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "geometry/stop_token.h"
+#include "mesh/growing_array.h"
 #include "mesh/tri_mesh.h"
 
 namespace pectin {
@@ -29,16 +31,25 @@ class TopologyEdit {
 // The attributes that a gesture may change, for the elements that it has changed. Levels and
 // texture coordinates follow from the edits.
 struct AttributeState {
-    std::vector<VertexId> vertices;
-    std::vector<Vec3> positions;         // n_vertices
-    std::vector<std::uint8_t> deformed;  // n_vertices
-    std::vector<WedgeId> wedges;
-    std::vector<Vec3f> normals;  // n_wedges
+    GrowingArray<VertexId> vertices;
+    GrowingArray<Vec3> positions;         // n_vertices
+    GrowingArray<std::uint8_t> deformed;  // n_vertices
+    GrowingArray<WedgeId> wedges;
+    GrowingArray<Vec3f> normals;  // n_wedges
 
-    void add(const TriMesh& mesh, VertexId v);
-    void add(const TriMesh& mesh, WedgeId w);
+    // Adds elements that set() then writes. Throws std::bad_alloc.
+    void grow_vertices(std::size_t count);
+    void grow_wedges(std::size_t count);
+    void set(std::size_t i, VertexId v, const Vec3& position, bool is_deformed) {
+        vertices[i] = v;
+        positions[i] = position;
+        deformed[i] = is_deformed ? 1 : 0;
+    }
+    void set(std::size_t i, WedgeId w, const Vec3f& normal) {
+        wedges[i] = w;
+        normals[i] = normal;
+    }
     void write_to(TriMesh& mesh) const;
-    void shrink_to_fit();
     std::size_t memory_bytes() const;
 };
 
@@ -58,9 +69,10 @@ struct MeshChange {
 
 // Precondition: `mesh` is in the state after the change (undo) or before it (redo). Both restore
 // ids, attributes and free lists to the byte. Cost: O(size of the change). undo() allocates
-// nothing. redo() may throw std::bad_alloc; the mesh is then unchanged.
+// nothing. redo() may throw std::bad_alloc, and Stopped where `stop` asks for it; the mesh is then
+// unchanged.
 void undo(const MeshChange& change, TriMesh& mesh) noexcept;
-void redo(const MeshChange& change, TriMesh& mesh);
+void redo(const MeshChange& change, TriMesh& mesh, const StopToken& stop = {});
 
 // The vertex that the split of bc inserted. Precondition: it is removable.
 VertexId inserted_vertex(const TriMesh& mesh, EdgeId bc);

@@ -58,6 +58,13 @@ void TriMesh::reserve_splits(std::uint32_t count) {
     if (split_capacity_.splits < count) reserve_for_sides(2 * std::size_t{count});
 }
 
+void TriMesh::prepare_splits(std::size_t count) {
+    vertices_.prepare(count);
+    wedges_.prepare(count);
+    edges_.prepare(3 * count);
+    faces_.prepare(2 * count);
+}
+
 void TriMesh::reserve_unsplits(std::size_t count) {
     vertices_.reserve_free(count);
     wedges_.reserve_free(2 * count);

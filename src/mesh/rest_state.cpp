@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "geometry/parallel.h"
+#include "geometry/two_groups.h"
 #include "mesh/array_bytes.h"
 #include "mesh/sort_ids.h"
 
@@ -21,22 +22,49 @@ void raise_to(double& value, double to) {
     }
 }
 
+// With fewer than one in so many of a mesh's faces, collecting and sorting ids is faster than
+// looking at all slots of the mesh.
+constexpr std::size_t kFewFaces = 16;
+
+constexpr std::uint32_t kMarked = 0;
+
+// Ids among which the marked elements are, ascending: given ids, or those of all slots.
+template <typename Id>
+class Candidates {
+  public:
+    explicit Candidates(std::uint32_t slots) : size_(slots) {}
+    explicit Candidates(std::vector<Id> ids)
+        : ids_(std::move(ids)), size_(static_cast<std::uint32_t>(ids_.size())) {
+        sort_ids(std::span(ids_));
+    }
+    std::uint32_t size() const { return size_; }
+    Id operator[](std::uint32_t i) const { return ids_.empty() ? Id{i} : ids_[i]; }
+
+  private:
+    std::vector<Id> ids_;  // empty if all slots are candidates
+    std::uint32_t size_;
+};
+
 }  // namespace
+
+struct RestState::Elements {
+    Candidates<VertexId> vertices;
+    Candidates<WedgeId> wedges;
+    Candidates<EdgeId> edges;
+};
 
 void RestState::begin(std::span<const FaceId> faces, const Box& zone) {
     zone_ = zone;
     fit_to_mesh();
-    std::vector<VertexId> corners;
-    std::vector<WedgeId> wedges;
-    collect(faces, corners, wedges);
-    enter_edges();
-    enter_vertices(corners);
-    enter_wedges(wedges);
+    const Elements elements = mark(faces);
+    enter_edges(elements);
+    enter_vertices(elements);
+    enter_wedges(elements);
     original_vertices_ = vertices_.slots();
     original_wedges_ = wedges_.slots();
     original_edges_ = edges_.slots();
-    original_vertex_ids_ = vertices_.ids;
-    original_wedge_ids_ = wedges_.ids;
+    original_vertex_ids_.assign(vertices_.ids);
+    original_wedge_ids_.assign(wedges_.ids);
 }
 
 void RestState::fit_to_mesh() {
@@ -48,70 +76,104 @@ void RestState::fit_to_mesh() {
     fit(edge_states_, mesh_.edge_slots(), EdgeState{});
 }
 
-// Collects each corner, wedge and edge of the faces once. Until it is entered, wedge_entry_ holds
-// the vertex of a wedge.
-void RestState::collect(std::span<const FaceId> faces, std::vector<VertexId>& corners,
-                        std::vector<WedgeId>& wedges) {
+// Marks each corner, wedge and edge of the faces. A marked vertex or edge has entry 0 until it is
+// entered; wedge_entry_ holds the vertex of a marked wedge.
+RestState::Elements RestState::mark(std::span<const FaceId> faces) {
+    if (faces.size() > mesh_.face_slots() / kFewFaces) {
+        mark_on_all_threads(faces);
+        return {.vertices = Candidates<VertexId>(mesh_.vertex_slots()),
+                .wedges = Candidates<WedgeId>(mesh_.wedge_slots()),
+                .edges = Candidates<EdgeId>(mesh_.edge_slots())};
+    }
+    std::vector<VertexId> vertices;
+    std::vector<WedgeId> wedges;
+    std::vector<EdgeId> edges;
     for (FaceId f : faces) {
         for (int corner = 0; corner < 3; ++corner) {
             const HalfEdge& h = mesh_.half_edge(TriMesh::half_edge(f, corner));
             if (vertex_entry_[index(h.origin)] == kNoEntry) {
-                vertex_entry_[index(h.origin)] = 0;
-                corners.push_back(h.origin);
+                vertex_entry_[index(h.origin)] = kMarked;
+                vertices.push_back(h.origin);
             }
             if (wedge_entry_[index(h.wedge)] == kNoEntry) {
                 wedge_entry_[index(h.wedge)] = index(h.origin);
                 wedges.push_back(h.wedge);
             }
-            enter(allocate(h.edge, false), h.edge, kUnmeasured);
+            if (edge_states_[index(h.edge)].entry == kNoEntry) {
+                edge_states_[index(h.edge)].entry = kMarked;
+                edges.push_back(h.edge);
+            }
         }
     }
+    return {.vertices = Candidates(std::move(vertices)),
+            .wedges = Candidates(std::move(wedges)),
+            .edges = Candidates(std::move(edges))};
 }
 
-void RestState::enter_edges() {
-    sort_ids(std::span(edges_.ids));
-    for_pieces(0, edges_.slots(), [&](std::uint32_t first, std::uint32_t end) {
-        double longest_square = 0.0;
-        for (std::uint32_t i = first; i < end; ++i) {
-            const EdgeId e = edges_.ids[i];
-            edge_states_[index(e)].entry = i;
-            edges_.is_smooth[i] = has_smooth_normals(e) ? 1 : 0;
-            longest_square = std::max(longest_square, mesh_.squared_length(e));
-        }
-        raise_to(longest_square_, longest_square);
+// Several threads may mark an element, all with the same value.
+void RestState::mark_on_all_threads(std::span<const FaceId> faces) {
+    const auto store = [](std::uint32_t& shared, std::uint32_t value) {
+        std::atomic_ref(shared).store(value, std::memory_order_relaxed);
+    };
+    for_pieces(0, static_cast<std::uint32_t>(faces.size()),
+               [&](std::uint32_t first, std::uint32_t end) {
+                   for (std::uint32_t i = first; i < end; ++i) {
+                       for (int corner = 0; corner < 3; ++corner) {
+                           const HalfEdgeId id = TriMesh::half_edge(faces[i], corner);
+                           const HalfEdge& h = mesh_.half_edge(id);
+                           store(vertex_entry_[index(h.origin)], kMarked);
+                           store(wedge_entry_[index(h.wedge)], index(h.origin));
+                           store(edge_states_[index(h.edge)].entry, kMarked);
+                       }
+                   }
+               });
+}
+
+void RestState::enter_edges(const Elements& elements) {
+    const TwoGroups marked(elements.edges.size(), [&](std::uint32_t i) {
+        const bool is_marked = edge_states_[index(elements.edges[i])].entry != kNoEntry;
+        return is_marked ? Group::first : Group::none;
+    });
+    edges_.reserve(marked.size());
+    edges_.grow(marked.size());
+    marked.for_each([&](std::uint32_t i, std::uint32_t entry) {
+        const EdgeId e = elements.edges[i];
+        edge_states_[index(e)].entry = entry;
+        edges_.ids[entry] = e;
+        edges_.is_smooth[entry] = has_smooth_normals(e) ? 1 : 0;
+        raise_to(longest_square_, mesh_.squared_length(e));
     });
 }
 
-void RestState::enter_vertices(std::vector<VertexId>& corners) {
-    sort_ids(std::span(corners));
-    const auto first_still = std::stable_partition(corners.begin(), corners.end(), [&](VertexId v) {
-        return zone_.contains_strictly(mesh_.position(v));
+void RestState::enter_vertices(const Elements& elements) {
+    const TwoGroups marked(elements.vertices.size(), [&](std::uint32_t i) {
+        const VertexId v = elements.vertices[i];
+        if (vertex_entry_[index(v)] == kNoEntry) return Group::none;
+        return zone_.contains_strictly(mesh_.position(v)) ? Group::first : Group::second;
     });
-    influenced_vertices_ = static_cast<std::uint32_t>(first_still - corners.begin());
-    vertices_.reserve(corners.size());
-    vertices_.grow(corners.size());
-    for_pieces(0, vertices_.slots(), [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t i = first; i < end; ++i) {
-            const VertexId v = corners[i];
-            enter(i, v, mesh_.position(v), mesh_.is_deformed(v), false);
-        }
+    influenced_vertices_ = marked.size_of_first();
+    vertices_.reserve(marked.size());
+    vertices_.grow(marked.size());
+    marked.for_each([&](std::uint32_t i, std::uint32_t entry) {
+        const VertexId v = elements.vertices[i];
+        enter(entry, v, mesh_.position(v), mesh_.is_deformed(v), false);
     });
 }
 
-void RestState::enter_wedges(std::vector<WedgeId>& wedges) {
-    sort_ids(std::span(wedges));
+void RestState::enter_wedges(const Elements& elements) {
     const auto owner = [&](WedgeId w) { return vertex_entry_[wedge_entry_[index(w)]]; };
-    const auto first_still = std::stable_partition(
-        wedges.begin(), wedges.end(), [&](WedgeId w) { return owner(w) < influenced_vertices_; });
-    influenced_wedges_ = static_cast<std::uint32_t>(first_still - wedges.begin());
-    wedges_.reserve(wedges.size());
-    wedges_.grow(wedges.size());
-    for_pieces(0, wedges_.slots(), [&](std::uint32_t first, std::uint32_t end) {
-        for (std::uint32_t i = first; i < end; ++i) {
-            const WedgeId w = wedges[i];
-            const std::uint32_t owned_by = owner(w);
-            enter(i, w, mesh_.normal(w), owned_by);
-        }
+    const TwoGroups marked(elements.wedges.size(), [&](std::uint32_t i) {
+        const WedgeId w = elements.wedges[i];
+        if (wedge_entry_[index(w)] == kNoEntry) return Group::none;
+        return owner(w) < influenced_vertices_ ? Group::first : Group::second;
+    });
+    influenced_wedges_ = marked.size_of_first();
+    wedges_.reserve(marked.size());
+    wedges_.grow(marked.size());
+    marked.for_each([&](std::uint32_t i, std::uint32_t entry) {
+        const WedgeId w = elements.wedges[i];
+        const std::uint32_t owned_by = owner(w);
+        enter(entry, w, mesh_.normal(w), owned_by);
     });
 }
 
@@ -164,6 +226,16 @@ std::size_t RestState::reserve_splits(std::size_t count) {
     return splits;
 }
 
+void RestState::prepare_splits(std::size_t count) {
+    fit_to_mesh();
+    vertices_.prepare(count);
+    vertex_entry_.prepare(count);
+    wedges_.prepare(count);
+    wedge_entry_.prepare(count);
+    edges_.prepare(4 * count);
+    edge_states_.prepare(3 * count);
+}
+
 void RestState::reserve_unsplits(std::size_t sheets) {
     vertices_.reserve_free(sheets);
     wedges_.reserve_free(2 * sheets);
@@ -195,19 +267,28 @@ void RestState::restore(TriMesh& mesh) noexcept {
     for (std::uint32_t i = 0; i < original_vertices_; ++i) {
         const VertexId v = vertices_.ids[i] = original_vertex_ids_[i];
         vertex_entry_[index(v)] = i;
-        mesh.set_position(v, vertices_.positions[i]);
-        mesh.set_deformed(v, vertices_.was_deformed[i] != 0);
     }
     for (std::uint32_t i = 0; i < original_wedges_; ++i) {
         const WedgeId w = wedges_.ids[i] = original_wedge_ids_[i];
         wedge_entry_[index(w)] = i;
-        mesh.set_normal(w, wedges_.normals[i]);
     }
+    restore_attributes(mesh);
     for (std::uint32_t i = 0; i < original_edges_; ++i) {
         edge_states_[index(edges_.ids[i])].entry = i;
     }
     for (std::uint32_t i : flipped_smooth_) edges_.is_smooth[i] ^= 1;
     flipped_smooth_.clear();
+}
+
+void RestState::restore_attributes(TriMesh& mesh) const noexcept {
+    for (std::uint32_t i = 0; i < original_vertices_; ++i) {
+        const VertexId v = vertices_.ids[i];
+        mesh.set_position(v, vertices_.positions[i]);
+        mesh.set_deformed(v, vertices_.was_deformed[i] != 0);
+    }
+    for (std::uint32_t i = 0; i < original_wedges_; ++i) {
+        mesh.set_normal(wedges_.ids[i], wedges_.normals[i]);
+    }
 }
 
 // Reduces the entries to those of the beginning. All edges lose their stored length and entry.
@@ -253,51 +334,6 @@ void RestState::abandon() noexcept {
     original_vertex_ids_.clear();
     original_wedge_ids_.clear();
     end();
-}
-
-void RestState::record(MeshChange& change) const {
-    for (std::uint32_t i = 0; i < vertices_.slots(); ++i) {
-        const VertexId v = vertices_.ids[i];
-        const bool original = i < original_vertices_;
-        if (original && exists(v) && same_bytes(mesh_.position(v), vertices_.positions[i]) &&
-            mesh_.is_deformed(v) == (vertices_.was_deformed[i] != 0)) {
-            continue;
-        }
-        if (original) {
-            change.before.vertices.push_back(original_vertex_ids_[i]);
-            change.before.positions.push_back(vertices_.positions[i]);
-            change.before.deformed.push_back(vertices_.was_deformed[i]);
-        }
-        if (exists(v)) change.after.add(mesh_, v);
-    }
-    for (std::uint32_t i = 0; i < wedges_.slots(); ++i) {
-        const WedgeId w = wedges_.ids[i];
-        const bool original = i < original_wedges_;
-        if (original && exists(w) && same_bytes(mesh_.normal(w), wedges_.normals[i])) continue;
-        if (original) {
-            change.before.wedges.push_back(original_wedge_ids_[i]);
-            change.before.normals.push_back(wedges_.normals[i]);
-        }
-        if (exists(w)) change.after.add(mesh_, w);
-    }
-    change.before.wedges.insert(change.before.wedges.end(), kept_wedges_.begin(),
-                                kept_wedges_.end());
-    change.before.normals.insert(change.before.normals.end(), kept_normals_.begin(),
-                                 kept_normals_.end());
-    change.before.shrink_to_fit();
-    change.after.shrink_to_fit();
-}
-
-bool RestState::has_changed(FaceId f) const {
-    if (!mesh_.is_live(f)) return true;
-    for (int corner = 0; corner < 3; ++corner) {
-        const HalfEdge& h = mesh_.half_edge(TriMesh::half_edge(f, corner));
-        if (!same_bytes(mesh_.position(h.origin), position(h.origin)) ||
-            !same_bytes(mesh_.normal(h.wedge), normal(h.wedge))) {
-            return true;
-        }
-    }
-    return false;
 }
 
 std::size_t RestState::memory_bytes() const {

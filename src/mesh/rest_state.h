@@ -85,10 +85,13 @@ class RestState {
     // Removes the entries of inserted elements and writes the rest state of the others to the mesh.
     // Precondition: all edits have been taken back.
     void restore(TriMesh& mesh) noexcept;
+    // The same if there were no edits, which is faster.
+    void restore_attributes(TriMesh& mesh) const noexcept;
     void end() noexcept;
     // Like end(), but also if begin() has thrown.
     void abandon() noexcept;
-    // Adds what differs from rest, or is gone, or new, to change.before and change.after.
+    // Writes what differs from rest, or is gone, or new, to change.before and change.after, which
+    // are empty.
     void record(MeshChange& change) const;
     // Whether f is gone, or a corner's position or normal differs from rest.
     bool has_changed(FaceId f) const;
@@ -158,6 +161,8 @@ class RestState {
     // --- Changes by edits, for ActiveSet.
     // Makes room for `count` splits of edges outside cuts; returns for how many there is room.
     std::size_t reserve_splits(std::size_t count);
+    // TriMesh::prepare_splits() for the rest state.
+    void prepare_splits(std::size_t count);
     // Makes room for what unsplits of `sheets` sheets free.
     void reserve_unsplits(std::size_t sheets);
     // Makes room for what else an unsplit of `sheets` sheets adds at the rim of the active set.
@@ -208,11 +213,14 @@ class RestState {
         return index(id) < entries.size() ? entries[index(id)] : kNoEntry;
     }
     void fit_to_mesh();
-    void collect(std::span<const FaceId> faces, std::vector<VertexId>& corners,
-                 std::vector<WedgeId>& wedges);
-    void enter_edges();
-    void enter_vertices(std::vector<VertexId>& corners);
-    void enter_wedges(std::vector<WedgeId>& wedges);
+    struct Elements;
+    Elements mark(std::span<const FaceId> faces);
+    void mark_on_all_threads(std::span<const FaceId> faces);
+    void enter_edges(const Elements& elements);
+    void enter_vertices(const Elements& elements);
+    void enter_wedges(const Elements& elements);
+    void record_vertices(MeshChange& change) const;
+    void record_wedges(MeshChange& change) const;
     void drop_inserted() noexcept;
     bool has_smooth_normals(EdgeId e) const;
     float measure(EdgeId e);

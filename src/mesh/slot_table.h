@@ -73,6 +73,11 @@ class SlotTable : public Columns {
             array.reserve_additional(column.per_slot * count);
         });
     }
+    // GrowingArray::prepare() for all columns.
+    void prepare(std::size_t count) {
+        for_each_present(
+            [&](const auto& column, auto& array) { array.prepare(column.per_slot * count); });
+    }
     // Slots that can be added without moving an array.
     std::size_t spare_capacity() {
         std::size_t spare = std::numeric_limits<std::size_t>::max();

@@ -188,6 +188,9 @@ class TriMesh {
     Split insert_midpoint(EdgeId e);
     // Makes room for `count` splits of edges outside cuts, so that these move no array.
     void reserve_splits(std::uint32_t count);
+    // Takes memory from the system for as many splits of smooth edges, which would otherwise wait
+    // for it.
+    void prepare_splits(std::size_t count);
     // Whether the level of the midpoint fits in 16 bits.
     bool may_split(EdgeId e) const;
     // A sufficient condition for may_split() of all edges during the next `count` splits. O(1).

@@ -73,7 +73,7 @@ void Session::State::start_gesture(ActiveGesture& begun, const GestureFaces& fac
     }
     begun.measured.steps = warp.steps.size();
     begun.gesture =
-        std::make_unique<Gesture>(*active, faces, std::move(warp), std::move(adaptivity));
+        std::make_unique<Gesture>(*active, faces, std::move(warp), std::move(adaptivity), stop);
     begun.measured.influenced_vertices = begun.gesture->influenced_vertices();
 }
 

@@ -6,6 +6,7 @@
 
 #include "geometry/decimal.h"
 #include "mesh/connected_part.h"
+#include "mesh/sort_ids.h"
 #include "session/session_state.h"
 
 namespace pectin {
@@ -42,7 +43,7 @@ std::vector<FaceId> Session::State::faces_meeting(std::span<const Box> zones) {
         faces.insert(faces.end(), there.begin(), there.end());
     }
     if (zones.size() > 1) {
-        std::sort(faces.begin(), faces.end());
+        sort_ids(std::span(faces));
         faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
     }
     return faces;
@@ -87,15 +88,13 @@ std::variant<GestureFaces, std::string> Session::State::faces_of(const command::
         const auto opposite = face_tree().nearest(symmetry->image(move.from), *mesh);
         if (opposite) seeds.push_back(*opposite);
     }
-    std::vector<FaceId> part = connected_part(*mesh, faces, seeds, zones);
-    if (part.empty()) {
+    ConnectedPart part = connected_part(*mesh, faces, seeds, zones);
+    if (part.faces.empty()) {
         return "the surface nearest to " + decimal(drag.moves.front().from) +
                " does not reach into the influenced zone; drag a point of the surface, or without "
                "connected";
     }
-    std::vector<FaceId> staying;
-    std::ranges::set_difference(faces, part, std::back_inserter(staying));
-    return GestureFaces{.moving = std::move(part), .staying = std::move(staying)};
+    return GestureFaces{.moving = std::move(part.faces), .staying = std::move(part.others)};
 }
 
 // The vertices at handles and pins, with symmetry on both sides of the plane. A point between

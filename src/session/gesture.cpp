@@ -18,7 +18,7 @@ constexpr std::uint64_t kMostEdits = 4;
 }  // namespace
 
 Gesture::Gesture(ActiveSet& active, const GestureFaces& faces, Warp warp,
-                 std::optional<Adaptivity> adaptivity)
+                 std::optional<Adaptivity> adaptivity, const StopToken& stop)
     : active_(active), warp_(std::move(warp)), embedding_(active_, warp_) {
     assert(!warp_.steps.empty());
     const Box zone = warp_.zone();
@@ -34,8 +34,9 @@ Gesture::Gesture(ActiveSet& active, const GestureFaces& faces, Warp warp,
     }
     try {
         active_.begin(faces.moving, zone, faces.staying);
-        embedding_.embed();
-    } catch (...) {  // out of memory: nothing has been edited yet
+        stop.throw_if_requested();
+        embedding_.embed(stop);
+    } catch (...) {  // stopped, or out of memory: nothing has been edited yet
         active_.abandon();
         throw;
     }

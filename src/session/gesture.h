@@ -61,10 +61,11 @@ class Gesture {
     };
     static constexpr std::uint64_t kNoBudget = std::numeric_limits<std::uint64_t>::max();
 
-    // adaptivity: nothing for a gesture without adaptive meshing. Throws std::bad_alloc; the mesh
-    // is then unchanged. Cost: that of Embedding::embed().
+    // adaptivity: nothing for a gesture without adaptive meshing. Throws std::bad_alloc, and
+    // Stopped where `stop` asks for it; the mesh is then unchanged. Cost: that of
+    // Embedding::embed().
     Gesture(ActiveSet& active, const GestureFaces& faces, Warp warp,
-            std::optional<Adaptivity> adaptivity);
+            std::optional<Adaptivity> adaptivity, const StopToken& stop = {});
     ~Gesture();
     Gesture(const Gesture&) = delete;
     Gesture& operator=(const Gesture&) = delete;

@@ -108,11 +108,12 @@ LoadedModel make_model(BuiltMesh built) {
     return model;
 }
 
-LoadedModel load_model(const command::Open& open, const Progress& progress) {
+LoadedModel load_model(const command::Open& open, const Progress& progress) try {
     ReadReport read_report;
+    const StopToken stop([&] { return progress.is_stop_requested(); });
     LoadedModel model =
         make_model(build_mesh(read_model(open.path, progress.part(0.0, kRead), &read_report),
-                              {.crease_angle = open.crease_angle}));
+                              {.crease_angle = open.crease_angle}, stop));
     model.read_report = std::move(read_report);
     if (model.mesh->face_slots() == 0) {
         throw FileError(open.path,
@@ -120,9 +121,11 @@ LoadedModel load_model(const command::Open& open, const Progress& progress) {
     }
     model.material_folders = {material_folder(open.path)};
     progress.advance(kBuilt);
-    model.tree = std::make_unique<FaceTree>(*model.mesh);
+    model.tree = std::make_unique<FaceTree>(*model.mesh, stop);
     progress.advance(1.0);
     return model;
+} catch (const Stopped&) {
+    throw Cancelled();
 }
 
 SaveReport save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress,

@@ -2,6 +2,7 @@
 // the readers and writers of io; docs/architecture.md says how to add a format.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <span>
 #include <string>
@@ -30,6 +31,9 @@ struct LoadedModel {
     // Absolute paths of the folders that may contain the material files, the most likely first.
     std::vector<std::string> material_folders{};
 };
+
+// As many splits as a drag may make by default where it moves few faces. They take some 45 MB.
+inline constexpr std::uint32_t kPreparedSplits = 100'000;
 
 // The folder of the material files of the model in this file.
 std::string material_folder(const std::string& model_path);

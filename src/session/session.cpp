@@ -10,7 +10,6 @@
 #include "session/session_state.h"
 
 namespace pectin {
-
 void Session::State::adopt(LoadedModel model) noexcept {
     active = std::move(model.active);
     mesh = std::move(model.mesh);
@@ -59,8 +58,8 @@ void Session::State::update_everything() noexcept {
 }
 
 void Session::State::mark_dirty(std::span<const FaceId> faces) {
-    // The changes were not taken for so long that redrawing everything is cheaper.
-    if (dirty.faces.size() > 2 * std::size_t{mesh->face_slots()}) {
+    // Beyond an eighth of the faces, redrawing everything is faster than sorting what has changed.
+    if (dirty.faces.size() + faces.size() > mesh->face_slots() / 8) {
         dirty = {};
         dirty.everything = true;
     }
@@ -224,8 +223,14 @@ std::optional<Pick> Session::pick(const Ray& ray) {
                 area_normal / glm::length(area_normal)};
 }
 
-void Session::prepare_to_pick() {
-    if (state_->has_object() && !is_dragging()) state_->face_tree();
+void Session::prepare_for_drags() noexcept {
+    if (!state_->has_object() || is_dragging()) return;
+    try {
+        state_->face_tree();
+        state_->active->prepare_splits(kPreparedSplits);
+    } catch (const std::bad_alloc&) {
+        // The drag does so itself, if there is memory by then.
+    }
 }
 
 DirtyElements Session::take_dirty() {

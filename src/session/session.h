@@ -32,7 +32,8 @@ namespace pectin {
 // (Session::State::update_frame, update_faces and mark_dirty), and app/object_view.cpp uploads
 // them.
 struct DirtyElements {
-    bool everything = false;  // the object is another one, and the lists below mean nothing
+    // The object is another one, or much of it has changed; the lists below mean nothing then.
+    bool everything = false;
     // Slots of wedges that moved or whose normals changed. Sorted, without duplicates.
     std::vector<WedgeId> wedges{};
     // Slots of faces that appeared, disappeared or have other corners. Sorted, without duplicates.
@@ -64,7 +65,8 @@ class Session {
 
     // Executes a command. Refused while a gesture is active. Paths are used as they are given.
     // Throws what io throws for files (FileError); the object is then unchanged, too. The same
-    // holds for Stopped, which drag, control, readapt and bake throw where `stop` asks for it.
+    // holds for Stopped, which drag, control, readapt, bake and redo throw where `stop` asks for
+    // it.
     std::optional<std::string> execute(const Command& command, const StopToken& stop = {});
 
     // Makes the model the object of the session, as opening its file does. The history is cleared,
@@ -129,9 +131,11 @@ class Session {
     // Returns the first point of the surface on the ray; nothing during a gesture. Cost: O(log n);
     // O(n log n) for the first pick of an object.
     std::optional<Pick> pick(const Ray& ray);
-    // Does now what the next pick would have to do first: O(n log n) where the object is another
-    // one since the last pick, else O(1).
-    void prepare_to_pick();
+    // Does now what the next pick and the first drag would have to do first, as far as there is
+    // memory for it: builds the face tree, and takes memory for kPreparedSplits splits from the
+    // system. Cost: O(n log n) where the object is another one since the last call, else less than
+    // a millisecond.
+    void prepare_for_drags() noexcept;
     // The lattice of the active gesture, or of the last drag.
     std::optional<Lattice> lattice_in_use() const;
     // Displaced lattices whose fields add up to the last step of the active gesture: one, or two if

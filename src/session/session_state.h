@@ -104,7 +104,7 @@ struct Session::State {
     void record_saved(const std::string& path);
     const FaceTree& face_tree();
     void record(const Frame& frame);
-    // Marks the faces and their wedges for the renderer.
+    // Marks the faces and their wedges for the renderer; everything if they are many.
     void mark_dirty(std::span<const FaceId> faces);
     // Marks the faces and updates them in the tree.
     void update_faces(std::span<const FaceId> faces) noexcept;
@@ -121,6 +121,7 @@ struct Session::State {
     Refusal run(const command::Symmetry& symmetry_command);
     Refusal run(const command::Drag& drag);
     Refusal run(const command::Control& control);
+    void undo_steps(std::size_t count);
     Refusal run(const command::Undo& undo);
     Refusal run(const command::Redo& redo);
     Refusal run(const command::History& limit);

@@ -64,6 +64,17 @@ void Session::State::report_dropped_steps() noexcept {
     }
 }
 
+void Session::State::undo_steps(std::size_t count) {
+    history.undo(count, [this](History::Step& step) {
+        if (step.exchanged) {
+            exchange(*step.exchanged);
+        } else {
+            undo(step.change, *mesh);
+            update_faces(step.change.faces);
+        }
+    });
+}
+
 Refusal Session::State::run(const command::Undo& undo_command) {
     const auto count = static_cast<std::size_t>(undo_command.count);
     if (count > history.undo_count()) {
@@ -76,14 +87,7 @@ Refusal Session::State::run(const command::Undo& undo_command) {
         return text;
     }
     const UpdateOutcomeAtExit update_outcome_at_exit{*this};
-    history.undo(count, [this](History::Step& step) {
-        if (step.exchanged) {
-            exchange(*step.exchanged);
-        } else {
-            undo(step.change, *mesh);
-            update_faces(step.change.faces);
-        }
-    });
+    undo_steps(count);
     return std::nullopt;
 }
 
@@ -93,14 +97,20 @@ Refusal Session::State::run(const command::Redo& redo_command) {
         return too_few("redo", history.redo_count(), count);
     }
     const UpdateOutcomeAtExit update_outcome_at_exit{*this};
-    history.redo(count, [this](History::Step& step) {
-        if (step.exchanged) {
-            exchange(*step.exchanged);
-        } else {
-            redo(step.change, *mesh);
-            update_faces(step.change.faces);
-        }
-    });
+    const std::size_t done_before = history.undo_count();
+    try {
+        history.redo(count, [this](History::Step& step) {
+            if (step.exchanged) {
+                exchange(*step.exchanged);
+            } else {
+                redo(step.change, *mesh, stop);
+                update_faces(step.change.faces);
+            }
+        });
+    } catch (const Stopped&) {
+        undo_steps(history.undo_count() - done_before);
+        throw;
+    }
     return std::nullopt;
 }
 

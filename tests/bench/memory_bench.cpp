@@ -60,7 +60,7 @@ void report_operations(benchmark::State& state, const MeshChange& change) {
     const auto bytes = static_cast<double>(change.memory_bytes());
     const auto states =
         static_cast<double>(change.before.memory_bytes() + change.after.memory_bytes());
-    std::vector<VertexId> touched = change.before.vertices;
+    std::vector<VertexId> touched(change.before.vertices.begin(), change.before.vertices.end());
     touched.insert(touched.end(), change.after.vertices.begin(), change.after.vertices.end());
     std::sort(touched.begin(), touched.end());
     touched.erase(std::unique(touched.begin(), touched.end()), touched.end());

@@ -18,8 +18,10 @@ TriMesh sphere(int resolution) {
     return build_mesh(make_shape(ShapeKind::sphere, resolution)).mesh;
 }
 
-Scene::Scene(const TriMesh& mesh, const Vec3& grabbed, const Vec3& displacement, double radius)
+Scene::Scene(const TriMesh& mesh, const Vec3& grabbed, const Vec3& displacement, double radius,
+             std::uint32_t prepared_splits)
     : mesh_(mesh), active_(mesh_) {
+    if (prepared_splits > 0) active_.prepare_splits(prepared_splits);
     const Lattice lattice = brush_lattice(grabbed, radius, 3);
     const auto solver = std::get<DragSolver>(DragSolver::create(lattice, {&grabbed, 1}, {}));
     warp_.steps.push_back(DragStep{solver.field(), {displacement}});

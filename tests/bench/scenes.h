@@ -33,7 +33,9 @@ double seconds(Work work) {
 // A mesh with an active set and a drag, before adaptation.
 class Scene {
   public:
-    Scene(const TriMesh& mesh, const Vec3& grabbed, const Vec3& displacement, double radius);
+    // prepared_splits: those that memory is taken from the system for before the drag.
+    Scene(const TriMesh& mesh, const Vec3& grabbed, const Vec3& displacement, double radius,
+          std::uint32_t prepared_splits = 0);
 
     void deform() { embedding_->deform(); }
     Refinement refine(const AdaptLimits& limits) {

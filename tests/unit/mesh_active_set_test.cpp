@@ -4,7 +4,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <iterator>
 #include <set>
+#include <vector>
 
 #include "mesh/build_mesh.h"
 #include "mesh/midpoint_normal.h"
@@ -139,6 +141,7 @@ TEST(ActiveSet, AfterRollBackEqualsItsStateAfterBegin) {
 }
 
 TEST(ActiveSet, ListsVerticesStrictlyInsideTheZoneFirstThenOtherCorners) {
+    int few = 0, many = 0;  // active faces, among those of the mesh
     for (std::uint64_t seed = 1300; seed < 1400; ++seed) {
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
@@ -153,9 +156,16 @@ TEST(ActiveSet, ListsVerticesStrictlyInsideTheZoneFirstThenOtherCorners) {
         begin(active, zone);
         std::vector<VertexId> inside, corners;
         std::set<VertexId> of_active_faces;
-        for (FaceId f : FaceTree(mesh).faces_meeting(zone, mesh)) {
+        std::set<EdgeId> edges;
+        std::set<WedgeId> wedges;
+        const std::vector<FaceId> faces = FaceTree(mesh).faces_meeting(zone, mesh);
+        ++(faces.size() <= mesh.face_slots() / 16 ? few : many);
+        for (FaceId f : faces) {
             for (int c = 0; c < 3; ++c) {
-                of_active_faces.insert(mesh.origin(TriMesh::half_edge(f, c)));
+                const HalfEdgeId h = TriMesh::half_edge(f, c);
+                of_active_faces.insert(mesh.origin(h));
+                edges.insert(mesh.edge(h));
+                wedges.insert(mesh.wedge(h));
             }
         }
         for (std::uint32_t v = 0; v < mesh.vertex_slots(); ++v) {
@@ -179,8 +189,18 @@ TEST(ActiveSet, ListsVerticesStrictlyInsideTheZoneFirstThenOtherCorners) {
             EXPECT_EQ(active.wedge_owner(i) < inside.size(),
                       i < active.influenced_wedges_at_begin());
         }
+        EXPECT_TRUE(std::ranges::equal(active.edges(), edges));
+        const auto moving = active.wedges().first(active.influenced_wedges_at_begin());
+        const auto resting = active.wedges().subspan(moving.size());
+        EXPECT_TRUE(std::ranges::is_sorted(moving));
+        EXPECT_TRUE(std::ranges::is_sorted(resting));
+        std::vector<WedgeId> all;
+        std::ranges::merge(moving, resting, std::back_inserter(all));
+        EXPECT_TRUE(std::ranges::equal(all, wedges));
         active.finish();
     }
+    EXPECT_GT(few, 5);
+    EXPECT_GT(many, 5);
 }
 
 TEST(ActiveSet, PutsInsertedVerticesAtTheMidpointOfTheRestState) {
@@ -273,6 +293,26 @@ TEST(ActiveSet, ReservesCapacityForSplits) {
         active.finish();
         plain.finish();
     }
+}
+
+// The splits of the next gesture then take no further memory, and are the same.
+TEST(ActiveSet, PreparesForSplits) {
+    TriMesh mesh = build_mesh(make_shape(ShapeKind::sphere, 3)).mesh, other = mesh;
+    ActiveSet active(mesh), plain(other);
+    active.prepare_splits(1000);
+    active.prepare_splits(1000);
+    const Box zone{.min = Vec3{-2.0}, .max = Vec3{2.0}};
+    begin(active, zone);
+    begin(plain, zone);
+    const std::size_t prepared = mesh.memory_bytes();
+    ASSERT_GT(prepared, other.memory_bytes());
+    for (std::uint32_t e = 0; e < 300; ++e) {
+        active.split(EdgeId{e});
+        plain.split(EdgeId{e});
+    }
+    EXPECT_EQ(mesh.memory_bytes(), prepared);
+    EXPECT_TRUE(mesh == other);
+    expect_same(active, plain);
 }
 
 TEST(ActiveSet, ReusesTheEntriesOfRemovedVertices) {

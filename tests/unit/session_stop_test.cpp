@@ -4,8 +4,14 @@
 #include <string>
 #include <vector>
 
+#include "mesh/build_mesh.h"
+#include "mesh/face_tree.h"
+#include "mesh/shapes.h"
+#include "session/gesture.h"
 #include "session/session.h"
 #include "support/expect_done.h"
+#include "support/mesh_figures.h"
+#include "support/random_mesh.h"
 
 namespace pectin {
 namespace {
@@ -67,6 +73,71 @@ TEST(StoppedSession, RestoresWhatACommandHasBegunToChange) {
     EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
     expect_done(session, command::Undo{});
     EXPECT_TRUE(session.mesh() == untouched);
+}
+
+// Wherever redo is stopped, no step of several is left done.
+TEST(StoppedSession, TakesBackTheStepsThatRedoHasDone) {
+    Session session = sphere();
+    const TriMesh untouched = session.mesh();
+    expect_done(session, drag(false));
+    expect_done(session, drag(true));
+    const TriMesh dragged = session.mesh();
+    expect_done(session, command::Undo{2});
+    int questions = 0;  // in the first step
+    EXPECT_FALSE(session.execute(command::Redo{1}, StopToken([&] { return ++questions, false; })));
+    ASSERT_GT(questions, 0);
+    expect_done(session, command::Undo{1});
+    for (const int first : {1, questions + 1}) {
+        EXPECT_THROW(session.execute(command::Redo{2}, from_question(first)), Stopped);
+        EXPECT_TRUE(session.mesh() == untouched) << first;
+        EXPECT_EQ(session.redo_count(), 2u);
+    }
+    expect_done(session, command::Redo{2});
+    EXPECT_TRUE(session.mesh() == dragged);
+}
+
+// A gesture of many steps is stopped while it is embedded, and another one can begin.
+TEST(StoppedGesture, HasNotBegun) {
+    TriMesh mesh = build_mesh(make_shape(ShapeKind::sphere, 3)).mesh;
+    const TriMesh untouched = mesh;
+    const std::vector<FaceId> faces = test::live_faces(mesh);
+    ActiveSet active(mesh);
+    test::Random random(1);
+    Warp warp;
+    for (int step = 0; step < 5; ++step) {
+        warp.steps.push_back(test::random_warp(mesh, random).steps.front());
+    }
+    for (int first = 1; first <= 5; ++first) {
+        EXPECT_THROW(Gesture(active, {.moving = faces}, warp, std::nullopt, from_question(first)),
+                     Stopped)
+            << first;
+        EXPECT_FALSE(active.is_begun());
+        EXPECT_TRUE(mesh == untouched);
+    }
+    TriMesh other = untouched;
+    ActiveSet fresh(other);
+    const auto displacements = displacements_of(warp.steps.back());
+    Gesture(active, {.moving = faces}, warp, std::nullopt).commit(displacements, {});
+    Gesture(fresh, {.moving = faces}, warp, std::nullopt).commit(displacements, {});
+    EXPECT_FALSE(mesh == untouched);
+    EXPECT_TRUE(mesh == other);
+}
+
+TEST(StoppedBuild, ThrowsBetweenItsSteps) {
+    const IndexedFaceSet sphere = make_shape(ShapeKind::sphere, 3);
+    int questions = 0;
+    const StopToken never([&] { return ++questions, false; });
+    const TriMesh mesh = build_mesh(sphere, {}, never).mesh;
+    EXPECT_GT(questions, 5);
+    for (int first = 1; first <= questions; ++first) {
+        EXPECT_THROW(build_mesh(sphere, {}, from_question(first)), Stopped) << first;
+    }
+}
+
+TEST(StoppedBuild, OfAFaceTreeThrows) {
+    const TriMesh mesh = build_mesh(make_shape(ShapeKind::sphere, 6)).mesh;
+    EXPECT_THROW(FaceTree(mesh, from_question(1)), Stopped);
+    EXPECT_THROW(FaceTree(mesh, from_question(10)), Stopped);
 }
 
 }  // namespace
