@@ -8,8 +8,8 @@ HalfEdgeId SplitOrder::first_edge(const ActiveSet& active, HalfEdgeId h, const F
         const EdgeId e = mesh.edge(side);
         return rest_edge(active, e, static_cast<double>(active.uncached_rest_length(e)));
     };
-    // The squared length by the corners of this face, which are at hand. It is that of the edge, bit
-    // for bit, since the order of the ends only changes signs.
+    // The squared length by the corners of this face, which are at hand. It is that of the edge,
+    // bit for bit, since the order of the ends only changes signs.
     const auto is_below_floor = [&](HalfEdgeId side) {
         const Vec3 along = mesh.position(mesh.target(side)) - mesh.position(mesh.origin(side));
         return floor.forbids_split(glm::dot(along, along));
