@@ -32,7 +32,7 @@ struct LoadedModel {
     std::vector<std::string> material_folders{};
 };
 
-// As many splits as a drag may make by default where it moves few faces. They take some 45 MB.
+// As many splits as a drag may make by default where it moves few faces. They take some 30 MB.
 inline constexpr std::uint32_t kPreparedSplits = 100'000;
 
 // The folder of the material files of the model in this file.
