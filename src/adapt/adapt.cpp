@@ -77,6 +77,18 @@ Refinement refine_without_self_intersections(ActiveSet& active, Embedding& embed
     return result;
 }
 
+// Decimation changes the number of those that refinement has left. Only edited faces are searched.
+void count_after_decimation(SelfIntersections& self_intersections, Refinement& result) {
+    result.self_intersections = self_intersections.find().size();
+    if (result.self_intersections == 0) {
+        result.intersection_limit = IntersectionLimit::none;
+    } else if (self_intersections.is_exhausted()) {
+        result.intersection_limit = IntersectionLimit::search;
+    } else if (result.intersection_limit == IntersectionLimit::none) {
+        result.intersection_limit = IntersectionLimit::decimation;
+    }
+}
+
 // The active edges that need refinement, and those that would if sides with opposed normals
 // counted. Of siblings the representative. Sorted, each once.
 std::vector<EdgeId> edges_in_need(const ActiveSet& active, const Criteria& criteria) {
@@ -147,16 +159,7 @@ Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedd
             return decimate(active, criteria, is_guarded ? &self_intersections : nullptr, stop);
         });
     stop.throw_if_requested();
-    if (!is_guarded && !embedding.is_identity()) {
-        Refinement& refinement = result.refinement;
-        refinement.self_intersections = SelfIntersections(active, surroundings, stop).find().size();
-        if (refinement.self_intersections == 0)
-            refinement.intersection_limit = IntersectionLimit::none;
-        if (refinement.self_intersections > 0 &&
-            refinement.intersection_limit == IntersectionLimit::none) {
-            refinement.intersection_limit = IntersectionLimit::decimation;
-        }
-    }
+    if (!embedding.is_identity()) count_after_decimation(self_intersections, result.refinement);
     return result;
 }
 

@@ -99,11 +99,22 @@ std::vector<FaceId> with_descendants(const ActiveSet& active, std::span<const Fa
     return live(mesh, std::move(all));
 }
 
+double rest_distance(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
+    return std::sqrt(squared_distance(active.rest_position(p), active.rest_position(q),
+                                      active.rest_position(face[0]), active.rest_position(face[1]),
+                                      active.rest_position(face[2])));
+}
+
+double rest_distance(const ActiveSet& active, const SelfIntersection& intersection) {
+    const TriMesh& mesh = active.mesh();
+    const HalfEdgeId h = mesh.half_edge(intersection.edge);
+    return rest_distance(active, mesh.origin(h), mesh.target(h),
+                         corners_of(mesh, intersection.face));
+}
+
 bool were_disjoint(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
-    const Vec3 &from = active.rest_position(p), &to = active.rest_position(q);
-    const double touching = kTouchingFraction * glm::distance(from, to);
-    return squared_distance(from, to, active.rest_position(face[0]), active.rest_position(face[1]),
-                            active.rest_position(face[2])) > touching * touching;
+    const double length = glm::distance(active.rest_position(p), active.rest_position(q));
+    return rest_distance(active, p, q, face) > kTouchingFraction * length;
 }
 
 bool passes_through(const TriMesh& mesh, VertexId p, VertexId q, const Corners& face) {
@@ -247,6 +258,7 @@ const std::vector<SelfIntersection>& SelfIntersections::find() {
             }
         }
     }
+    searched_upto_ = active_.edited_faces().size();
     std::sort(found_.begin(), found_.end());
     found_.erase(std::unique(found_.begin(), found_.end()), found_.end());
     return found_;
@@ -279,7 +291,7 @@ void SelfIntersections::search_active_faces() {
 // The faces that were edited since the last search or intersected then.
 std::vector<FaceId> SelfIntersections::changed_faces() const {
     const TriMesh& mesh = active_.mesh();
-    const auto edited = active_.edited_faces().subspan(synced_upto_);
+    const auto edited = active_.edited_faces().subspan(searched_upto_);
     std::vector<FaceId> faces(edited.begin(), edited.end());
     for (const SelfIntersection& intersection : found_) faces.push_back(intersection.face);
     return live(mesh, std::move(faces));
@@ -321,7 +333,8 @@ bool SelfIntersections::would_intersect(const Star& star) {
 }
 
 // Tests the restored face bca, whose edge bc is new, against all faces outside the star. An edge
-// that touched the star's faces at rest does not count, since keeping m would not separate them.
+// that touched both the restored face and one of the star's faces at rest does not count, since
+// keeping m would not separate them.
 bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a, VertexId m) {
     const TriMesh& mesh = active_.mesh();
     const Corners restored{b, c, a}, first{b, m, a}, second{m, c, a};
@@ -330,14 +343,16 @@ bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a,
         ask_whether_to_stop();
         const Corners face = corners_of(mesh, g);
         if (active_.stays(g) || has(face, m) || !may_intersect(mesh, restored, face)) continue;
-        if (passes_through(mesh, b, c, face) && were_disjoint(active_, b, m, face) &&
-            were_disjoint(active_, m, c, face)) {
+        if (passes_through(mesh, b, c, face) &&
+            (were_disjoint(active_, b, c, face) ||
+             (were_disjoint(active_, b, m, face) && were_disjoint(active_, m, c, face)))) {
             return true;
         }
         for (std::size_t corner = 0; corner < 3; ++corner) {
             const VertexId p = face[corner], q = face[(corner + 1) % 3];
-            if (passes_through(mesh, p, q, restored) && were_disjoint(active_, p, q, first) &&
-                were_disjoint(active_, p, q, second)) {
+            if (passes_through(mesh, p, q, restored) &&
+                (were_disjoint(active_, p, q, restored) ||
+                 (were_disjoint(active_, p, q, first) && were_disjoint(active_, p, q, second)))) {
                 return true;
             }
         }
@@ -394,17 +409,20 @@ std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& e
         return known->second = glm::distance(embedding.image(rest),
                                              0.5 * mesh.position(b) + 0.5 * mesh.position(c));
     };
+    // The bulge over an edge shrinks with the square of its length, and has to become less than the
+    // distance of the exact sheets, about that at rest.
+    const auto would_resolve = [&](EdgeId e, double distance) {
+        return distance >= bulge(e) ||
+               !criteria.is_below_floor(mesh.squared_length(e) * distance / bulge(e));
+    };
     std::vector<EdgeId> edges;
     for (const SelfIntersection& intersection : intersections) {
         EdgeId farthest = intersection.edge;
-        double greatest = bulge(intersection.edge);
         for_each_edge(intersection.face, [&](HalfEdgeId h) {
-            const double candidate = bulge(mesh.edge(h));
-            if (!(candidate > greatest)) return;
-            greatest = candidate;
-            farthest = mesh.edge(h);
+            if (bulge(mesh.edge(h)) > bulge(farthest)) farthest = mesh.edge(h);
         });
-        edges.push_back(mesh.representative(farthest));
+        if (would_resolve(farthest, rest_distance(active, intersection)))
+            edges.push_back(mesh.representative(farthest));
     }
     std::sort(edges.begin(), edges.end());
     edges.erase(std::unique(edges.begin(), edges.end()), edges.end());

@@ -101,7 +101,8 @@ class SelfIntersections {
     const StopToken& stop_;
     std::uint64_t tests_ = 0;  // since the last question
     std::optional<FaceTree> tree_;
-    std::size_t synced_upto_ = 0;  // the tree knows this many of the active set's edited faces
+    // How many of the active set's edited faces the tree knows, and how many find() has searched.
+    std::size_t synced_upto_ = 0, searched_upto_ = 0;
     // Face slots that are or were active; kept only if there are surroundings.
     std::vector<bool> is_active_;
     std::size_t marked_upto_ = 0;  // this many of the active set's faces are marked there
@@ -130,7 +131,9 @@ PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> o
 
 // The edges to split so that the intersections are resolved. For each intersection, it is the one
 // among the edge and the edges of the face whose midpoint is farthest from the warp's image of its
-// rest midpoint. Edges below the floor count as having no such distance. Sorted, each edge once.
+// rest midpoint. Edges below the floor count as having no such distance. There is none for an
+// intersection of sheets that were so close at rest that the floor would end the splits before they
+// resolved it: they would only leave thin triangles. Sorted, each edge once.
 std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& embedding,
                                      const Criteria& criteria,
                                      std::span<const SelfIntersection> intersections);

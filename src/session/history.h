@@ -72,10 +72,11 @@ class History {
         keep_limit();
     }
 
+    // The step that led to the present mesh. Null before the first step, and where the limit has
+    // dropped that step. Valid until the history changes.
+    const Step* latest() const { return done_ > 0 ? &steps_[done_ - 1].step : nullptr; }
     // The outcome of the step that led to the present mesh.
-    const AdaptOutcome& outcome() const {
-        return done_ > 0 ? steps_[done_ - 1].step.outcome : first_outcome_;
-    }
+    const AdaptOutcome& outcome() const { return latest() ? latest()->outcome : first_outcome_; }
     // The same for an outcome that has changed without a step.
     void set_outcome(const AdaptOutcome& outcome) noexcept {
         (done_ > 0 ? steps_[done_ - 1].step.outcome : first_outcome_) = outcome;

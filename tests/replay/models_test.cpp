@@ -2,12 +2,15 @@
 // the mesh is refined where needed, and undo restores the first save to the byte.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <filesystem>
 
 #include "io/obj_writer.h"
 #include "mesh/shapes.h"
 #include "session/session.h"
+#include "support/expect_done.h"
+#include "support/mesh_figures.h"
 #include "support/random_mesh.h"
 #include "support/test_run.h"
 
@@ -149,6 +152,36 @@ TEST_P(Sculpting, EndsManyModerateDragsWithFewTriangles) {
     EXPECT_EQ(format_obj(session_.mesh()), first);
     expect_done(command::Redo{.count = drags});
     EXPECT_EQ(format_obj(session_.mesh()), dragged);
+}
+
+// At most a twentieth of the triangles is thinner than the drags make those of the base mesh, by a
+// degree. Bisections divide equilateral triangles, too, so angles above 20 degrees do not count.
+TEST_P(Sculpting, KeepsTheShapesOfTrianglesOverManyDrags) {
+    const auto angle_after_drags = [](const Command& begin, bool adaptive) {
+        Session session;
+        test::expect_done(session, begin);
+        test::expect_done(session, command::Adapt{.enabled = adaptive});
+        const double size = session.mesh().bounding_box().diagonal();
+        test::Random random(79);
+        for (int i = 0; i < test::case_count(80); ++i) {
+            const double radius = size * random.uniform(0.06, 0.2);
+            // Adaptivity must not change where the drags are, so base vertices are grabbed.
+            const VertexId v{static_cast<std::uint32_t>(
+                random.integer(0, static_cast<int>(session.mesh().base_vertex_count()) - 1))};
+            const Vec3 way = 0.2 * radius * random.direction();
+            if (!exists(session.mesh().half_edge(v))) continue;
+            const Vec3 from = session.mesh().position(v);
+            test::expect_done(session, command::Brush{.radius = radius});
+            test::expect_done(session,
+                              command::Drag{.moves = {{from, from + way}}, .fold_free = true});
+        }
+        return test::smallest_angle_quantile(session.mesh(), 0.05);
+    };
+    const double adaptive = angle_after_drags(GetParam().begin, true);
+    const double fixed = angle_after_drags(GetParam().begin, false);
+    EXPECT_GE(adaptive, std::min(fixed, 21.0) - 1.0);
+    std::printf("%s: %.2f degrees, %.2f without adaptivity\n", GetParam().name.c_str(), adaptive,
+                fixed);
 }
 
 std::string identifier_of(const testing::TestParamInfo<Subject>& subject) {

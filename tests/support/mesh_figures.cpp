@@ -74,6 +74,26 @@ EdgeId edge_between(const TriMesh& mesh, std::uint32_t v, std::uint32_t w) {
     return kNone<EdgeId>;
 }
 
+double smallest_angle_quantile(const TriMesh& mesh, double fraction) {
+    std::vector<double> angles;
+    for (FaceId f : live_faces(mesh)) {
+        double smallest = 180.0;
+        for (int corner = 0; corner < 3; ++corner) {
+            const HalfEdgeId h = TriMesh::half_edge(f, corner);
+            const Vec3& at = mesh.position(mesh.origin(h));
+            const Vec3 u = mesh.position(mesh.target(h)) - at,
+                       v = mesh.position(mesh.origin(TriMesh::prev(h))) - at;
+            smallest = std::min(
+                smallest, glm::degrees(std::atan2(glm::length(glm::cross(u, v)), glm::dot(u, v))));
+        }
+        angles.push_back(smallest);
+    }
+    const auto at =
+        angles.begin() + static_cast<std::ptrdiff_t>(fraction * static_cast<double>(angles.size()));
+    std::nth_element(angles.begin(), at, angles.end());
+    return *at;
+}
+
 std::size_t crossings(const TriMesh& mesh) {
     const FaceTree tree(mesh);
     std::size_t found = 0;

@@ -22,6 +22,8 @@ std::vector<FaceId> live_faces(const TriMesh& mesh);
 // along a cut count as one edge.
 int euler_characteristic(const TriMesh& mesh);
 double area(const TriMesh& mesh);
+// The angle in degrees that the given fraction of the triangles' smallest angles are below.
+double smallest_angle_quantile(const TriMesh& mesh, double fraction);
 
 // The edge between two vertices. Precondition: it exists.
 EdgeId edge_between(const TriMesh& mesh, std::uint32_t v, std::uint32_t w);
