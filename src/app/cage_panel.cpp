@@ -38,7 +38,7 @@ void CagePanel::draw(Editor& editor, float scale) {
     }
     ImGui::SameLine(0.0f, 22.0f * scale);
     if (ImGui::RadioButton("Cage", cage.has_value()) && !cage) {
-        if (editor.execute(command::Cage{command::Cage::Fit{counts_}})) {
+        if (editor.execute(command::Cage{.fit = counts_})) {
             editor.display.lattice = true;
         }
     }
@@ -93,7 +93,7 @@ void CagePanel::draw_cage(Editor& editor, const Lattice& cage, float scale) {
 
 void CagePanel::draw_cage_actions(Editor& editor) const {
     if (ImGui::Button("Fit to the object")) {
-        editor.execute(command::Cage{command::Cage::Fit{counts_}});
+        editor.execute(command::Cage{.fit = counts_});
     }
     ImGui::SameLine();
     ImGui::Checkbox("Show (L)", &editor.display.lattice);

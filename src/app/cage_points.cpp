@@ -42,7 +42,7 @@ Vec3 kept_on_symmetry_plane(const Session& session, const IVec3& index, Vec3 d) 
 
 std::optional<IVec3> CagePoints::find_at(const Session& session, const View& view, const Vec2& at,
                                          const std::optional<Pick>& surface) const {
-    if (!session.lattice_settings().cage) return std::nullopt;
+    if (!session.lattice_settings().cage) return {};
     const Lattice& cage = cage_of(session);
     const double limit =
         surface ? view.depth(surface->point) + kPickRadius * view.pixel_length(surface->point)
@@ -91,37 +91,37 @@ void CagePoints::move_to(const Vec2& at) {
     if (box_) box_->to = at;
 }
 
-std::optional<std::string> CagePoints::begin_drag(Session& session) {
+Done CagePoints::begin_drag(Session& session) {
     grabbed_->moving = points_to_move(session, grabbed_->index);
     std::vector<IVec3> indices;
     for (const IVec3& control : grabbed_->moving) {
         indices.push_back(cage_of(session).user_index(control));
     }
-    if (auto refusal = session.begin_control(indices)) {
+    if (Done done = session.begin_control(indices); !done) {
         grabbed_.reset();
-        return refusal;
+        return done;
     }
     grabbed_->has_begun = true;
-    return std::nullopt;
+    return {};
 }
 
-std::optional<std::string> CagePoints::update_drag(Session& session, const View& view) {
-    if (!grabbed_) return std::nullopt;
+Done CagePoints::update_drag(Session& session, const View& view) {
+    if (!grabbed_) return {};
     if (!grabbed_->has_begun) {
         const double moved_by = glm::distance(grabbed_->at, grabbed_->pressed_at);
-        if (moved_by < kClickTolerance) return std::nullopt;
-        if (auto refusal = begin_drag(session)) return refusal;
+        if (moved_by < kClickTolerance) return {};
+        if (Done done = begin_drag(session); !done) return done;
     }
     const std::optional<Vec3> displacement = cursor_displacement(session, view);
-    if (!displacement || *displacement == grabbed_->displacement) return std::nullopt;
+    if (!displacement || *displacement == grabbed_->displacement) return {};
     std::vector<Vec3> targets;
     for (const IVec3& index : grabbed_->moving) {
         targets.push_back(cage_of(session).rest(index) +
                           kept_on_symmetry_plane(session, index, *displacement));
     }
-    if (auto refusal = session.control_to(targets)) return refusal;
+    if (Done done = session.control_to(targets); !done) return done;
     grabbed_->displacement = *displacement;
-    return std::nullopt;
+    return {};
 }
 
 // How far the cursor has moved since the press, in the plane parallel to the picture at the depth
@@ -131,7 +131,7 @@ std::optional<Vec3> CagePoints::cursor_displacement(const Session& session,
     const Vec3 rest = cage_of(session).rest(grabbed_->index);
     const auto from = on_view_plane(view.camera, rest, view.ray_through(grabbed_->pressed_at));
     const auto to = on_view_plane(view.camera, rest, view.ray_through(grabbed_->at));
-    if (!from || !to) return std::nullopt;
+    if (!from || !to) return {};
     return kept_on_symmetry_plane(session, grabbed_->index, *to - *from);
 }
 

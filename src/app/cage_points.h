@@ -33,7 +33,7 @@ class CagePoints {
     // Moves the selected control points with the cursor, once it is farther from the press than a
     // click allows. The session's dirty elements say whether the object has changed. Returns why
     // the move is refused; then the points stay where they were in the frame before.
-    std::optional<std::string> update_drag(Session& session, const View& view);
+    Done update_drag(Session& session, const View& view);
     // Ends a click or a box. Precondition: not is_dragging().
     void release(const Session& session, const View& view);
     // Forgets the drag, once the session has ended or cancelled it.
@@ -67,7 +67,7 @@ class CagePoints {
     bool is_selected(const IVec3& index) const;
     void toggle(const IVec3& index);
     void select_in_box(const Session& session, const View& view);
-    std::optional<std::string> begin_drag(Session& session);
+    Done begin_drag(Session& session);
     std::optional<Vec3> cursor_displacement(const Session& session, const View& view) const;
     std::vector<IVec3> points_to_move(const Session& session, const IVec3& grabbed) const;
 

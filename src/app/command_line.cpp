@@ -2,7 +2,10 @@
 
 #include <CLI/CLI.hpp>
 
+#include <utility>
+
 #include "command/reference.h"
+#include "command/spelling.h"
 #include "io/printable.h"
 
 namespace pectin {
@@ -13,41 +16,63 @@ constexpr const char* kUsage =
     "usage: pectin [MODEL.obj]     opens the window, on that model or on a sphere\n"
     "         --record FILE.jsonl  writes every command as it is done, as a script\n"
     "       pectin replay SCRIPT   executes a script (- reads it from standard input)\n"
+    "       pectin help [COMMAND]  explains the commands of scripts and all their fields\n"
+    "         --table              the same as a table in Markdown\n"
+    "       pectin schema          prints a JSON Schema of the lines of a script\n"
     "       pectin --help          shows this and the commands of a script\n"
     "       pectin --version       shows the version\n";
 
-std::string script_help() {
+constexpr const char* kScript =
+    "A script is UTF-8 text. Its first line is {\"pectin\": 1}; blank lines and lines that\n"
+    "start with # are ignored; each other line is one command with its fields, as in\n"
+    "  {\"cmd\": \"drag\", \"moves\": [{\"from\": [0, 0, 1], \"to\": [0, 0, 1.3]}]}\n"
+    "Relative paths are relative to the script. Angles are in degrees, lengths in the\n"
+    "model's units, +y is up. Replay stops at the first command that fails; files that\n"
+    "earlier lines wrote are kept.\n";
+
+std::string overview() {
     std::string text =
-        "A script is UTF-8 text. Its first line is {\"pectin\": 1}; blank lines and lines that\n"
-        "start with # are ignored; each other line is one command with its fields, as in\n"
-        "  {\"cmd\": \"drag\", \"moves\": [{\"from\": [0, 0, 1], \"to\": [0, 0, 1.3]}]}\n"
-        "Relative paths are relative to the script. Angles are in degrees, lengths in the\n"
-        "model's units, +y is up. The value in (brackets) is the default. A setting that is\n"
-        "left out does not change. Replay stops at the first command that fails; files that\n"
-        "earlier lines wrote are kept.\n";
+        "pectin is a sculpting program: the space around a dragged point behaves like jelly.\n\n";
+    text += kUsage + std::string("\n") + kScript + "\nThe commands and their fields:\n";
     for (const CommandReference& command : command_reference()) {
-        text += std::string("\n  ") + command.name + "  " + command.meaning + "\n";
+        text += "  " + command.name;
+        const char* separator = "  ";
         for (const FieldReference& field : command.fields) {
-            std::string name = field.name;
-            name.resize(std::max<std::size_t>(name.size(), 12), ' ');
-            text += "      " + name + "  " + field.meaning + "\n";
+            text += separator + field.name;
+            separator = ", ";
         }
+        text += '\n';
     }
-    return text;
+    return text +
+           "pectin help COMMAND says what they mean.\n\n"
+           "Exit status: 0 done; 1 a command failed, with SCRIPT:LINE: command: what is wrong\n"
+           "and what would be right on standard error; 2 bad usage.\n";
 }
 
-std::string help() {
-    return std::string(
-               "pectin is a sculpting program: the space around a dragged point behaves like "
-               "jelly.\n\n") +
-           kUsage + "\n" + script_help() +
-           "\nExit status: 0 done; 1 a command failed, with SCRIPT:LINE: command: what is wrong\n"
-           "and what would be right on standard error; 2 bad usage.\n";
+std::string help_for_all() {
+    std::string text = std::string(kScript) +
+                       "The value in (brackets) is the default of a field; one without has to be "
+                       "there. A\nsetting that is left out does not change.\n";
+    for (const CommandReference& command : command_reference()) text += "\n" + help_text(command);
+    return text;
 }
 
 CommandLine refuse(const std::string& why) {
     return {.action = CommandLine::Action::refuse,
             .text = "pectin: " + printable(why) + "\n" + kUsage};
+}
+
+CommandLine show(std::string text) {
+    return {.action = CommandLine::Action::show, .text = std::move(text)};
+}
+
+// command: empty for all of them.
+CommandLine show_help(const std::string& command, bool as_table) {
+    if (as_table) return show(reference_table());
+    if (command.empty()) return show(help_for_all());
+    const CommandReference* const found = find_command(command);
+    if (!found) return refuse(unknown_command(command));
+    return show(help_text(*found));
 }
 
 }  // namespace
@@ -64,15 +89,21 @@ CommandLine read_command_line(int argc, char** argv) {
     CLI::App* replay = parser.add_subcommand("replay");
     replay->add_flag("-h,--help", wants_help);
     CLI::Option* script_option = replay->add_option("SCRIPT", script);
+    CLI::App* help = parser.add_subcommand("help");
+    std::string command;
+    bool as_table = false;
+    help->add_option("COMMAND", command);
+    help->add_flag("--table", as_table);
+    const CLI::App* schema = parser.add_subcommand("schema");
     try {
         parser.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         return refuse(error.what());
     }
-    if (wants_help) return {.action = CommandLine::Action::show, .text = help()};
-    if (wants_version) {
-        return {.action = CommandLine::Action::show, .text = "pectin " PECTIN_VERSION "\n"};
-    }
+    if (wants_help) return show(overview());
+    if (wants_version) return show("pectin " PECTIN_VERSION "\n");
+    if (help->parsed()) return show_help(command, as_table);
+    if (schema->parsed()) return show(json_schema());
     if (!replay->parsed()) {
         if (!record_option->empty() && record.empty()) return refuse("--record needs a file");
         return {.action = CommandLine::Action::window, .model = model, .record = record};

@@ -1,5 +1,6 @@
 #include "app/edit_task.h"
 
+#include <cassert>
 #include <utility>
 
 #include "app/command_kind.h"
@@ -35,10 +36,12 @@ EditTask::EditTask(Session& session, const Command& command)
     work_.emplace([this](const Progress& progress) {
         prepare_parallel_loops();
         const StopToken stop = stop_token(progress);
-        EditResult result{.error = session_.execute(*command_, stop)};
+        EditResult result{.done = session_.execute(*command_, stop)};
         const std::optional<Command> back = inverse(*command_);
-        if (!result.error && back && stop.stop_requested()) {
-            session_.execute(*back);
+        if (result.done && back && stop.stop_requested()) {
+            // It was done a moment ago, so it can be taken back.
+            [[maybe_unused]] const Done taken_back = session_.execute(*back);
+            assert(taken_back);
             throw Stopped();
         }
         session_.prepare_for_drags();

@@ -15,7 +15,7 @@
 namespace pectin {
 
 struct EditResult {
-    std::optional<std::string> error{};  // why nothing was done
+    Done done{};
     // Of a drag: the command that it amounts to, or nothing if it has moved nothing.
     std::optional<Command> drag{};
 };

@@ -99,10 +99,10 @@ void Editor::choose_mirror(const MirrorChoice& choice) {
 
 void Editor::set_cage(const Box& box, const IVec3& counts) {
     const Lattice cage = fit_lattice(box, counts);
-    execute(command::Cage{command::Cage::Grid{.origin = cage.rest(cage.margin),
-                                              .cell = cage.cell,
-                                              .deformable = cage.counts(),
-                                              .margin = cage.margin}});
+    execute(command::Cage{.origin = cage.rest(cage.margin),
+                          .cell = cage.cell,
+                          .deformable = cage.counts(),
+                          .margin = cage.margin});
 }
 
 std::optional<Lattice> Editor::editable_cage() const {

@@ -77,10 +77,8 @@ Pick Editor::snapped_to_symmetry_plane(Pick pick) const {
 }
 
 void Editor::grab(const Pick& pick, const Ray& ray) {
-    if (const auto refusal =
-            sculptor_.grab(workspace_.session(), pick, ray, pins_.points(), drag_options)) {
-        return workspace_.set_message(rounded_numbers(*refusal));
-    }
+    const Done done = sculptor_.grab(workspace_.session(), pick, ray, pins_.points(), drag_options);
+    if (!done) return workspace_.set_message(rounded_numbers(done.refusal().reason));
     workspace_.clear_command_message();
     shows_hint_ = false;
     hover_.reset();
@@ -128,14 +126,14 @@ void Editor::update_point_drag() {
     cursor_path_.clear();
     last_cursor_ = cursor_;
     const command::Drag before = session().active_drag();
-    std::optional<std::string> refusal;
+    Done done;
     for (std::size_t i = 0; i < positions.size(); ++i) {
         // Only the last position is shown.
         workspace_.limit_frame_time(i + 1 == positions.size());
-        refusal =
+        done =
             sculptor_.drag(workspace_.session(), camera(), view().ray_through(positions[i]), path);
     }
-    if (refusal) return workspace_.set_message(rounded_numbers(*refusal));
+    if (!done) return workspace_.set_message(rounded_numbers(done.refusal().reason));
     workspace_.clear_command_message();
     if (session().active_drag() == before) return;
     record_frame(std::chrono::steady_clock::now() - start);
@@ -148,9 +146,8 @@ void Editor::update_control_drag() {
     const auto start = std::chrono::steady_clock::now();
     const bool had_begun = cage_points_.is_dragging();
     workspace_.limit_frame_time(true);  // a drag of a point may have ended in between
-    if (const auto refusal = cage_points_.update_drag(workspace_.session(), view())) {
-        return workspace_.set_message(rounded_numbers(*refusal));
-    }
+    const Done done = cage_points_.update_drag(workspace_.session(), view());
+    if (!done) return workspace_.set_message(rounded_numbers(done.refusal().reason));
     if (!cage_points_.is_dragging()) return;
     if (!had_begun) reset_figures();
     workspace_.clear_command_message();

@@ -144,8 +144,7 @@ void Editor::save(const std::string& path, std::optional<Question> next) {
 void Editor::save_picture(const std::string& path) {
     execute(command::Screenshot{
         .path = path,
-        .width = std::clamp(size_.x, 16, 8192),
-        .height = std::clamp(size_.y, 16, 8192),
+        .size = glm::clamp(size_, 16, 8192),
         .camera = camera(),
         .show = {
             .wireframe = display.wireframe, .lattice = display.lattice, .levels = display.levels}});

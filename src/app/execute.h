@@ -4,9 +4,9 @@
 #include <cmath>
 #include <exception>
 #include <new>
-#include <optional>
 #include <string>
 
+#include "command/result.h"
 #include "session/session.h"
 
 namespace pectin {
@@ -19,27 +19,27 @@ inline std::string not_enough_memory(const std::string& what, const History& his
            " MB; lower its limit, or use a lower resolution or budget or a smaller model";
 }
 
-// Calls `work`, which does something and returns what is wrong, if anything. Returns the same, or
-// the message of the exception that it throws. what: as for not_enough_memory().
+// Calls `work`, which does something and returns Done. Returns the same, or a refusal with the
+// message of the exception that it throws. what: as for not_enough_memory().
 template <typename Work>
-std::optional<std::string> try_to(const std::string& what, const Session& session, Work work) {
+Done try_to(const std::string& what, const Session& session, Work work) {
     try {
         return work();
     } catch (const std::bad_alloc&) {
-        return not_enough_memory(what, session.history());
+        return Refusal{not_enough_memory(what, session.history())};
     } catch (const std::exception& error) {
-        return error.what();
+        return Refusal{error.what()};
     }
 }
 
 // The same with work that executes the command.
 template <typename Work>
-std::optional<std::string> try_command(const Command& command, const Session& session, Work work) {
+Done try_command(const Command& command, const Session& session, Work work) {
     return try_to(name(command), session, work);
 }
 
-// Returns what is wrong with the command; nothing if it was executed.
-inline std::optional<std::string> execute(Session& session, const Command& command) {
+// Executes the command.
+inline Done execute(Session& session, const Command& command) {
     return try_command(command, session, [&] { return session.execute(command); });
 }
 

@@ -70,7 +70,7 @@ bool read_session(const std::string& path, LostSession& session) {
     if (!std::getline(text, line)) return !text.bad() && text.eof();
     const bool is_cut_off = text.eof();
     if (is_cut_off) return std::string_view(kScriptHeader).starts_with(line);
-    if (check_header(line)) return false;
+    if (!check_header(line)) return false;
     while (std::getline(text, line)) {
         if (read_line(line, fingerprint, session)) continue;
         return text.eof() && session.unsaved > 0;

@@ -14,18 +14,17 @@ struct OffscreenViewport::Context {
 OffscreenViewport::OffscreenViewport() = default;
 OffscreenViewport::~OffscreenViewport() = default;
 
-std::optional<std::string> OffscreenViewport::screenshot(const TriMesh& mesh,
-                                                         const std::optional<Lattice>& lattice,
-                                                         const command::Screenshot& screenshot) {
-    if (auto refusal = refuse_panels(screenshot)) return refusal;
+Done OffscreenViewport::screenshot(const TriMesh& mesh, const std::optional<Lattice>& lattice,
+                                   const command::Screenshot& screenshot) {
+    if (Done done = refuse_panels(screenshot); !done) return done;
     if (!context_) context_ = std::make_unique<Context>();
     context_->host->make_current();
     context_->mesh.upload(mesh);
-    const Canvas canvas(context_->host->gl(), {screenshot.width, screenshot.height});
+    const Canvas canvas(context_->host->gl(), screenshot.size);
     context_->renderer.draw(context_->mesh, make_scene(screenshot, mesh, lattice), canvas);
     canvas.resolve();
     write_image(canvas.read(), screenshot.path);
-    return std::nullopt;
+    return {};
 }
 
 }  // namespace pectin

@@ -16,9 +16,8 @@ class OffscreenViewport : public Viewport {
 
     // Creates the OpenGL context in the first call. Refuses to show the user interface, which only
     // a window has.
-    std::optional<std::string> screenshot(const TriMesh& mesh,
-                                          const std::optional<Lattice>& lattice,
-                                          const command::Screenshot& screenshot) override;
+    Done screenshot(const TriMesh& mesh, const std::optional<Lattice>& lattice,
+                    const command::Screenshot& screenshot) override;
 
   private:
     struct Context;  // OpenGL context, renderer and mesh

@@ -11,9 +11,9 @@ constexpr float kReferenceHeight = 960.0f;  // pixels
 
 }  // namespace
 
-std::optional<std::string> refuse_panels(const command::Screenshot& screenshot) {
-    if (!screenshot.show.ui) return std::nullopt;
-    return "a screenshot cannot show the panels; leave \"ui\" out of show";
+Done refuse_panels(const command::Screenshot& screenshot) {
+    if (!screenshot.show.ui) return {};
+    return Refusal{"a screenshot cannot show the panels; leave \"ui\" out of show", "show"};
 }
 
 std::vector<Vec3> referenced_positions(const TriMesh& mesh) {
@@ -29,7 +29,7 @@ Scene make_scene(const command::Screenshot& screenshot, const TriMesh& mesh,
                  const std::optional<Lattice>& lattice) {
     Scene scene{.wireframe = screenshot.show.wireframe, .levels = screenshot.show.levels};
     // In larger pictures, lines are as thick relative to the picture as at the reference height.
-    scene.pixel_scale = std::max(1.0f, static_cast<float>(screenshot.height) / kReferenceHeight);
+    scene.pixel_scale = std::max(1.0f, static_cast<float>(screenshot.size.y) / kReferenceHeight);
     const bool shows_lattice = screenshot.show.lattice && lattice;
     if (shows_lattice) add_lattice(scene.overlay, *lattice, {});
     if (screenshot.camera) {
@@ -40,7 +40,7 @@ Scene make_scene(const command::Screenshot& screenshot, const TriMesh& mesh,
     if (shows_lattice) {
         for (const Overlay::Line& line : scene.overlay.lines) positions.push_back(line.from);
     }
-    scene.camera = fit(positions, static_cast<double>(screenshot.width) / screenshot.height);
+    scene.camera = fit(positions, static_cast<double>(screenshot.size.x) / screenshot.size.y);
     return scene;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "command/result.h"
 #include "ffd/lattice.h"
 #include "mesh/tri_mesh.h"
 #include "render/canvas.h"
@@ -20,9 +21,9 @@ Scene make_scene(const command::Screenshot& screenshot, const TriMesh& mesh,
 // The positions of all live vertices that have faces, for a camera to fit. Cost: O(n).
 std::vector<Vec3> referenced_positions(const TriMesh& mesh);
 
-// Why a screenshot that shows the panels is refused; nothing if it does not show them. A replay has
-// no panels, so a window does not show them either.
-std::optional<std::string> refuse_panels(const command::Screenshot& screenshot);
+// Refuses a screenshot that shows the panels. A replay has no panels, so a window does not show
+// them either.
+Done refuse_panels(const command::Screenshot& screenshot);
 
 // Writes a PNG file. Throws FileError.
 void write_image(const Image& image, const std::string& path);

@@ -38,7 +38,8 @@ bool replay_lines(std::istream& text, const std::string& title, const std::strin
         auto& command = std::get<Command>(line->command);
         resolve_paths(command, folder);
         status.begin(title, line->number, name(command));
-        if (const auto what = execute(session, command)) return refuse(name(command), *what);
+        const Done done = execute(session, command);
+        if (!done) return refuse(name(command), done.refusal().reason);
         status.finish();
         if (!session.remark().empty()) report(name(command), session.remark());
         if (session.has_failed_partly()) is_all_done = false;

@@ -21,7 +21,7 @@ bool is_setting(const Command& command) {
 
 bool is_fitted_cage(const Command& command) {
     const auto* cage = std::get_if<command::Cage>(&command);
-    return cage && std::holds_alternative<command::Cage::Fit>(cage->lattice);
+    return cage && cage->fit.has_value();
 }
 
 // Returns the indices of the commands on which the last object depends. Of the commands before it

@@ -37,7 +37,7 @@ Vec3 on_own_side(const Session& session, const Vec3& from, const Vec3& to) {
 std::optional<Vec3> on_view_plane(const Camera& camera, const Vec3& from, const Ray& ray) {
     const Vec3 forward = camera.forward();
     const double slope = glm::dot(ray.direction, forward);
-    if (!(slope > kMinCosine)) return std::nullopt;
+    if (!(slope > kMinCosine)) return {};
     return ray.at(glm::dot(from - ray.origin, forward) / slope);
 }
 
@@ -58,16 +58,15 @@ Vec3 on_normal(const Camera& camera, const Vec3& from, const Vec3& normal, const
     return from + along * normal;
 }
 
-std::optional<std::string> Sculptor::grab(Session& session, const Pick& pick, const Ray& ray,
-                                          std::span<const Vec3> pins, const DragOptions& options) {
+Done Sculptor::grab(Session& session, const Pick& pick, const Ray& ray, std::span<const Vec3> pins,
+                    const DragOptions& options) {
     assert(!is_dragging());
-    if (auto refusal = session.begin_drag(std::array{pick.point}, pins, options)) return refusal;
+    if (Done done = session.begin_drag(std::array{pick.point}, pins, options); !done) return done;
     grabbed_ = Grabbed{pick, ray, {pick.point}, {pick.point}};
-    return std::nullopt;
+    return {};
 }
 
-std::optional<std::string> Sculptor::drag(Session& session, const Camera& camera, const Ray& ray,
-                                          DragPath path) {
+Done Sculptor::drag(Session& session, const Camera& camera, const Ray& ray, DragPath path) {
     assert(is_dragging());
     const Pick& pick = grabbed_->pick;
     std::optional<Vec3> to = path == DragPath::normal
@@ -75,13 +74,13 @@ std::optional<std::string> Sculptor::drag(Session& session, const Camera& camera
                                  : on_view_plane(camera, pick.point, ray);
     if (to && session.symmetry()) to = on_own_side(session, pick.point, *to);
     if (to) grabbed_->requested.to = *to;
-    if (grabbed_->requested == grabbed_->applied) return std::nullopt;
-    if (auto refusal = session.drag_to(std::array{move_to(grabbed_->requested)})) {
+    if (grabbed_->requested == grabbed_->applied) return {};
+    if (Done done = session.drag_to(std::array{move_to(grabbed_->requested)}); !done) {
         grabbed_->requested = grabbed_->applied;
-        return refusal;
+        return done;
     }
     grabbed_->applied = grabbed_->requested;
-    return std::nullopt;
+    return {};
 }
 
 Move Sculptor::move_to(const Goal& goal) const {

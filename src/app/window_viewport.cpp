@@ -4,15 +4,14 @@
 
 namespace pectin {
 
-std::optional<std::string> WindowViewport::screenshot(const TriMesh& mesh,
-                                                      const std::optional<Lattice>& lattice,
-                                                      const command::Screenshot& screenshot) {
-    if (auto refusal = refuse_panels(screenshot)) return refusal;
-    const Canvas canvas(*gl_, {screenshot.width, screenshot.height});
+Done WindowViewport::screenshot(const TriMesh& mesh, const std::optional<Lattice>& lattice,
+                                const command::Screenshot& screenshot) {
+    if (Done done = refuse_panels(screenshot); !done) return done;
+    const Canvas canvas(*gl_, screenshot.size);
     renderer_->draw(object_->mesh(), make_scene(screenshot, mesh, lattice), canvas);
     canvas.resolve();
     write_image(canvas.read(), screenshot.path);
-    return std::nullopt;
+    return {};
 }
 
 }  // namespace pectin

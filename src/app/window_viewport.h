@@ -15,9 +15,8 @@ class WindowViewport : public Viewport {
 
     // Refuses to show the user interface, because a replay could not. Precondition: the window's
     // context is current.
-    std::optional<std::string> screenshot(const TriMesh& mesh,
-                                          const std::optional<Lattice>& lattice,
-                                          const command::Screenshot& screenshot) override;
+    Done screenshot(const TriMesh& mesh, const std::optional<Lattice>& lattice,
+                    const command::Screenshot& screenshot) override;
 
   private:
     const Gl* gl_;

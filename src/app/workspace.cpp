@@ -76,13 +76,13 @@ Workspace::Outcome Workspace::run(const Command& command, MakeWork make_work) {
                                  "it");
     }
     if (is_edit(command)) return begin_edit(command);
-    const auto error = try_command(command, session_, [&]() -> std::optional<std::string> {
+    const Done done = try_command(command, session_, [&]() -> Done {
         FileWork work = make_work();
         if (!work) return session_.execute(command);
         file_task_ = std::make_unique<FileTask>(command, std::move(work));
-        return std::nullopt;
+        return {};
     });
-    if (error) return fail(*error);
+    if (!done) return fail(done.refusal().reason);
     if (file_task_) {
         return max_blocking_time_.count() > 0 ? poll(max_blocking_time_) : Outcome::in_progress;
     }
@@ -99,11 +99,11 @@ template <typename... Arguments>
 Workspace::Outcome Workspace::begin_edit(const Arguments&... arguments) {
     has_moved_ = false;
     figures_before_edit_ = figures_now();
-    const auto error = try_to("edit", session_, [&]() -> std::optional<std::string> {
+    const Done done = try_to("edit", session_, [&]() -> Done {
         edit_task_ = std::make_unique<EditTask>(session_, arguments...);
-        return std::nullopt;
+        return {};
     });
-    return error ? fail(*error) : poll(max_edit_time_);
+    return done ? poll(max_edit_time_) : fail(done.refusal().reason);
 }
 
 Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
@@ -120,13 +120,13 @@ Workspace::Outcome Workspace::poll_file(std::chrono::milliseconds longest_wait) 
     const std::unique_ptr<FileTask> task = std::move(file_task_);
     const bool is_cancelled = task->work.is_cancelled();
     FileResult result;
-    const auto error = try_command(task->command, session_, [&]() -> std::optional<std::string> {
+    const Done done = try_command(task->command, session_, [&]() -> Done {
         result = task->work.take();
         if (result.model && is_cancelled) throw Cancelled();
         if (result.model) session_.adopt(std::move(*result.model));
-        return std::nullopt;
+        return {};
     });
-    if (error) return is_cancelled ? Outcome::failed : fail(*error);
+    if (!done) return is_cancelled ? Outcome::failed : fail(done.refusal().reason);
     finish(task->command, result.fingerprint);
     tell_if_possible([&] {
         if (!result.report.empty()) set_message(result.report);
@@ -141,16 +141,16 @@ Workspace::Outcome Workspace::poll_edit(std::chrono::milliseconds longest_wait) 
     const std::string what = task->command() ? name(*task->command()) : "drag";
     EditResult result;
     bool is_stopped = false;
-    const auto error = try_to(what, session_, [&]() -> std::optional<std::string> {
+    const Done done = try_to(what, session_, [&]() -> Done {
         try {
             result = task->take();
         } catch (const Stopped&) {
             is_stopped = true;
         }
-        return result.error;
+        return result.done;
     });
     has_moved_ = result.drag.has_value();
-    if (error) return fail(*error);
+    if (!done) return fail(done.refusal().reason);
     if (is_stopped) return Outcome::failed;
     finish_edit(*task, result);
     return Outcome::done;

@@ -4,6 +4,8 @@
 
 namespace pectin {
 
-const char* name(const Command& command) { return command_reference()[command.index()].name; }
+const char* name(const Command& command) {
+    return command_reference()[command.index()].name.c_str();
+}
 
 }  // namespace pectin

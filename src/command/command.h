@@ -2,7 +2,7 @@
 //
 // Angles are in degrees, lengths in the model's units, points in world space. An empty optional
 // leaves the current setting unchanged. Members have initialisers so that designated initialisers
-// may omit them.
+// may omit them. command/schema.h says what each field means and may be.
 #pragma once
 
 #include <cstdint>
@@ -48,15 +48,13 @@ struct Shape {
 
 struct Adapt {
     std::optional<bool> enabled{};
-    std::optional<Setting> theta_max{};     // number or off
-    std::optional<Setting> theta_min{};     // automatic: 7/9 of theta_max; number or off
-    std::optional<Setting> l_max{};         // automatic: smallest cell extent; number or off
-    std::optional<Setting> flatness{};      // automatic: tan(theta_max / 4) / 2; number or off
-    std::optional<Setting> floor{};         // automatic: 1e-4 of the box diagonal; number
+    std::optional<Setting> theta_max{}, theta_min{};
+    std::optional<Setting> l_max{};
+    std::optional<Setting> flatness{};
+    std::optional<Setting> floor{};
     std::optional<std::uint64_t> budget{};  // triangles of the object
-    // Triangles that one drag may add; automatic: see default_drag_budget(). Number or off.
-    std::optional<Setting> drag_budget{};
-    std::optional<double> propagation{};  // rho, in [1, 1.5)
+    std::optional<Setting> drag_budget{};   // triangles that one drag may add
+    std::optional<double> propagation{};
     bool operator==(const Adapt&) const = default;
 };
 
@@ -66,18 +64,12 @@ struct Brush {
     bool operator==(const Brush&) const = default;
 };
 
+// Either origin, cell and deformable, or fit; see check().
 struct Cage {
-    struct Grid {
-        Vec3 origin{0.0}, cell{0.0};
-        IVec3 deformable{0};
-        IVec3 margin{0};  // further layers of control points on each side
-        bool operator==(const Grid&) const = default;
-    };
-    struct Fit {
-        IVec3 deformable{0};  // control points on the object's box
-        bool operator==(const Fit&) const = default;
-    };
-    std::variant<Grid, Fit> lattice;
+    std::optional<Vec3> origin{}, cell{};
+    std::optional<IVec3> deformable{};
+    IVec3 margin{0};             // further layers of control points on each side
+    std::optional<IVec3> fit{};  // control points on the object's box
     bool operator==(const Cage&) const = default;
 };
 
@@ -154,7 +146,7 @@ struct Screenshot {
         bool operator==(const Show&) const = default;
     };
     std::string path{};
-    int width = 1280, height = 960;  // pixels
+    IVec2 size{1280, 960};           // pixels
     std::optional<Camera> camera{};  // empty: the whole object from the front
     Show show{};
     bool operator==(const Screenshot&) const = default;

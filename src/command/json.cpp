@@ -2,10 +2,13 @@
 
 #include <algorithm>
 #include <cstddef>
-#include <numeric>
+#include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "command/check.h"
+#include "command/field_types.h"
 #include "command/json_fields.h"
 #include "command/json_text.h"
 #include "command/json_values.h"
@@ -26,21 +29,10 @@ using command_json::read_fields;
 using command_json::require;
 using command_json::wrong;
 
-template <class Range>
-std::string listed(const Range& names) {
-    return std::accumulate(std::begin(names), std::end(names), std::string(),
-                           [](const std::string& text, const auto& entry) {
-                               return text.empty() ? std::string(entry.name)
-                                                   : text + ", " + entry.name;
-                           });
-}
-
-std::string unknown_command(std::string_view given) {
-    const auto known = command_reference();
-    const char* const meant = nearest_command(given);
-    return (meant ? std::string("unknown command; did you mean ") + meant + "?"
-                  : std::string("unknown command")) +
-           "; known are " + listed(known);
+std::string names_of(std::span<const FieldReference> fields) {
+    std::vector<std::string> names;
+    for (const FieldReference& field : fields) names.push_back(field.name);
+    return field::listed(names, "and");
 }
 
 void refuse_unknown_fields(const json& object, const CommandReference& reference) {
@@ -50,7 +42,7 @@ void refuse_unknown_fields(const json& object, const CommandReference& reference
             continue;
         throw Problem(
             "unknown field " + in_quotes(key) + "; " + reference.name +
-            (reference.fields.empty() ? " has no fields" : " has " + listed(reference.fields)));
+            (reference.fields.empty() ? " has no fields" : " has " + names_of(reference.fields)));
     }
 }
 
@@ -88,25 +80,27 @@ std::variant<Command, CommandError> parse_command(std::string_view json_line) {
         if (!object.is_object()) wrong("a line", "an object, {\"cmd\": ...}", object);
         const std::size_t index = command_index(object, command);
         refuse_unknown_fields(object, command_reference()[index]);
-        return read_fields(index, object);
+        Command read = read_fields(index, object);
+        if (const Done done = check(read); !done) throw Problem(done.refusal().reason);
+        return read;
     } catch (const Problem& problem) {
         return CommandError{command, problem.what()};
     }
 }
 
-std::optional<std::string> check_header(std::string_view json_line) {
-    const std::string right = "the first line of a script must be {\"pectin\": 1}";
+Done check_header(std::string_view json_line) {
+    const Refusal refusal{"the first line of a script must be {\"pectin\": 1}"};
     try {
         const json header = parse_strictly(json_line);
-        if (!header.is_object() || header.size() != 1 || !header.contains("pectin")) return right;
+        if (!header.is_object() || header.size() != 1 || !header.contains("pectin")) return refusal;
         const json& version = header["pectin"];
-        if (version == 1) return std::nullopt;
+        if (version == 1) return {};
         if (version.is_number() && version > 1)
-            return "the script is of version " + version.dump() +
-                   ", but this pectin reads version 1, {\"pectin\": 1}";
-        return right + ", not " + describe(version) + " for a version";
+            return Refusal{"the script is of version " + version.dump() +
+                           ", but this pectin reads version 1, {\"pectin\": 1}"};
+        return Refusal{refusal.reason + ", not " + describe(version) + " for a version"};
     } catch (const Problem&) {
-        return right;
+        return refusal;
     }
 }
 

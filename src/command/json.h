@@ -1,12 +1,12 @@
 // Converts commands from and to JSON (the lines of a script), and statistics to JSON.
 #pragma once
 
-#include <optional>
 #include <string>
 #include <string_view>
 #include <variant>
 
 #include "command/command.h"
+#include "command/result.h"
 #include "command/statistics.h"
 
 namespace pectin {
@@ -22,8 +22,8 @@ struct CommandError {
 // never be right are errors. Does not check what depends on the object or on the current settings.
 std::variant<Command, CommandError> parse_command(std::string_view json_line);
 
-// Says what is wrong with the first line of a script; nothing if it is {"pectin": 1}.
-std::optional<std::string> check_header(std::string_view json_line);
+// Refuses the first line of a script unless it is {"pectin": 1}.
+Done check_header(std::string_view json_line);
 
 // Writes the command as one line without a line end. parse_command() reads an equal command from
 // it. Numbers are the shortest decimals that read back the same. Precondition: paths are UTF-8,

@@ -1,232 +1,82 @@
-#include <algorithm>
-#include <array>
-#include <charconv>
-#include <cmath>
-#include <concepts>
+#include <string>
 #include <vector>
 
 #include "command/json.h"
+#include "command/json_writer.h"
+#include "command/schema.h"
 
 namespace pectin {
 
 namespace {
 
-// Writes JSON text, either on one line or with one field on each line.
-class JsonWriter {
+using command_json::JsonWriter;
+
+// Writes the fields of an object that have to be there, and those that differ from their default.
+class FieldWriter {
   public:
-    enum class Layout { line, indented };
-    explicit JsonWriter(Layout layout) : layout_(layout) {}
+    explicit FieldWriter(JsonWriter& json) : json_(json) {}
 
-    void open(char bracket) {
-        text_ += bracket;
-        ++depth_;
-        is_first_ = true;
+    template <typename Owner>
+    void write_all(const Owner& owner) {
+        for_each_field<Owner>([&](const auto& field) {
+            if (!field.is_required() && owner.*field.member == Owner{}.*field.member) return;
+            json_.key(field.name);
+            write(*field.value_in(owner), field.type);
+        });
     }
-    void close(char bracket) {
-        --depth_;
-        if (layout_ == Layout::indented) break_line();
-        text_ += bracket;
-        is_first_ = false;
-    }
-    // Writes what separates two fields or elements. Called before each of them.
-    void next() {
-        if (!is_first_) text_ += layout_ == Layout::line ? ", " : ",";
-        if (layout_ == Layout::indented) break_line();
-        is_first_ = false;
-    }
-    void key(std::string_view name) {
-        next();
-        value(name);
-        text_ += ": ";
-    }
-    template <class T>
-    void field(std::string_view name, const T& what) {
-        key(name);
-        value(what);
-    }
-    template <class T>
-    void field(std::string_view name, const std::optional<T>& what) {
-        if (what) field(name, *what);
-    }
-    void null_field(std::string_view name) {
-        key(name);
-        text_ += "null";
-    }
-    template <class T>
-    void array(std::string_view name, const T& elements) {
-        key(name);
-        open('[');
-        for (const auto& element : elements) {
-            next();
-            value(element);
-        }
-        close(']');
-    }
-
-    void value(bool truth) { text_ += truth ? "true" : "false"; }
-    void value(std::integral auto number) { append_number(number); }
-    void value(double number) {
-        if (!std::isfinite(number)) {
-            text_ += "null";
-        } else if (number == 0.0 && std::signbit(number)) {
-            text_ += "-0.0";  // "-0" would be read as the whole number 0
-        } else {
-            append_number(number);
-        }
-    }
-    void value(std::string_view text);
-    void value(const char* text) { value(std::string_view(text)); }
-    void value(const Setting& setting) {
-        if (setting.is_automatic()) value("auto");
-        if (setting.is_off()) text_ += "null";
-        if (setting.kind == Setting::Kind::value) value(setting.value);
-    }
-    template <class T, glm::qualifier Q>
-    void value(const glm::vec<3, T, Q>& vector) {
-        open('[');
-        for (int axis = 0; axis < 3; ++axis) {
-            next();
-            value(vector[axis]);
-        }
-        close(']');
-    }
-    void value(const command::Drag::Move& move) {
-        open('{');
-        field("from", move.from);
-        field("to", move.to);
-        if (move.twist) {
-            key("twist");
-            open('{');
-            field("axis", move.twist->axis);
-            field("degrees", move.twist->degrees);
-            close('}');
-        }
-        if (move.scale != 1.0) field("scale", move.scale);
-        close('}');
-    }
-    void value(const command::Control::Point& point) {
-        open('{');
-        field("index", point.index);
-        field("to", point.to);
-        close('}');
-    }
-
-    std::string take() { return std::move(text_); }
 
   private:
-    void break_line() { text_ += '\n' + std::string(2 * depth_, ' '); }
-    void append_number(auto number) {
-        std::array<char, 32> digits;
-        const auto end = std::to_chars(digits.begin(), digits.end(), number).ptr;
-        text_.append(digits.begin(), end);
+    template <typename T, typename Type>
+    void write(const T& value, const Type&) {
+        json_.value(value);
     }
-
-    Layout layout_;
-    std::string text_;
-    std::size_t depth_ = 0;
-    bool is_first_ = true;
-};
-
-void JsonWriter::value(std::string_view text) {
-    constexpr std::string_view kHexDigits = "0123456789abcdef";
-    text_ += '"';
-    for (const char c : text) {
-        if (c == '"' || c == '\\') {
-            text_ += '\\';
-            text_ += c;
-        } else if (static_cast<unsigned char>(c) < 0x20) {
-            text_ += "\\u00";
-            text_ += kHexDigits[static_cast<unsigned char>(c) >> 4];
-            text_ += kHexDigits[static_cast<unsigned char>(c) & 15];
+    template <typename Enumeration, std::size_t N>
+    void write(Enumeration value, const field::Choice<N>& type) {
+        json_.value(type.words[static_cast<std::size_t>(value)]);
+    }
+    template <typename Enumeration, std::size_t N>
+    void write(const std::optional<Enumeration>& value, const field::ChoiceOrNull<N>& type) {
+        if (value) {
+            json_.value(type.words[static_cast<std::size_t>(*value)]);
         } else {
-            text_ += c;
+            json_.null();
         }
     }
-    text_ += '"';
-}
-
-struct FieldWriter {
-    JsonWriter& json;
-
-    void operator()(const command::Open& open) const {
-        json.field("path", open.path);
-        json.field("crease_angle", open.crease_angle);
+    template <typename T, typename Element>
+    void write(const std::vector<T>& values, const field::List<Element>& type) {
+        json_.open('[');
+        for (const T& value : values) {
+            json_.next();
+            write(value, type.element);
+        }
+        json_.close(']');
     }
-    void operator()(const command::Shape& shape) const {
-        constexpr std::array kNames{"sphere", "cube", "plane", "torus", "cylinder"};
-        json.field("kind", kNames[static_cast<std::size_t>(shape.kind)]);
-        json.field("resolution", shape.resolution);
+    template <typename T>
+    void write(const T& object, const field::Object&) {
+        json_.open('{');
+        write_all(object);
+        json_.close('}');
     }
-    void operator()(const command::Adapt& adapt) const {
-        json.field("enabled", adapt.enabled);
-        json.field("theta_max", adapt.theta_max);
-        json.field("theta_min", adapt.theta_min);
-        json.field("l_max", adapt.l_max);
-        json.field("flatness", adapt.flatness);
-        json.field("floor", adapt.floor);
-        json.field("budget", adapt.budget);
-        json.field("drag_budget", adapt.drag_budget);
-        json.field("propagation", adapt.propagation);
-    }
-    void operator()(const command::Brush& brush) const {
-        json.field("radius", brush.radius);
-        json.field("span", brush.span);
-    }
-    void operator()(const command::Cage& cage) const {
-        if (const auto* grid = std::get_if<command::Cage::Grid>(&cage.lattice)) {
-            json.field("origin", grid->origin);
-            json.field("cell", grid->cell);
-            json.field("deformable", grid->deformable);
-            if (grid->margin != IVec3{0}) json.field("margin", grid->margin);
+    template <typename T>
+    void write(const std::optional<T>& object, const field::ObjectOr& type) {
+        if (object) {
+            write(*object, field::Object{});
         } else {
-            json.field("fit", std::get<command::Cage::Fit>(cage.lattice).deformable);
+            json_.value(type.word);
         }
     }
-    void operator()(const command::Symmetry& symmetry) const {
-        constexpr std::array kNames{"x", "y", "z"};
-        if (symmetry.plane) {
-            json.field("plane", kNames[static_cast<std::size_t>(*symmetry.plane)]);
-        } else {
-            json.null_field("plane");
-        }
-        if (symmetry.through != Vec3{0.0}) json.field("through", symmetry.through);
+    template <typename T>
+    void write(const T& flags, const field::Names&) {
+        json_.open('[');
+        for_each_field<T>([&](const auto& field) {
+            if (!(flags.*field.member)) return;
+            json_.next();
+            json_.value(field.name);
+        });
+        json_.close(']');
     }
-    void operator()(const command::Drag& drag) const {
-        json.array("moves", drag.moves);
-        if (!drag.pins.empty()) json.array("pins", drag.pins);
-        if (drag.connected) json.field("connected", true);
-        if (drag.fold_free) json.field("fold_free", true);
-        if (!drag.via.empty()) json.array("via", drag.via);
-    }
-    void operator()(const command::Control& control) const { json.array("points", control.points); }
-    void operator()(const command::Undo& undo) const { json.field("count", undo.count); }
-    void operator()(const command::Redo& redo) const { json.field("count", redo.count); }
-    void operator()(const command::History& history) const {
-        json.field("megabytes", history.megabytes);
-    }
-    void operator()(const command::Readapt&) const {}
-    void operator()(const command::Bake&) const {}
-    void operator()(const command::Save& save) const { json.field("path", save.path); }
-    void operator()(const command::Stats& stats) const { json.field("path", stats.path); }
-    void operator()(const command::Screenshot& screenshot) const {
-        json.field("path", screenshot.path);
-        json.array("size", std::array{screenshot.width, screenshot.height});
-        if (const std::optional<Camera>& camera = screenshot.camera) {
-            json.key("camera");
-            json.open('{');
-            json.field("eye", camera->eye);
-            json.field("target", camera->target);
-            json.field("up", camera->up);
-            json.field("fov", camera->fov);
-            json.close('}');
-        }
-        std::vector<const char*> shown;
-        if (screenshot.show.wireframe) shown.push_back("wireframe");
-        if (screenshot.show.lattice) shown.push_back("lattice");
-        if (screenshot.show.levels) shown.push_back("levels");
-        if (screenshot.show.ui) shown.push_back("ui");
-        if (!shown.empty()) json.array("show", shown);
-    }
+
+    JsonWriter& json_;
 };
 
 void write_input(JsonWriter& json, const std::vector<Statistics::Count>& input) {
@@ -261,7 +111,7 @@ std::string format_command(const Command& command) {
     JsonWriter json(JsonWriter::Layout::line);
     json.open('{');
     json.field("cmd", name(command));
-    std::visit(FieldWriter{json}, command);
+    std::visit([&](const auto& c) { FieldWriter(json).write_all(c); }, command);
     json.close('}');
     return json.take();
 }

@@ -1,121 +1,163 @@
 #include "command/reference.h"
 
-#include <array>
+#include <algorithm>
+#include <string_view>
+#include <utility>
 #include <variant>
 
-#include "command/command.h"
+#include "command/schema.h"
 
 namespace pectin {
-
 namespace {
 
-constexpr std::array kOpen{
-    FieldReference{"path", "an OBJ file"},
-    FieldReference{"crease_angle",
-                   "0 to 180 (45); where the file has no normals or smoothing groups"}};
+// What a field has to be in words, and the fields of objects in it.
+struct Described {
+    std::string right;
+    std::vector<FieldReference> nested{};
+};
 
-constexpr std::array kShape{
-    FieldReference{"kind", "sphere, cube, plane, torus or cylinder"},
-    FieldReference{"resolution", "a whole number; the sphere has 20 * 4^resolution faces"}};
+class Describer {
+  public:
+    template <typename Owner>
+    static std::vector<FieldReference> all_fields() {
+        std::vector<FieldReference> fields;
+        for_each_field<Owner>([&](const auto& field) {
+            Described described = describe(field.type, field.any_value());
+            fields.push_back({.name = field.name,
+                              .right = std::move(described.right),
+                              .initial = field.is_required()
+                                             ? std::nullopt
+                                             : std::optional<std::string>(field.initial),
+                              .meaning = field.meaning,
+                              .nested = std::move(described.nested)});
+        });
+        return fields;
+    }
 
-constexpr std::array kAdapt{
-    FieldReference{"enabled", "true or false"},
-    FieldReference{
-        "theta_max",
-        "angle above which an edge is refined (180/7), or null: off; a drag leaves edges "
-        "alone that were nearly as rough before it"},
-    FieldReference{
-        "theta_min",
-        "angle below which it may be decimated, \"auto\" (7/9 of theta_max) or null: off"},
-    FieldReference{"l_max", "longest edge, \"auto\" (smallest cell extent) or null: off"},
-    FieldReference{"flatness",
-                   "bump that decimation may remove, relative to its edge, \"auto\" or null: off"},
-    FieldReference{"floor",
-                   "no edge shorter than twice this is split; \"auto\": 1e-4 of the diagonal"},
-    FieldReference{"budget", "most triangles (4000000)"},
-    FieldReference{"drag_budget",
-                   "most triangles that a drag, control or readapt may add, \"auto\" (200000, or "
-                   "four times the faces that it works on if that is more) or null: off"},
-    FieldReference{"propagation",
-                   "1 to below 1.5 (1): a face may have an edge this much longer than one that "
-                   "is split"}};
+  private:
+    template <typename Type, typename T>
+    static Described describe(const Type& type, const T&) {
+        return {right(type)};
+    }
+    template <glm::length_t N>
+    static Described describe(const field::Counts& type, const glm::vec<N, int>&) {
+        return {right(type, static_cast<std::size_t>(N))};
+    }
+    template <typename T, typename Element>
+    static Described describe(const field::List<Element>& type, const std::vector<T>&) {
+        const std::string count = type.may_be_empty ? "" : "one or more ";
+        return {"an array of " + count + plural(type.element),
+                std::move(describe(type.element, T{}).nested)};
+    }
+    static const char* plural(const field::Point&) { return "points"; }
+    static const char* plural(const field::Object&) { return "objects"; }
+    template <typename T>
+    static Described describe(const field::Object&, const T&) {
+        return {"an object", all_fields<T>()};
+    }
+    template <typename T>
+    static Described describe(const field::ObjectOr& type, const std::optional<T>&) {
+        return {'"' + std::string(type.word) + "\" or an object", all_fields<T>()};
+    }
+    template <typename T>
+    static Described describe(const field::Names&, const T&) {
+        std::vector<FieldReference> names = all_fields<T>();
+        std::vector<std::string> words;
+        for (FieldReference& name : names) {
+            words.push_back('"' + name.name + '"');
+        }
+        return {"an array of any of " + field::listed(words, "and")};
+    }
+};
 
-constexpr std::array kBrush{
-    FieldReference{"radius", "its reach (a quarter of the box diagonal)"},
-    FieldReference{"span", "1 to 16 (3): deformable control points per axis"}};
+template <std::size_t... I>
+std::vector<CommandReference> make_reference(std::index_sequence<I...>) {
+    return {[] {
+        using C = std::variant_alternative_t<I, Command>;
+        return CommandReference{Schema<C>::name, Schema<C>::meaning, Describer::all_fields<C>()};
+    }()...};
+}
 
-constexpr std::array kCage{
-    FieldReference{"origin", "[x, y, z] of its control point [0, 0, 0]"},
-    FieldReference{"cell", "[x, y, z]: its cell extents"},
-    FieldReference{"deformable", "[l, m, n], each 1 to 256: its deformable control points"},
-    FieldReference{"margin",
-                   "[i, j, k], each 0 to 2 (0): layers of control points beyond these on each "
-                   "side"},
-    FieldReference{
-        "fit", "[l, m, n], each 1 to 254: control points on the object's box, one layer beyond"}};
+// --- Text.
 
-constexpr std::array kSymmetry{
-    FieldReference{"plane", "\"x\", \"y\", \"z\": the axis it is perpendicular to, or null: off"},
-    FieldReference{"through", "[x, y, z]: a point on it ([0, 0, 0])"}};
+constexpr std::size_t kColumns = 80;
 
-constexpr std::array kDrag{
-    FieldReference{
-        "moves",
-        "[{\"from\": [x, y, z], \"to\": [x, y, z]}, ...]; with twist {\"axis\": [x, y, z], "
-        "\"degrees\": up to 3600 either way}, scale (1; 0.001 to 1000)"},
-    FieldReference{"pins", "[[x, y, z], ...]: points that stay"},
-    FieldReference{"connected",
-                   "true: only the parts of the surface that are connected to the points (false); "
-                   "other parts that it passes through are reported"},
-    FieldReference{"fold_free",
-                   "true: in steps that do not fold space, and without self-intersections (false)"},
-    FieldReference{"via", "[[x, y, z], ...]: waypoints of the first move"}};
+// The text in lines that begin with `indent` spaces, the first of them excepted.
+std::string wrapped(const std::string& text, std::size_t indent, std::size_t column) {
+    std::string lines;
+    for (std::size_t first = 0; first < text.size();) {
+        const std::size_t end = std::min(text.find(' ', first), text.size());
+        const std::string word = text.substr(first, end - first);
+        if (column + word.size() + 1 > kColumns) {
+            lines += '\n' + std::string(indent, ' ');
+            column = indent;
+        } else if (first > 0) {
+            lines += ' ';
+            ++column;
+        }
+        lines += word;
+        column += word.size();
+        first = end + 1;
+    }
+    return lines;
+}
 
-constexpr std::array kControl{
-    FieldReference{"points", "[{\"index\": [i, j, k], \"to\": [x, y, z]}, ...]"}};
+std::string right_and_default(const FieldReference& field) {
+    if (!field.initial) return field.right;
+    return field.right + " (" + *field.initial + ")";
+}
 
-constexpr std::array kCount{FieldReference{"count", "how many (1)"}};
+void append_help(const FieldReference& field, const std::string& prefix, std::string& text) {
+    const std::string name = prefix + field.name;
+    text += "    " + name + "\n        ";
+    text += wrapped(right_and_default(field) + ". " + field.meaning, 8, 8) + "\n";
+    for (const FieldReference& nested : field.nested) append_help(nested, name + ".", text);
+}
 
-constexpr std::array kHistory{FieldReference{
-    "megabytes", "above 0 (1000), or null: no limit; the oldest steps are dropped first"}};
+// `|` would end a cell.
+std::string cell(std::string text) {
+    for (std::size_t at = 0; (at = text.find('|', at)) != text.npos; at += 2) text.insert(at, "\\");
+    return text;
+}
 
-constexpr std::array kSave{FieldReference{"path", "an OBJ file"}};
-
-constexpr std::array kStats{FieldReference{"path", "a JSON file"}};
-
-constexpr std::array kScreenshot{
-    FieldReference{"path", "a PNG file"},
-    FieldReference{"size", "[width, height] in pixels, each 16 to 8192 ([1280, 960])"},
-    FieldReference{"camera",
-                   "\"fit\", or {\"eye\": [x, y, z], \"target\": [x, y, z]} with up and fov"},
-    FieldReference{"show", "any of [\"wireframe\", \"lattice\", \"levels\"]"}};
-
-constexpr std::array kCommands{
-    CommandReference{"open", "reads a model", kOpen},
-    CommandReference{"shape", "makes a model", kShape},
-    CommandReference{"adapt", "sets when the mesh is refined and decimated", kAdapt},
-    CommandReference{"brush", "drags use a lattice around the grabbed point", kBrush},
-    CommandReference{"cage", "drags use this lattice: origin, cell, deformable; or fit", kCage},
-    CommandReference{"symmetry", "drags happen on both sides of a plane", kSymmetry},
-    CommandReference{"drag", "drags points; the object follows", kDrag},
-    CommandReference{"control", "moves control points of the cage", kControl},
-    CommandReference{"undo", "undoes edits", kCount},
-    CommandReference{"redo", "does undone edits again", kCount},
-    CommandReference{"history", "sets how much memory undo and redo may take", kHistory},
-    CommandReference{
-        "readapt",
-        "refines and decimates the whole object once, also what was rough before drags moved it",
-        {}},
-    CommandReference{"bake", "makes the refined mesh the base mesh", {}},
-    CommandReference{"save", "writes the model, and copies material files that are not there yet",
-                     kSave},
-    CommandReference{"stats", "writes figures of the object, its input and the last edit", kStats},
-    CommandReference{"screenshot", "draws the object", kScreenshot}};
-
-static_assert(kCommands.size() == std::variant_size_v<Command>);
+void append_rows(const FieldReference& field, const std::string& prefix, std::string& table) {
+    const std::string name = prefix + field.name;
+    table += "| | `" + name + "` | " + cell(field.right) + " | " +
+             cell(field.initial.value_or("required")) + " | " + cell(field.meaning) + " |\n";
+    for (const FieldReference& nested : field.nested) append_rows(nested, name + ".", table);
+}
 
 }  // namespace
 
-std::span<const CommandReference> command_reference() { return kCommands; }
+std::span<const CommandReference> command_reference() {
+    static const std::vector<CommandReference> kReference =
+        make_reference(std::make_index_sequence<std::variant_size_v<Command>>());
+    return kReference;
+}
+
+const CommandReference* find_command(std::string_view name) {
+    const auto all = command_reference();
+    const auto found = std::ranges::find(all, name, &CommandReference::name);
+    return found == all.end() ? nullptr : &*found;
+}
+
+std::string help_text(const CommandReference& command) {
+    std::string text = command.name + "  " +
+                       wrapped(command.meaning, command.name.size() + 2, command.name.size() + 2) +
+                       "\n";
+    for (const FieldReference& field : command.fields) append_help(field, "", text);
+    return text;
+}
+
+std::string reference_table() {
+    std::string table =
+        "| cmd | field | value | default | meaning |\n"
+        "|---|---|---|---|---|\n";
+    for (const CommandReference& command : command_reference()) {
+        table += "| `" + command.name + "` | | | | " + cell(command.meaning) + " |\n";
+        for (const FieldReference& field : command.fields) append_rows(field, "", table);
+    }
+    return table;
+}
 
 }  // namespace pectin

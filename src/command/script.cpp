@@ -47,7 +47,8 @@ std::optional<ScriptLine> ScriptReader::next() {
                 "in each line");
         }
         if (number_ == 1) {
-            if (auto what = check_header(line.value_or(""))) return fail(std::move(*what));
+            const Done done = check_header(line.value_or(""));
+            if (!done) return fail(done.refusal().reason);
         } else if (!line) {
             is_done_ = true;
         } else if (!is_skipped(*line)) {

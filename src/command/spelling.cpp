@@ -7,6 +7,7 @@
 #include <utility>
 #include <vector>
 
+#include "command/field_types.h"
 #include "command/reference.h"
 
 namespace pectin {
@@ -29,9 +30,8 @@ std::size_t edit_distance(std::string_view a, std::string_view b) {
     return row.back();
 }
 
-}  // namespace
-
-const char* nearest_command(std::string_view given) {
+// The command whose name is nearest; null if none is near.
+const CommandReference* nearest_command(std::string_view given) {
     if (given.size() > kMaxCompared) return nullptr;
     const auto distance = [given](const CommandReference& entry) {
         return edit_distance(given, entry.name);
@@ -40,7 +40,17 @@ const char* nearest_command(std::string_view given) {
     const auto nearest =
         std::min_element(known.begin(), known.end(),
                          [&](const auto& a, const auto& b) { return distance(a) < distance(b); });
-    return distance(*nearest) <= kMaxDistance ? nearest->name : nullptr;
+    return distance(*nearest) <= kMaxDistance ? &*nearest : nullptr;
+}
+
+}  // namespace
+
+std::string unknown_command(std::string_view given) {
+    std::vector<std::string> names;
+    for (const CommandReference& command : command_reference()) names.push_back(command.name);
+    const CommandReference* const meant = nearest_command(given);
+    return "unknown command" + (meant ? "; did you mean " + meant->name + "?" : std::string()) +
+           "; known are " + field::listed(names, "and");
 }
 
 }  // namespace pectin

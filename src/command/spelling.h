@@ -1,11 +1,13 @@
 // Suggests the command that a misspelt name means.
 #pragma once
 
+#include <string>
 #include <string_view>
 
 namespace pectin {
 
-// The command whose name is nearest to `given`, if the edit distance is at most 2; otherwise null.
-const char* nearest_command(std::string_view given);
+// Says that the name is that of no command, which one may be meant, if the edit distance is at most
+// 2, and which ones there are.
+std::string unknown_command(std::string_view given);
 
 }  // namespace pectin

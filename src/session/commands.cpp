@@ -45,12 +45,6 @@ std::uint64_t vertices_inside(const TriMesh& mesh, std::span<const Box> zones) {
     return count;
 }
 
-std::string refuse_counts(int most, const std::string& which) {
-    return "the cage must be finite, with cells above 0 and from " +
-           std::to_string(kMinDeformable) + " to " + std::to_string(most) +
-           " control points per axis " + which;
-}
-
 // Whether a file is JSON and neither a model nor a script.
 bool is_plain_json(const FileKind& kind, std::string_view contents) {
     return !kind.is_known() && is_json(contents);
@@ -58,79 +52,67 @@ bool is_plain_json(const FileKind& kind, std::string_view contents) {
 
 }  // namespace
 
-Refusal Session::State::run(const command::Open& open) {
+Done Session::State::run(const command::Open& open) {
     LoadedModel model = load_model(open);
     // Made first: if memory runs out here, the old object is kept.
     std::string summary = input_summary(open.path, model.report, model.read_report);
     adopt(std::move(model));
     remark = std::move(summary);
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Shape& shape) {
+Done Session::State::run(const command::Shape& shape) {
     const ShapeKind kind = shape_kind(shape.kind);
     const int least = kind == ShapeKind::sphere ? 0 : 1, most = max_resolution(kind);
     if (shape.resolution < least || shape.resolution > most) {
-        return "resolution " + std::to_string(shape.resolution) + " must be from " +
-               std::to_string(least) + " to " + std::to_string(most) + " for this shape";
+        return Refusal{"resolution " + std::to_string(shape.resolution) + " must be from " +
+                           std::to_string(least) + " to " + std::to_string(most) +
+                           " for this shape",
+                       "resolution"};
     }
     adopt(make_model(build_mesh(make_shape(kind, shape.resolution))));
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Adapt& adapt) {
-    const auto changed = adapt_settings.with(adapt);
-    if (const auto* refusal = std::get_if<std::string>(&changed)) return *refusal;
-    adapt_settings = std::get<AdaptSettings>(changed);
+Done Session::State::run(const command::Adapt& adapt) {
+    const Result<AdaptSettings> changed = adapt_settings.with(adapt);
+    if (!changed) return changed.refusal();
+    adapt_settings = *changed;
     outcome.forget_limits();
     history.forget_limits();
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Brush& brush) {
-    if (brush.radius && !(*brush.radius > 0.0 && std::isfinite(*brush.radius))) {
-        return "the radius " + decimal(*brush.radius) + " must be a number above 0";
-    }
-    if (brush.span && (*brush.span < kMinDeformable || *brush.span > kMaxDeformable)) {
-        return "the span " + std::to_string(*brush.span) + " must be from " +
-               std::to_string(kMinDeformable) + " to " + std::to_string(kMaxDeformable);
-    }
+Done Session::State::run(const command::Brush& brush) {
     if (brush.radius) lattice_settings.radius = brush.radius;
     lattice_settings.span = brush.span.value_or(lattice_settings.span);
     lattice_settings.cage.reset();
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Cage& cage) {
-    Lattice lattice;
-    if (const auto* grid = std::get_if<command::Cage::Grid>(&cage.lattice)) {
-        lattice = {.origin = grid->origin - Vec3{grid->margin} * grid->cell,
-                   .cell = grid->cell,
-                   .deformable = grid->deformable + 2 * grid->margin,
-                   .margin = grid->margin};
-    } else {
-        if (!has_object()) return kNoObject;
-        const IVec3& counts = std::get<command::Cage::Fit>(cage.lattice).deformable;
-        for (int axis = 0; axis < 3; ++axis) {
-            if (counts[axis] < kMinDeformable || counts[axis] > kMaxFitted) {
-                return refuse_counts(kMaxFitted, "on the object's box");
-            }
-        }
-        lattice = fit_lattice(mesh->bounding_box(), counts);
-    }
+Done Session::State::run(const command::Cage& cage) {
+    if (cage.fit && !has_object()) return no_object();
+    const Lattice lattice = cage.fit
+                                ? fit_lattice(mesh->bounding_box(), *cage.fit)
+                                : Lattice{.origin = *cage.origin - Vec3{cage.margin} * *cage.cell,
+                                          .cell = *cage.cell,
+                                          .deformable = *cage.deformable + 2 * cage.margin,
+                                          .margin = cage.margin};
     if (!lattice.is_valid()) {
-        return refuse_counts(kMaxDeformable, "with the margins, which are from 0 to 2");
+        return Refusal{"the cage must be finite and have at most " +
+                       std::to_string(kMaxDeformable) +
+                       " control points per axis with its margins"};
     }
     lattice_settings.cage = lattice;
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Symmetry& symmetry_command) {
+Done Session::State::run(const command::Symmetry& symmetry_command) {
     symmetry.reset();
-    if (!symmetry_command.plane) return std::nullopt;
+    if (!symmetry_command.plane) return {};
     const int axis = static_cast<int>(*symmetry_command.plane);
     symmetry = MirrorPlane{axis, symmetry_command.through[axis]};
-    return std::nullopt;
+    return {};
 }
 
 // The zones in which readapt refines edges longer than l_max. A length that the user has set has
@@ -170,8 +152,8 @@ Frame Session::State::adapt_everything() {
     return frame;
 }
 
-Refusal Session::State::run(const command::Readapt& readapt) {
-    if (!has_object()) return kNoObject;
+Done Session::State::run(const command::Readapt& readapt) {
+    if (!has_object()) return no_object();
     Stopwatch stopwatch;
     std::vector<FaceId> faces;
     for (std::uint32_t i = 0; i < mesh->face_slots(); ++i) {
@@ -206,12 +188,12 @@ Refusal Session::State::run(const command::Readapt& readapt) {
         throw;
     }
     last.seconds.commit = stopwatch.lap();
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Bake& bake) {
-    if (!has_object()) return kNoObject;
-    if (mesh->vertex_count() == mesh->base_vertex_count()) return std::nullopt;
+Done Session::State::run(const command::Bake& bake) {
+    if (!has_object()) return no_object();
+    if (mesh->vertex_count() == mesh->base_vertex_count()) return {};
     History::Step step{bake, {}, outcome, std::make_unique<TriMesh>(mesh->baked())};
     stop.throw_if_requested();  // nothing has changed yet
     exchange(*step.exchanged);
@@ -222,28 +204,29 @@ Refusal Session::State::run(const command::Bake& bake) {
         throw;
     }
     last = {};
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Save& save) {
-    if (!has_object()) return kNoObject;
+Done Session::State::run(const command::Save& save) {
+    if (!has_object()) return no_object();
     SaveReport report = save_model(*mesh, save, {}, material_folders);
     remark = std::move(report.text);
     has_failed_partly = report.has_failed;
     record_saved(save.path);
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Stats& stats) {
-    if (!has_object()) return kNoObject;
+Done Session::State::run(const command::Stats& stats) {
+    if (!has_object()) return no_object();
     check_may_replace(stats.path, is_plain_json, "stats writes JSON files");
     write_file_atomically(stats.path, format_statistics(statistics()));
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Screenshot& screenshot) {
-    if (!has_object()) return kNoObject;
-    if (!viewport) return "there is nothing here to draw with; replay the script with pectin";
+Done Session::State::run(const command::Screenshot& screenshot) {
+    if (!has_object()) return no_object();
+    if (!viewport)
+        return Refusal{"there is nothing here to draw with; replay the script with pectin"};
     check_may_replace(screenshot.path, is_png, "screenshot writes PNG pictures");
     const bool has_cage = lattice_settings.cage.has_value();
     return viewport->screenshot(*mesh, has_cage ? lattice_settings.cage : lattice_in_use,

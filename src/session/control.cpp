@@ -32,14 +32,18 @@ bool is_symmetric(const Lattice& cage, const MirrorPlane& plane) {
     return distance <= kSameCage;
 }
 
-std::string refuse_index(const IVec3& index, const Lattice& cage) {
-    return "the cage has no control point " + written(index) + "; its last is " +
-           written(cage.last_index()) + ", the first " + written(cage.first_index());
+Refusal needs_points() { return {"control needs at least one control point to move", "points"}; }
+
+Refusal refuse_index(const IVec3& index, const Lattice& cage) {
+    return Refusal{"the cage has no control point " + written(index) + "; its last is " +
+                       written(cage.last_index()) + ", the first " + written(cage.first_index()),
+                   "points"};
 }
 
-std::string refuse_difference(const IVec3& index, const Vec3& a, const Vec3& b) {
-    return "control point " + written(index) + " is asked to move by " + decimal(a) + " and by " +
-           decimal(b) + "; name each once, with symmetry its image, too";
+Refusal refuse_difference(const IVec3& index, const Vec3& a, const Vec3& b) {
+    return Refusal{"control point " + written(index) + " is asked to move by " + decimal(a) +
+                       " and by " + decimal(b) + "; name each once, with symmetry its image, too",
+                   "points"};
 }
 
 // Collects the displacements of control points and refuses two different ones for the same point.
@@ -48,12 +52,12 @@ class Collector {
     explicit Collector(const Lattice& cage)
         : cage_(cage), all_(cage.control_count(), Vec3{0.0}), is_given_(all_.size(), false) {}
 
-    Refusal add(const IVec3& index, const Vec3& d) {
+    Done add(const IVec3& index, const Vec3& d) {
         const std::size_t at = cage_.control_index(cage_.control_of_user_index(index));
         if (is_given_[at] && all_[at] != d) return refuse_difference(index, all_[at], d);
         all_[at] = d;
         is_given_[at] = true;
-        return std::nullopt;
+        return {};
     }
     std::vector<Vec3> take() { return std::move(all_); }
 
@@ -65,16 +69,17 @@ class Collector {
 
 }  // namespace
 
-std::variant<std::vector<Vec3>, std::string> Session::State::control_displacements(
+Result<std::vector<Vec3>> Session::State::control_displacements(
     const command::Control& control) const {
     if (!lattice_settings.cage) {
-        return "only a cage has control points to move; use the cage command first";
+        return Refusal{"only a cage has control points to move; use the cage command first"};
     }
     const Lattice& cage = *lattice_settings.cage;
-    if (Refusal refusal = check_lattice(cage)) return *refusal;
+    if (const Done done = check_lattice(cage); !done) return done.refusal();
     if (symmetry && !is_symmetric(cage, *symmetry)) {
-        return "the cage is not its own mirror image about the symmetry plane; move it so that the "
-               "plane goes through its middle, or switch symmetry off";
+        return Refusal{
+            "the cage is not its own mirror image about the symmetry plane; move it so that the "
+            "plane goes through its middle, or switch symmetry off"};
     }
     const double most = kLargestMove * (diagonal + cage.influenced_zone().diagonal());
     Collector collector(cage);
@@ -82,32 +87,35 @@ std::variant<std::vector<Vec3>, std::string> Session::State::control_displacemen
         if (!is_in(index, cage)) return refuse_index(index, cage);
         const Vec3 d = to - cage.rest(cage.control_of_user_index(index));
         if (!(glm::length(d) <= most)) {
-            return "control point " + written(index) + " is asked to move to " + decimal(to) +
-                   ", more than a million times the size of the object; the most is " +
-                   decimal(most);
+            return Refusal{"control point " + written(index) + " is asked to move to " +
+                               decimal(to) +
+                               ", more than a million times the size of the object; the most is " +
+                               decimal(most),
+                           "points"};
         }
-        if (Refusal refusal = collector.add(index, d)) return *refusal;
+        if (const Done done = collector.add(index, d); !done) return done.refusal();
         if (!symmetry) continue;
         IVec3 opposite = index;
         opposite[symmetry->axis] = cage.counts()[symmetry->axis] - 1 - index[symmetry->axis];
         if (opposite == index &&
             std::abs(d[symmetry->axis]) > kSameCage * cage.cell[symmetry->axis]) {
-            return "control point " + written(index) +
-                   " is on the symmetry plane and can only move within it, for instance to " +
-                   decimal(symmetry->onto(to)) + "; or switch symmetry off";
+            return Refusal{
+                "control point " + written(index) +
+                    " is on the symmetry plane and can only move within it, for instance to " +
+                    decimal(symmetry->onto(to)) + "; or switch symmetry off",
+                "points"};
         }
         if (opposite == index) continue;
-        if (Refusal refusal = collector.add(opposite, symmetry->image_of_vector(d))) {
-            return *refusal;
-        }
+        const Done done = collector.add(opposite, symmetry->image_of_vector(d));
+        if (!done) return done.refusal();
     }
     return collector.take();
 }
 
-Refusal Session::State::begin_control(std::span<const IVec3> indices) {
+Done Session::State::begin_control(std::span<const IVec3> indices) {
     assert(!active_gesture);
-    if (!has_object()) return kNoObject;
-    if (indices.empty()) return "control needs at least one control point to move";
+    if (!has_object()) return no_object();
+    if (indices.empty()) return needs_points();
     command::Control control;
     for (const IVec3& index : indices) {
         const auto& cage = lattice_settings.cage;
@@ -115,35 +123,35 @@ Refusal Session::State::begin_control(std::span<const IVec3> indices) {
         control.points.push_back({index, to});
     }
     auto displacements = control_displacements(control);
-    if (auto* refusal = std::get_if<std::string>(&displacements)) return std::move(*refusal);
+    if (!displacements) return displacements.refusal();
     Stopwatch stopwatch;
     auto begun = std::make_unique<ActiveGesture>();
     begun->control = std::move(control);
-    Warp warp{{LatticeField{*lattice_settings.cage, std::move(std::get<0>(displacements))}}};
+    Warp warp{{LatticeField{*lattice_settings.cage, std::move(*displacements)}}};
     Box zone = warp.zone();
     if (symmetry) zone.include(symmetry->image(zone));  // they differ by rounding at most
     start_gesture(*begun, {.moving = face_tree().faces_meeting(zone, *mesh)}, std::move(warp));
     begun->measured.seconds.begin = stopwatch.lap();
     active_gesture = std::move(begun);
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::control_to(std::span<const Vec3> targets) {
+Done Session::State::control_to(std::span<const Vec3> targets) {
     assert(active_gesture && active_gesture->is_control() &&
            targets.size() == active_gesture->control.points.size());
     command::Control control = active_gesture->control;
     for (std::size_t i = 0; i < targets.size(); ++i) control.points[i].to = targets[i];
     auto displacements = control_displacements(control);
-    if (auto* refusal = std::get_if<std::string>(&displacements)) return std::move(*refusal);
+    if (!displacements) return displacements.refusal();
     active_gesture->control = std::move(control);
-    update_frame(std::get<0>(displacements));
-    return std::nullopt;
+    update_frame(*displacements);
+    return {};
 }
 
 std::optional<command::Control> Session::State::end_control() {
     assert(active_gesture && active_gesture->is_control());
     std::optional<command::Control> control = active_gesture->control;  // see end_drag()
-    const std::vector<Vec3> displacements = std::get<0>(control_displacements(*control));
+    const std::vector<Vec3> displacements = *control_displacements(*control);
     const bool is_noop = std::all_of(displacements.begin(), displacements.end(),
                                      [](const Vec3& d) { return d == Vec3{0.0}; });
     commit(displacements, is_noop);
@@ -151,15 +159,15 @@ std::optional<command::Control> Session::State::end_control() {
     return control;
 }
 
-Refusal Session::State::run(const command::Control& control) {
-    if (control.points.empty()) return "control needs at least one control point to move";
+Done Session::State::run(const command::Control& control) {
+    if (control.points.empty()) return needs_points();
     if (has_object()) {
         const auto displacements = control_displacements(control);
-        if (const auto* refusal = std::get_if<std::string>(&displacements)) return *refusal;
+        if (!displacements) return displacements.refusal();
     }
     std::vector<IVec3> indices;
     for (const auto& point : control.points) indices.push_back(point.index);
-    if (Refusal refusal = begin_control(indices)) return refusal;
+    if (Done done = begin_control(indices); !done) return done;
     active_gesture->control = control;
     try {
         end_control();
@@ -167,7 +175,7 @@ Refusal Session::State::run(const command::Control& control) {
         if (active_gesture) cancel_drag();
         throw;
     }
-    return std::nullopt;
+    return {};
 }
 
 }  // namespace pectin

@@ -48,48 +48,52 @@ DragPlan Session::State::plan_of(const command::Drag& drag) const {
             .is_centred_on_point = !lattice_settings.cage.has_value()};
 }
 
-Refusal Session::State::check_lattice(const Lattice& lattice) const {
+Done Session::State::check_lattice(const Lattice& lattice) const {
     const Vec3 extent = lattice.influenced_zone().extent();
     if (!lattice.is_valid() || !is_finite(extent)) {
-        return "the lattice has no usable size (radius or cells of 0, or beyond numbers); set the "
-               "brush radius or the cage to about the size of what is to move";
+        return Refusal{
+            "the lattice has no usable size (radius or cells of 0, or beyond numbers); set the "
+            "brush radius or the cage to about the size of what is to move"};
     }
     const double size = diagonal + largest_coordinate;
     const double most = size > 0.0 ? kLargestLattice * size : kOff;
     if (glm::length(extent) > most) {
-        return "the lattice is more than a million times as large as the object; set the brush "
-               "radius or the cage to about the size of what is to move";
+        return Refusal{
+            "the lattice is more than a million times as large as the object; set the brush "
+            "radius or the cage to about the size of what is to move"};
     }
-    if (!symmetry) return std::nullopt;
+    if (!symmetry) return {};
     if (std::abs(symmetry->at) > most || !mirror_image(*symmetry, lattice).is_valid()) {
-        return "the symmetry plane is more than a million times the size of the object away; set "
-               "it through the object, or switch symmetry off";
+        return Refusal{
+            "the symmetry plane is more than a million times the size of the object away; set "
+            "it through the object, or switch symmetry off"};
     }
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::check_targets(const command::Drag& drag, double reach) const {
+Done Session::State::check_targets(const command::Drag& drag, double reach) const {
     const double most = kLargestDrag * (diagonal + reach);
-    const auto check = [&](const Vec3& from, const Vec3& to) -> Refusal {
-        if (glm::length(to - from) <= most) return std::nullopt;
-        return "the drag from " + decimal(from) + " to " + decimal(to) +
-               " goes more than a million times the size of the object; the most is " +
-               decimal(most);
+    const auto check = [&](const Vec3& from, const Vec3& to) -> Done {
+        if (glm::length(to - from) <= most) return {};
+        return Refusal{"the drag from " + decimal(from) + " to " + decimal(to) +
+                           " goes more than a million times the size of the object; the most is " +
+                           decimal(most),
+                       "moves"};
     };
     for (const Move& move : drag.moves) {
-        if (Refusal refusal = check(move.from, move.to)) return refusal;
+        if (Done done = check(move.from, move.to); !done) return done;
     }
     for (const Vec3& waypoint : drag.via) {
-        if (Refusal refusal = check(drag.moves.front().from, waypoint)) return refusal;
+        if (Done done = check(drag.moves.front().from, waypoint); !done) return done;
     }
-    return std::nullopt;
+    return {};
 }
 
 // Plans the drag and begins its gesture. It replaces the gesture of an earlier frame, if any.
-Refusal Session::State::embed(ActiveGesture& begun) {
+Done Session::State::embed(ActiveGesture& begun) {
     Stopwatch stopwatch;
     auto result = plan_drag(plan_of(begun.drag));
-    if (auto* refusal = std::get_if<DragRefusal>(&result)) return std::move(refusal->what);
+    if (auto* refusal = std::get_if<DragRefusal>(&result)) return Refusal{std::move(refusal->what)};
     PlannedDrag planned = std::move(std::get<PlannedDrag>(result));
     const std::size_t steps_left = planned.warp.steps.size() - planned.last_segment;
     const bool is_alone = begun.drag.moves.size() == 1 && !rotates(begun.drag.moves.front());
@@ -115,32 +119,33 @@ Refusal Session::State::embed(ActiveGesture& begun) {
         begun.gesture.reset();
     }
     auto faces = faces_of(begun.drag, zones_on_both_sides(planned.warp));
-    if (auto* refusal = std::get_if<std::string>(&faces)) return std::move(*refusal);
+    if (!faces) return faces.refusal();
     // If memory runs out from here on, there is no gesture, and the object is in its rest state.
-    GestureFaces& found = std::get<GestureFaces>(faces);
+    GestureFaces& found = *faces;
     start_gesture(begun, found, std::move(planned.warp));
     begun.staying = std::move(found.staying);
     begun.measured.seconds.begin = stopwatch.lap();
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::begin_drag(const command::Drag& drag) {
+Done Session::State::begin_drag(const command::Drag& drag) {
     assert(!active_gesture);
-    if (!has_object()) return kNoObject;
-    if (drag.moves.empty()) return "a drag needs at least one move, from a point to another";
+    if (!has_object()) return no_object();
+    if (drag.moves.empty())
+        return Refusal{"a drag needs at least one move, from a point to another", "moves"};
     const Lattice lattice = lattice_settings.lattice(drag.moves.front().from, diagonal);
-    if (Refusal refusal = check_lattice(lattice)) return refusal;
+    if (Done done = check_lattice(lattice); !done) return done;
     auto begun = std::make_unique<ActiveGesture>();
     begun->drag = drag;
     begun->reach = lattice.influenced_zone().diagonal();
-    if (Refusal refusal = check_targets(drag, begun->reach)) return refusal;
-    if (Refusal refusal = embed(*begun)) return refusal;
+    if (Done done = check_targets(drag, begun->reach); !done) return done;
+    if (Done done = embed(*begun); !done) return done;
     active_gesture = std::move(begun);
-    return std::nullopt;
+    return {};
 }
 
-// Whether the last step alone can reach the targets. True with a refusal if nothing can.
-bool Session::State::is_single_step(const command::Drag& drag, Refusal& refusal) const {
+// Whether the last step alone can reach the targets. Refuses targets that cannot be reached at all.
+Result<bool> Session::State::is_single_step(const command::Drag& drag) const {
     const command::Drag& before = active_gesture->drag;
     if (!active_gesture->is_one_step_left) return false;
     for (std::size_t m = 0; m < drag.moves.size(); ++m) {
@@ -148,14 +153,8 @@ bool Session::State::is_single_step(const command::Drag& drag, Refusal& refusal)
         if (drag.fold_free && least_steps(drag.moves[m]) > 1) return false;
     }
     const auto motions = last_motions(drag);
-    if (const auto refused = check_drag(plan_of(drag))) {
-        refusal = refused->what;
-        return true;
-    }
-    if (const auto refused = active_gesture->solver->check(motions)) {
-        refusal = refused->what;
-        return true;
-    }
+    if (const auto refused = check_drag(plan_of(drag))) return Refusal{refused->what};
+    if (const auto refused = active_gesture->solver->check(motions)) return Refusal{refused->what};
     return !active_gesture->guard ||
            active_gesture->guard->limit(active_gesture->solver->step(motions)) >= 1.0;
 }
@@ -167,29 +166,34 @@ bool Session::State::is_past_half_way() const {
     return active_gesture->is_one_step_left && active_gesture->guard->limit(step) < 1.0;
 }
 
-Refusal Session::State::drag_to(const command::Drag& asked) {
-    assert(active_gesture && active_gesture->gesture && !active_gesture->is_control());
-    if (Refusal refusal = check_targets(asked, active_gesture->reach)) return refusal;
-    Refusal refusal;
-    if (!is_single_step(asked, refusal)) {
-        ActiveGesture next{
-            .drag = asked, .reach = active_gesture->reach, .measured = active_gesture->measured};
-        if (asked.fold_free && asked.moves.size() == 1 && is_past_half_way()) {
-            next.drag.via.push_back(active_gesture->drag.moves.front().to);
-        }
-        // If the new plan is refused, the present gesture stays.
-        next.gesture = std::move(active_gesture->gesture);
-        refusal = embed(next);
-        if (refusal && next.gesture) {
-            active_gesture->gesture = std::move(next.gesture);
-            return refusal;
-        }
+// Plans the active drag anew, for other targets.
+Done Session::State::replan(const command::Drag& asked) {
+    ActiveGesture next{
+        .drag = asked, .reach = active_gesture->reach, .measured = active_gesture->measured};
+    if (asked.fold_free && asked.moves.size() == 1 && is_past_half_way()) {
+        next.drag.via.push_back(active_gesture->drag.moves.front().to);
+    }
+    next.gesture = std::move(active_gesture->gesture);
+    const Done done = embed(next);
+    if (!done && next.gesture) {  // the present gesture stays
+        active_gesture->gesture = std::move(next.gesture);
+    } else {
         *active_gesture = std::move(next);
     }
-    if (refusal) return refusal;
+    return done;
+}
+
+Done Session::State::drag_to(const command::Drag& asked) {
+    assert(active_gesture && active_gesture->gesture && !active_gesture->is_control());
+    if (Done done = check_targets(asked, active_gesture->reach); !done) return done;
+    const Result<bool> is_single = is_single_step(asked);
+    if (!is_single) return is_single.refusal();
+    if (!*is_single) {
+        if (Done done = replan(asked); !done) return done;
+    }
     active_gesture->drag.moves = asked.moves;
     update_frame(last_displacements());
-    return std::nullopt;
+    return {};
 }
 
 // The displacements of the last step: those that the drag asks for now if this step is the whole
@@ -213,15 +217,15 @@ std::optional<command::Drag> Session::State::end_drag() {
     return drag;
 }
 
-Refusal Session::State::run(const command::Drag& drag) {
-    if (Refusal refusal = begin_drag(drag)) return refusal;
+Done Session::State::run(const command::Drag& drag) {
+    if (Done done = begin_drag(drag); !done) return done;
     try {
         end_drag();
     } catch (...) {
         if (active_gesture) cancel_drag();
         throw;
     }
-    return std::nullopt;
+    return {};
 }
 
 }  // namespace pectin

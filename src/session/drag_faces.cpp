@@ -77,8 +77,8 @@ std::vector<FaceId> Session::State::staying_faces(std::span<const Vec3> displace
 
 // All faces that meet the zones; with `connected` only the part of them moves that is connected to
 // the handles.
-std::variant<GestureFaces, std::string> Session::State::faces_of(const command::Drag& drag,
-                                                                 std::span<const Box> zones) {
+Result<GestureFaces> Session::State::faces_of(const command::Drag& drag,
+                                              std::span<const Box> zones) {
     std::vector<FaceId> faces = faces_meeting(zones);
     if (!drag.connected) return GestureFaces{.moving = std::move(faces)};
     std::vector<FaceId> seeds;
@@ -90,9 +90,11 @@ std::variant<GestureFaces, std::string> Session::State::faces_of(const command::
     }
     ConnectedPart part = connected_part(*mesh, faces, seeds, zones);
     if (part.faces.empty()) {
-        return "the surface nearest to " + decimal(drag.moves.front().from) +
-               " does not reach into the influenced zone; drag a point of the surface, or without "
-               "connected";
+        return Refusal{
+            "the surface nearest to " + decimal(drag.moves.front().from) +
+                " does not reach into the influenced zone; drag a point of the surface, or without "
+                "connected",
+            "moves"};
     }
     return GestureFaces{.moving = std::move(part.faces), .staying = std::move(part.others)};
 }

@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "command/check.h"
 #include "geometry/parallel.h"
 #include "session/session_state.h"
 
@@ -113,12 +114,13 @@ auto Session::stoppable(const StopToken& stop, Work work) {
     }
 }
 
-std::optional<std::string> Session::execute(const Command& command, const StopToken& stop) {
-    if (is_dragging()) return "a drag is active; end or cancel it first";
+Done Session::execute(const Command& command, const StopToken& stop) {
+    if (is_dragging()) return Refusal{"a drag is active; end or cancel it first"};
     state_->remark.clear();
     state_->has_failed_partly = false;
+    if (Done done = check(command); !done) return done;
     return stoppable(stop, [&] {
-        return std::visit([this](const auto& c) -> Refusal { return state_->run(c); }, command);
+        return std::visit([this](const auto& c) -> Done { return state_->run(c); }, command);
     });
 }
 
@@ -139,9 +141,8 @@ void Session::record_saved(const std::string& path) { state_->record_saved(path)
 
 void Session::set_viewport(Viewport* viewport) { state_->viewport = viewport; }
 
-std::optional<std::string> Session::begin_drag(std::span<const Vec3> points,
-                                               std::span<const Vec3> pins,
-                                               const DragOptions& options) {
+Done Session::begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins,
+                         const DragOptions& options) {
     command::Drag drag{.pins = {pins.begin(), pins.end()},
                        .connected = options.connected,
                        .fold_free = options.fold_free};
@@ -149,13 +150,13 @@ std::optional<std::string> Session::begin_drag(std::span<const Vec3> points,
     return state_->begin_drag(drag);
 }
 
-std::optional<std::string> Session::drag_to(std::span<const Vec3> targets) {
+Done Session::drag_to(std::span<const Vec3> targets) {
     command::Drag drag = state_->active_gesture->drag;
     for (std::size_t i = 0; i < drag.moves.size(); ++i) drag.moves[i].to = targets[i];
     return state_->drag_to(drag);
 }
 
-std::optional<std::string> Session::drag_to(std::span<const Move> moves) {
+Done Session::drag_to(std::span<const Move> moves) {
     command::Drag drag = state_->active_gesture->drag;
     assert(std::ranges::equal(drag.moves, moves, {}, &Move::from, &Move::from));
     drag.moves.assign(moves.begin(), moves.end());
@@ -164,13 +165,11 @@ std::optional<std::string> Session::drag_to(std::span<const Move> moves) {
 
 const command::Drag& Session::active_drag() const { return state_->active_gesture->drag; }
 
-std::optional<std::string> Session::begin_control(std::span<const IVec3> indices) {
+Done Session::begin_control(std::span<const IVec3> indices) {
     return state_->begin_control(indices);
 }
 
-std::optional<std::string> Session::control_to(std::span<const Vec3> targets) {
-    return state_->control_to(targets);
-}
+Done Session::control_to(std::span<const Vec3> targets) { return state_->control_to(targets); }
 
 std::optional<command::Control> Session::end_control(const StopToken& stop) {
     return stoppable(stop, [this] { return state_->end_control(); });
@@ -211,9 +210,9 @@ std::vector<LatticeField> Session::active_lattices() const {
 }
 
 std::optional<Pick> Session::pick(const Ray& ray) {
-    if (!state_->has_object() || is_dragging()) return std::nullopt;
+    if (!state_->has_object() || is_dragging()) return {};
     const auto first = state_->face_tree().first_hit(ray, mesh());
-    if (!first) return std::nullopt;
+    if (!first) return {};
     const Vec3 area_normal = mesh().area_normal(first->face);
     const auto corner = [&](int i) {
         return mesh().position(mesh().origin(TriMesh::half_edge(first->face, i)));

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "command/command.h"
+#include "command/result.h"
 #include "command/statistics.h"
 #include "ffd/lattice.h"
 #include "ffd/lattice_field.h"
@@ -52,8 +53,7 @@ struct DragOptions {
     bool fold_free = false;  // goes in steps that are proven one to one
 };
 
-// Everything is in world space. The functions that return an optional string return nothing on
-// success. Otherwise they return the reason for the user, and the object is unchanged.
+// Everything is in world space. What is refused (Done) leaves the object unchanged.
 class Session {
   public:
     Session();
@@ -67,7 +67,7 @@ class Session {
     // Throws what io throws for files (FileError); the object is then unchanged, too. The same
     // holds for Stopped, which drag, control, readapt, bake and redo throw where `stop` asks for
     // it.
-    std::optional<std::string> execute(const Command& command, const StopToken& stop = {});
+    Done execute(const Command& command, const StopToken& stop = {});
 
     // Makes the model the object of the session, as opening its file does. The history is cleared,
     // and the settings stay. Precondition: no gesture is active. Cost: O(1), and the time to free
@@ -90,15 +90,15 @@ class Session {
     // returns, whatever frames came before. With symmetry everything happens on both sides.
 
     // points: at least one handle. pins: points to hold.
-    std::optional<std::string> begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins,
-                                          const DragOptions& options = {});
+    Done begin_drag(std::span<const Vec3> points, std::span<const Vec3> pins,
+                    const DragOptions& options = {});
     // Shows a frame in which the handles are at these targets, one for each point of begin_drag().
     // A refusal keeps the frame before. Cost: O(active set). If a fold-free drag needs another
     // step, the object is embedded anew, O(active set) for each step, and the drag gets a waypoint.
-    std::optional<std::string> drag_to(std::span<const Vec3> targets);
+    Done drag_to(std::span<const Vec3> targets);
     // The same with twist and scale. Precondition: `from` of each move is the point of
     // begin_drag().
-    std::optional<std::string> drag_to(std::span<const Move> moves);
+    Done drag_to(std::span<const Move> moves);
     // How long adaptive meshing of one frame may take, in drags of points and of control points; by
     // default as long as it needs. What is left is done by continue_frame(), or at the end.
     void set_frame_time(std::optional<std::chrono::steady_clock::duration> time);
@@ -121,8 +121,8 @@ class Session {
 
     // --- A drag of control points of the cage, in the same way. indices: at least one, each once,
     // as users count them (Lattice::user_index).
-    std::optional<std::string> begin_control(std::span<const IVec3> indices);
-    std::optional<std::string> control_to(std::span<const Vec3> targets);
+    Done begin_control(std::span<const IVec3> indices);
+    Done control_to(std::span<const Vec3> targets);
     std::optional<command::Control> end_control(const StopToken& stop = {});
 
     // --- Queries

@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "command/result.h"
 #include "ffd/drag_plan.h"
 #include "ffd/drag_solver.h"
 #include "ffd/fold_guard.h"
@@ -20,11 +21,9 @@
 
 namespace pectin {
 
-// The reason of a refusal, or nothing on success.
-using Refusal = std::optional<std::string>;
-
-inline constexpr const char* kNoObject =
-    "there is no object yet; use the open or shape command first";
+inline Refusal no_object() {
+    return {"there is no object yet; use the open or shape command first"};
+}
 
 class Stopwatch {
   public:
@@ -113,24 +112,24 @@ struct Session::State {
     struct UpdateOutcomeAtExit;
 
     // --- One function for each command.
-    Refusal run(const command::Open& open);
-    Refusal run(const command::Shape& shape);
-    Refusal run(const command::Adapt& adapt);
-    Refusal run(const command::Brush& brush);
-    Refusal run(const command::Cage& cage);
-    Refusal run(const command::Symmetry& symmetry_command);
-    Refusal run(const command::Drag& drag);
-    Refusal run(const command::Control& control);
+    Done run(const command::Open& open);
+    Done run(const command::Shape& shape);
+    Done run(const command::Adapt& adapt);
+    Done run(const command::Brush& brush);
+    Done run(const command::Cage& cage);
+    Done run(const command::Symmetry& symmetry_command);
+    Done run(const command::Drag& drag);
+    Done run(const command::Control& control);
     void undo_steps(std::size_t count);
-    Refusal run(const command::Undo& undo);
-    Refusal run(const command::Redo& redo);
-    Refusal run(const command::History& limit);
-    Refusal run(const command::Readapt& readapt);
+    Done run(const command::Undo& undo);
+    Done run(const command::Redo& redo);
+    Done run(const command::History& limit);
+    Done run(const command::Readapt& readapt);
     std::vector<Box> zones_of_readapt() const;
-    Refusal run(const command::Bake& bake);
-    Refusal run(const command::Save& save);
-    Refusal run(const command::Stats& stats);
-    Refusal run(const command::Screenshot& screenshot);
+    Done run(const command::Bake& bake);
+    Done run(const command::Save& save);
+    Done run(const command::Stats& stats);
+    Done run(const command::Screenshot& screenshot);
 
     // --- Steps of the history (undo.cpp).
     // Moves the change into the history. Throws std::bad_alloc with the change unmodified.
@@ -145,30 +144,29 @@ struct Session::State {
     Frame adapt_everything();
 
     // --- Drags (drag.cpp, drag_faces.cpp).
-    Refusal begin_drag(const command::Drag& drag);
-    Refusal drag_to(const command::Drag& asked);
+    Done begin_drag(const command::Drag& drag);
+    Done drag_to(const command::Drag& asked);
+    Done replan(const command::Drag& asked);
     std::optional<command::Drag> end_drag();
-    Refusal check_lattice(const Lattice& lattice) const;
-    Refusal check_targets(const command::Drag& drag, double reach) const;
+    Done check_lattice(const Lattice& lattice) const;
+    Done check_targets(const command::Drag& drag, double reach) const;
     DragPlan plan_of(const command::Drag& drag) const;
-    Refusal embed(ActiveGesture& begun);
+    Done embed(ActiveGesture& begun);
     std::vector<Box> zones_on_both_sides(const Warp& warp) const;
-    std::variant<GestureFaces, std::string> faces_of(const command::Drag& drag,
-                                                     std::span<const Box> zones);
+    Result<GestureFaces> faces_of(const command::Drag& drag, std::span<const Box> zones);
     std::vector<FaceId> faces_meeting(std::span<const Box> zones);
     Surroundings surroundings();
     std::vector<FaceId> staying_faces(std::span<const Vec3> displacements);
-    bool is_single_step(const command::Drag& drag, Refusal& refusal) const;
+    Result<bool> is_single_step(const command::Drag& drag) const;
     bool is_past_half_way() const;
     std::vector<Vec3> last_displacements() const;
     std::vector<VertexId> vertices_at_handles(const command::Drag& drag);
 
     // --- Control points (control.cpp).
-    Refusal begin_control(std::span<const IVec3> indices);
-    Refusal control_to(std::span<const Vec3> targets);
+    Done begin_control(std::span<const IVec3> indices);
+    Done control_to(std::span<const Vec3> targets);
     std::optional<command::Control> end_control();
-    std::variant<std::vector<Vec3>, std::string> control_displacements(
-        const command::Control& control) const;
+    Result<std::vector<Vec3>> control_displacements(const command::Control& control) const;
 
     // --- Gestures of both kinds (active_gesture.cpp).
     void start_gesture(ActiveGesture& begun, const GestureFaces& faces, Warp warp);

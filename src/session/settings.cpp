@@ -16,7 +16,7 @@ double theta_min_of(const AdaptSettings& s) {
 
 }  // namespace
 
-std::variant<AdaptSettings, std::string> AdaptSettings::with(const command::Adapt& change) const {
+Result<AdaptSettings> AdaptSettings::with(const command::Adapt& change) const {
     AdaptSettings s = *this;
     s.enabled = change.enabled.value_or(enabled);
     s.theta_max = change.theta_max.value_or(theta_max);
@@ -30,8 +30,9 @@ std::variant<AdaptSettings, std::string> AdaptSettings::with(const command::Adap
     const double upper = NormalDivergence::angle_or_off(value_or_off(s.theta_max)),
                  lower = theta_min_of(s);
     if (s.theta_min.kind == Setting::Kind::value && upper < kOff && !(lower < upper)) {
-        return "theta_min (" + decimal(lower) + ") must be less than theta_max (" + decimal(upper) +
-               "); set both, or theta_min to \"auto\"";
+        return Refusal{"theta_min (" + decimal(lower) + ") must be less than theta_max (" +
+                           decimal(upper) + "); set both, or theta_min to \"auto\"",
+                       "theta_min"};
     }
     return s;
 }

@@ -1,13 +1,13 @@
 // The settings that commands change and drags use, and their values for a given object.
 #pragma once
 
+#include <cstdint>
 #include <optional>
-#include <string>
-#include <variant>
 
 #include "adapt/criteria.h"
 #include "adapt/defaults.h"
 #include "command/command.h"
+#include "command/result.h"
 #include "ffd/lattice.h"
 
 namespace pectin {
@@ -23,9 +23,10 @@ struct AdaptSettings {
     Setting drag_budget = Setting::automatic();  // triangles that a drag may add
     double propagation = 1.0;
 
+    bool operator==(const AdaptSettings&) const = default;
     // Returns these settings with the changes of the command, or the reason why they contradict
     // each other.
-    std::variant<AdaptSettings, std::string> with(const command::Adapt& change) const;
+    Result<AdaptSettings> with(const command::Adapt& change) const;
     // The limits in world units, for a command that applies them to the object as it is (readapt).
     // feature_extent: the smallest feature extent of the deformation, or kOff if there is none.
     // diagonal, largest_coordinate: of the object's box when it was opened. The floor is well above

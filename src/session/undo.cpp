@@ -75,7 +75,7 @@ void Session::State::undo_steps(std::size_t count) {
     });
 }
 
-Refusal Session::State::run(const command::Undo& undo_command) {
+Done Session::State::run(const command::Undo& undo_command) {
     const auto count = static_cast<std::size_t>(undo_command.count);
     if (count > history.undo_count()) {
         std::string text = too_few("undo", history.undo_count(), count);
@@ -84,17 +84,17 @@ Refusal Session::State::run(const command::Undo& undo_command) {
                     (lost == 1 ? " older step was" : " older steps were") +
                     " dropped to keep to the memory that history allows";
         }
-        return text;
+        return Refusal{std::move(text), "count"};
     }
     const UpdateOutcomeAtExit update_outcome_at_exit{*this};
     undo_steps(count);
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::Redo& redo_command) {
+Done Session::State::run(const command::Redo& redo_command) {
     const auto count = static_cast<std::size_t>(redo_command.count);
     if (count > history.redo_count()) {
-        return too_few("redo", history.redo_count(), count);
+        return Refusal{too_few("redo", history.redo_count(), count), "count"};
     }
     const UpdateOutcomeAtExit update_outcome_at_exit{*this};
     const std::size_t done_before = history.undo_count();
@@ -111,24 +111,20 @@ Refusal Session::State::run(const command::Redo& redo_command) {
         undo_steps(history.undo_count() - done_before);
         throw;
     }
-    return std::nullopt;
+    return {};
 }
 
-Refusal Session::State::run(const command::History& limit) {
-    if (!limit.megabytes) return std::nullopt;
+Done Session::State::run(const command::History& limit) {
+    if (!limit.megabytes) return {};
     const Setting& megabytes = *limit.megabytes;
     if (megabytes.is_off()) {
         history.set_limit(std::nullopt);
-        return std::nullopt;
-    }
-    if (megabytes.is_automatic() || !(megabytes.value > 0.0) || !std::isfinite(megabytes.value)) {
-        return "the megabytes " + decimal(megabytes.value) +
-               " must be a number above 0, or null for no limit";
+        return {};
     }
     const double bytes = kMegabyte * megabytes.value;
     history.set_limit(bytes < kMostBytes ? std::optional(static_cast<std::size_t>(bytes))
                                          : std::nullopt);
-    return std::nullopt;
+    return {};
 }
 
 }  // namespace pectin

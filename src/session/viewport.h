@@ -5,6 +5,7 @@
 #include <string>
 
 #include "command/command.h"
+#include "command/result.h"
 #include "ffd/lattice.h"
 #include "mesh/tri_mesh.h"
 
@@ -14,11 +15,10 @@ class Viewport {
   public:
     virtual ~Viewport() = default;
 
-    // Draws the object and writes the picture. Returns the reason if it cannot. lattice: the cage,
+    // Draws the object and writes the picture. lattice: the cage,
     // or else the lattice of the last drag, if any. Throws what drawing and io throw.
-    virtual std::optional<std::string> screenshot(const TriMesh& mesh,
-                                                  const std::optional<Lattice>& lattice,
-                                                  const command::Screenshot& screenshot) = 0;
+    virtual Done screenshot(const TriMesh& mesh, const std::optional<Lattice>& lattice,
+                            const command::Screenshot& screenshot) = 0;
 };
 
 }  // namespace pectin

@@ -22,8 +22,8 @@ constexpr int kFrames = 6;
 class Hand {
   public:
     Hand(int resolution, double radius) : radius_(radius) {
-        session_.execute(command::Shape{command::Shape::Kind::sphere, resolution});
-        session_.execute(command::Brush{.radius = radius});
+        must(session_.execute(command::Shape{command::Shape::Kind::sphere, resolution}));
+        must(session_.execute(command::Brush{.radius = radius}));
         session_.set_frame_time(std::chrono::milliseconds(8));
         session_.pick({.origin = {0, 0, 5}, .direction = {0, 0, -1}});  // builds the face tree
     }
@@ -48,17 +48,18 @@ class Hand {
         const Vec3 from{0, 0, 1};
         Times times;
         times.press = seconds([&] {
-            session_.begin_drag(std::vector{from}, {}, {.connected = true, .fold_free = true});
+            must(
+                session_.begin_drag(std::vector{from}, {}, {.connected = true, .fold_free = true}));
         });
         for (int i = 1; i <= kFrames; ++i) {
             const Vec3 to = from + Vec3{0, 0, 0.1 * radius_ * i / kFrames};
-            times.frame += seconds([&] { session_.drag_to(std::vector{to}); }) / kFrames;
+            times.frame += seconds([&] { must(session_.drag_to(std::vector{to})); }) / kFrames;
             times.deform += session_.last_frame().deform_seconds / kFrames;
         }
         times.release = seconds([&] { session_.end_drag(); });
-        times.undo = seconds([&] { session_.execute(command::Undo{}); });
-        times.redo = seconds([&] { session_.execute(command::Redo{}); });
-        session_.execute(command::Undo{});
+        times.undo = seconds([&] { must(session_.execute(command::Undo{})); });
+        times.redo = seconds([&] { must(session_.execute(command::Redo{})); });
+        must(session_.execute(command::Undo{}));
         session_.take_dirty();
         return times;
     }

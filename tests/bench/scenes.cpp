@@ -42,11 +42,6 @@ TriMesh Scene::finish() {
 }
 
 namespace {
-
-void must(const std::optional<std::string>& refusal) {
-    if (refusal) throw std::runtime_error(*refusal);
-}
-
 // Half the side of a box around the north pole that contains this many of the sphere's vertices,
 // which are evenly distributed.
 double radius_for(const TriMesh& mesh, double influenced) {
@@ -66,6 +61,10 @@ double radius_for(const TriMesh& mesh, double influenced) {
 const Vec3 kPole{0.0, 0.0, 1.0};
 
 }  // namespace
+
+void must(const Done& done) {
+    if (!done) throw std::runtime_error(done.refusal().reason);
+}
 
 BrushScene::BrushScene(int resolution, double influenced, double theta_max) {
     must(session_.execute(command::Shape{command::Shape::Kind::sphere, resolution}));

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "adapt/adapt.h"
+#include "command/result.h"
 #include "embedding/embedding.h"
 #include "ffd/drag_solver.h"
 #include "mesh/active_set.h"
@@ -60,6 +61,9 @@ class Scene {
     ActiveSet active_;
     std::unique_ptr<Embedding> embedding_;
 };
+
+// Ends the benchmark if the session has refused.
+void must(const Done& done);
 
 // The sphere in a session, with a brush at its north pole that influences about this many vertices,
 // and an active drag whose frames oscillate.

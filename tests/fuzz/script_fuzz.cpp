@@ -26,8 +26,7 @@ constexpr std::size_t kMaxPoints = 16;
 bool is_small(const command::Shape& shape) { return shape.resolution <= kMaxResolution; }
 bool is_small(const command::Brush& brush) { return brush.span.value_or(0) <= 8; }
 bool is_small(const command::Cage& cage) {
-    const IVec3 n =
-        std::visit([](const auto& lattice) { return lattice.deformable; }, cage.lattice);
+    const IVec3 n = cage.fit.value_or(cage.deformable.value_or(IVec3{1}));
     return std::int64_t{n.x} * n.y * n.z <= kMaxControlPoints;
 }
 bool is_small(const command::Drag& drag) {
@@ -59,15 +58,15 @@ class SmallSession {
             adapt->budget = std::min(adapt->budget.value_or(kBudget), kBudget);
         }
         const std::string before = format_obj(session_.mesh());
-        const auto refusal = session_.execute(command);
+        const Done done = session_.execute(command);
         expect_valid(session_);
-        if (refusal) {
-            expect(!refusal->empty() && refusal->find('\n') == refusal->npos,
-                   "a refusal is one line");
+        if (!done) {
+            const std::string& reason = done.refusal().reason;
+            expect(!reason.empty() && reason.find('\n') == reason.npos, "a refusal is one line");
             expect(format_obj(session_.mesh()) == before, "a refusal leaves the object as it was");
         } else if (std::holds_alternative<command::Shape>(command)) {
             first_ = format_obj(session_.mesh());
-            session_.execute(command::Adapt{.budget = kBudget});
+            expect(bool{session_.execute(command::Adapt{.budget = kBudget})}, "the budget is set");
         }
     }
 

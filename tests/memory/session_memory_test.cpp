@@ -28,8 +28,8 @@ command::Drag drag(const Vec3& from, const Vec3& to) {
 }
 
 void execute(Session& session, const Command& command) {
-    const auto refusal = session.execute(command);
-    ASSERT_FALSE(refusal) << name(command) << ": " << *refusal;
+    const Done done = session.execute(command);
+    ASSERT_TRUE(done) << name(command) << ": " << done.refusal().reason;
 }
 
 // A refined object with steps to undo and to redo.
@@ -90,8 +90,8 @@ class SessionMemory : public testing::Test {
     void expect_all_or_nothing(const Command& command, int least_failures = 5) const {
         expect_all_or_nothing(
             [&command](Session& session) {
-                const auto refusal = session.execute(command);
-                if (refusal) FAIL() << *refusal;
+                const Done done = session.execute(command);
+                if (!done) FAIL() << done.refusal().reason;
             },
             least_failures);
     }
@@ -111,9 +111,9 @@ TEST_F(SessionMemory, UndoAndRedoOfADragNeedNoMemory) {
 
 TEST_F(SessionMemory, ReadaptingIsDoneOrChangesNothing) {
     expect_all_or_nothing([](Session& session) {
-        const auto refusal = session.execute(command::Adapt{.theta_max = Setting::of(9.0)});
-        if (refusal) FAIL() << *refusal;
-        session.execute(command::Readapt{});
+        const Done done = session.execute(command::Adapt{.theta_max = Setting::of(9.0)});
+        if (!done) FAIL() << done.refusal().reason;
+        if (!session.execute(command::Readapt{})) FAIL();
     });
 }
 
@@ -122,10 +122,10 @@ TEST_F(SessionMemory, BakingIsDoneOrChangesNothing) { expect_all_or_nothing(comm
 TEST_F(SessionMemory, ADragWithTheMouseIsDoneOrChangesNothing) {
     expect_all_or_nothing([](Session& session) {
         const std::vector<Vec3> points{Vec3(0, -1, 0)};
-        ASSERT_FALSE(session.begin_drag(points, {}, {.connected = true, .fold_free = true}));
+        ASSERT_TRUE(session.begin_drag(points, {}, {.connected = true, .fold_free = true}));
         for (int i = 1; i <= 4; ++i) {
             const std::vector<Vec3> targets{Vec3(0.1 * i, -1 - 0.2 * i, 0)};
-            ASSERT_FALSE(session.drag_to(targets));
+            ASSERT_TRUE(session.drag_to(targets));
         }
         session.end_drag();
     });
@@ -136,8 +136,8 @@ TEST_F(SessionMemory, CancellingADragNeverFails) {
     prepare(session);
     const TriMesh before = session.mesh();
     const std::vector<Vec3> points{Vec3(0, -1, 0)}, targets{Vec3(0.4, -1.8, 0)};
-    ASSERT_FALSE(session.begin_drag(points, {}, {.connected = true, .fold_free = true}));
-    ASSERT_FALSE(session.drag_to(targets));
+    ASSERT_TRUE(session.begin_drag(points, {}, {.connected = true, .fold_free = true}));
+    ASSERT_TRUE(session.drag_to(targets));
     ASSERT_FALSE(session.mesh() == before);
     {
         const FailingNew failing(0, FailingNew::How::from_there_on);
@@ -163,7 +163,7 @@ TEST_F(SessionMemory, ASaveWritesTheWholeFileOrNone) {
             const command::Save save{path("model.obj")};
             const FailingNew failing(points.served(), FailingNew::How::once);
             try {
-                is_done = !session.execute(save);
+                is_done = bool{session.execute(save)};
             } catch (const std::bad_alloc&) {
             }
             is_enough = !failing.has_failed();

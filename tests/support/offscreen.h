@@ -64,8 +64,8 @@ inline void execute(Session& session, const std::vector<std::string>& lines) {
         if (const auto* error = std::get_if<CommandError>(&parsed)) {
             FAIL() << line << ": " << error->what;
         }
-        const auto refusal = session.execute(std::get<Command>(parsed));
-        ASSERT_FALSE(refusal) << line << ": " << *refusal;
+        const Done done = session.execute(std::get<Command>(parsed));
+        ASSERT_TRUE(done) << line << ": " << done.refusal().reason;
     }
 }
 

@@ -14,7 +14,7 @@ class CagePointsTest : public EditorTest {
     // Shows a sphere in a cage of 3 control points per axis.
     Editor caged(std::optional<Recorder> recorder = {}) const {
         Editor made = editor(std::move(recorder));
-        made.execute(command::Cage{command::Cage::Fit{IVec3{3}}});
+        made.execute(command::Cage{.fit = IVec3{3}});
         made.display.lattice = true;
         made.advance();
         return made;

@@ -61,8 +61,8 @@ class EditorTest : public testing::Test {
         std::istringstream text(read(name));
         ScriptReader reader(text);
         while (const auto line = reader.next()) {
-            const auto refusal = session.execute(std::get<Command>(line->command));
-            EXPECT_FALSE(refusal) << *refusal;
+            const Done done = session.execute(std::get<Command>(line->command));
+            EXPECT_TRUE(done) << done.refusal().reason;
         }
         return session;
     }

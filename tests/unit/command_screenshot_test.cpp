@@ -19,8 +19,8 @@ command::Screenshot parsed(const std::string& fields) {
 
 TEST(ScreenshotCommand, NeedsOnlyAPath) {
     const command::Screenshot screenshot = parsed(R"("path": "a.png")");
-    EXPECT_EQ(screenshot.width, 1280);
-    EXPECT_EQ(screenshot.height, 960);
+    EXPECT_EQ(screenshot.size.x, 1280);
+    EXPECT_EQ(screenshot.size.y, 960);
     EXPECT_FALSE(screenshot.camera);
     EXPECT_TRUE(screenshot.show == command::Screenshot::Show{});
 }
@@ -48,7 +48,7 @@ TEST(ScreenshotCommand, ShowsTheListedParts) {
 
 TEST(ScreenshotCommand, FormatsOnlyFieldsThatDifferFromTheirDefaults) {
     EXPECT_EQ(format_command(command::Screenshot{.path = "a.png"}),
-              R"({"cmd": "screenshot", "path": "a.png", "size": [1280, 960]})");
+              R"({"cmd": "screenshot", "path": "a.png"})");
 }
 
 TEST(ScreenshotCommand, RefusesInvalidPictures) {

@@ -240,8 +240,8 @@ class ScreenshotTest : public OffscreenTest {
     PngPixels shoot(const command::Screenshot& screenshot) {
         command::Screenshot to_file = screenshot;
         to_file.path = path_;
-        const auto refusal = session_.execute(to_file);
-        EXPECT_FALSE(refusal) << *refusal;
+        const Done done = session_.execute(to_file);
+        EXPECT_TRUE(done) << done.refusal().reason;
         return read_png(path_);
     }
 
@@ -257,7 +257,7 @@ TEST_F(ScreenshotTest, ShowsTheUnitSphereWithTheRadiusThatFollowsFromTheCamera) 
     execute(session_, {R"({"cmd": "shape", "kind": "sphere", "resolution": 6})"});
     for (const double distance : {1.5, 3.0, 8.0}) {
         for (const double fov : {30.0, 60.0, 100.0}) {
-            command::Screenshot screenshot{.width = 500, .height = 400};
+            command::Screenshot screenshot{.size = {500, 400}};
             screenshot.camera = Camera{.eye = distance * glm::normalize(Vec3(1, 2, 3)), .fov = fov};
             const PngPixels shown = shoot(screenshot);
             screenshot.camera->target = 2.0 * screenshot.camera->eye;  // looks away from the sphere
@@ -286,25 +286,25 @@ TEST_F(ScreenshotTest, LeavesUndoAndRedoUnchanged) {
     execute(session_, {R"({"cmd": "shape", "kind": "sphere", "resolution": 2})",
                        R"({"cmd": "drag", "moves": [{"from": [0,0,1], "to": [0,0,1.2]}]})",
                        R"({"cmd": "undo"})"});
-    shoot({.width = 16, .height = 16});
+    shoot({.size = {16, 16}});
     execute(session_, {R"({"cmd": "redo"})", R"({"cmd": "undo"})"});
 }
 
 TEST_F(ScreenshotTest, IsRefusedWithoutAnObjectAndForPanelsWithoutAWindow) {
-    EXPECT_TRUE(session_.execute(command::Screenshot{.path = path_}));
+    EXPECT_FALSE(session_.execute(command::Screenshot{.path = path_}));
     execute(session_, {R"({"cmd": "shape", "kind": "cube", "resolution": 1})"});
-    const auto refusal = session_.execute(command::Screenshot{.path = path_, .show = {.ui = true}});
-    ASSERT_TRUE(refusal);
-    EXPECT_NE(refusal->find("leave \"ui\" out"), std::string::npos);
+    const Done done = session_.execute(command::Screenshot{.path = path_, .show = {.ui = true}});
+    ASSERT_FALSE(done);
+    EXPECT_NE(done.refusal().reason.find("leave \"ui\" out"), std::string::npos);
     EXPECT_FALSE(std::filesystem::exists(path_));
 }
 
 TEST(Screenshot, IsRefusedWithoutARenderer) {
     Session session;
     execute(session, {R"({"cmd": "shape", "kind": "cube", "resolution": 1})"});
-    const auto refusal = session.execute(command::Screenshot{.path = "a.png"});
-    ASSERT_TRUE(refusal);
-    EXPECT_NE(refusal->find("nothing here to draw with"), std::string::npos);
+    const Done done = session.execute(command::Screenshot{.path = "a.png"});
+    ASSERT_FALSE(done);
+    EXPECT_NE(done.refusal().reason.find("nothing here to draw with"), std::string::npos);
 }
 
 }  // namespace

@@ -88,6 +88,7 @@ TEST(FittedCage, MovedByAnAffineMapMovesItsBoxByThatMap) {
 // ---- Commands
 
 using test::expect_done;
+using test::refusal_of;
 
 std::vector<Vec3> positions(const TriMesh& mesh) {
     std::vector<Vec3> all;
@@ -115,7 +116,7 @@ TEST(FittedCage, MovesTheObjectExactlyAsFarAsAllItsControlPoints) {
     expect_done(session, Shape{Shape::Kind::cube, 4});
     expect_done(session, Adapt{.enabled = false});
     const std::vector<Vec3> before = positions(session.mesh());
-    expect_done(session, Cage{Cage::Fit{{4, 4, 4}}});
+    expect_done(session, Cage{.fit = IVec3{4, 4, 4}});
     const Lattice cage = *session.lattice_settings().cage;
     expect_done(session, all_moved(cage, {.by = {1, 0, 0}}));
     const std::vector<Vec3> after = positions(session.mesh());
@@ -134,7 +135,7 @@ TEST(FittedCage, MovesEveryShapeByTheAffineMapOfItsControlPoints) {
         expect_done(session, Adapt{.enabled = false});
         const std::vector<Vec3> before = positions(session.mesh());
         const IVec3 counts{random.count(1, 8), random.count(1, 8), random.count(1, 8)};
-        expect_done(session, Cage{Cage::Fit{counts}});
+        expect_done(session, Cage{.fit = counts});
         const Lattice cage = *session.lattice_settings().cage;
         const Affine map = random_affine(random);
         expect_done(session, all_moved(cage, map));
@@ -152,7 +153,7 @@ TEST(FittedCage, MovesBothSidesAlikeWithSymmetry) {
     expect_done(session, Adapt{.enabled = false});
     const std::vector<Vec3> before = positions(session.mesh());
     expect_done(session, command::Symmetry{.plane = command::Symmetry::Plane::x});
-    expect_done(session, Cage{Cage::Fit{{3, 1, 4}}});
+    expect_done(session, Cage{.fit = IVec3{3, 1, 4}});
     const Lattice cage = *session.lattice_settings().cage;
     // The map widens the object by half and shears it within the plane.
     Affine map{.linear = {1.5, 0, 0, 0, 1, 0.25, 0, 0.5, 1}, .by = {0, 1, 2}};
@@ -168,18 +169,17 @@ TEST(FittedCage, MovesBothSidesAlikeWithSymmetry) {
 TEST(FittedCage, NumbersTheLayersBeyondTheBoxFromMinusOne) {
     Session session;
     expect_done(session, Shape{Shape::Kind::cube, 2});
-    expect_done(session, Cage{Cage::Fit{{3, 1, 2}}});
-    const auto refusal = [&](const IVec3& index) {
-        return session.execute(Control{{{index, {0, 0, 0}}}}).value_or("");
-    };
-    for (const IVec3& index : {IVec3{-2, 0, 0}, IVec3{0, -3, 0}, IVec3{4, 0, 0}, IVec3{0, 3, 0},
-                               IVec3{0, 0, 3}, IVec3{0, 0, -2}}) {
-        EXPECT_NE(refusal(index).find("its last is [3, 2, 2], the first [-1, -2, -1]"),
-                  std::string::npos)
-            << refusal(index);
+    expect_done(session, Cage{.fit = IVec3{3, 1, 2}});
+    const auto moves = [](const IVec3& index) { return Control{{{index, {0, 0, 0}}}}; };
+    for (const IVec3& index :
+         {IVec3{-2, 0, 0}, IVec3{4, 0, 0}, IVec3{0, 3, 0}, IVec3{0, 0, 3}, IVec3{0, 0, -2}}) {
+        const std::string reason = refusal_of(session, moves(index));
+        EXPECT_NE(reason.find("its last is [3, 2, 2], the first [-1, -2, -1]"), std::string::npos)
+            << reason;
     }
+    EXPECT_NE(refusal_of(session, moves({0, -3, 0})).find("from -2 to 255"), std::string::npos);
     for (const IVec3& index : {IVec3{-1, -2, -1}, IVec3{3, 2, 2}, IVec3{1, 0, 0}}) {
-        EXPECT_EQ(refusal(index), "");
+        expect_done(session, moves(index));
     }
 }
 
@@ -187,14 +187,16 @@ TEST(FittedCage, NumbersTheLayersBeyondTheBoxFromMinusOne) {
 TEST(Cage, WithMarginsIsTheFittedOneOfTheSameBox) {
     Session session;
     expect_done(session, Shape{Shape::Kind::cube, 2});
-    expect_done(session, Cage{Cage::Fit{{3, 1, 2}}});
+    expect_done(session, Cage{.fit = IVec3{3, 1, 2}});
     const Lattice fitted = *session.lattice_settings().cage;
-    expect_done(session, Cage{Cage::Grid{.origin = {-1, 0, -1},
-                                         .cell = {1, 1, 2},
-                                         .deformable = {3, 1, 2},
-                                         .margin = {1, 2, 1}}});
+    expect_done(session, Cage{.origin = Vec3{-1, 0, -1},
+                              .cell = Vec3{1, 1, 2},
+                              .deformable = IVec3{3, 1, 2},
+                              .margin = IVec3{1, 2, 1}});
     EXPECT_EQ(*session.lattice_settings().cage, fitted);
-    expect_done(session, Cage{Cage::Grid{{-1, 0, -1}, {1, 1, 2}, {3, 1, 2}}});
+    expect_done(
+        session,
+        Cage{.origin = Vec3{-1, 0, -1}, .cell = Vec3{1, 1, 2}, .deformable = IVec3{3, 1, 2}});
     EXPECT_EQ(session.lattice_settings().cage->deformable, IVec3(3, 1, 2)) << "none by default";
 }
 

@@ -18,9 +18,9 @@ const Vec3 kTop{0, 0, 1};
 // A sphere that a drag has to split thousands of times.
 Session sphere() {
     Session session;
-    EXPECT_FALSE(session.execute(Shape{Shape::Kind::sphere, 4}));
-    EXPECT_FALSE(session.execute(Adapt{.theta_max = Setting::of(2.0)}));
-    EXPECT_FALSE(session.execute(command::Brush{.radius = 0.9}));
+    EXPECT_TRUE(session.execute(Shape{Shape::Kind::sphere, 4}));
+    EXPECT_TRUE(session.execute(Adapt{.theta_max = Setting::of(2.0)}));
+    EXPECT_TRUE(session.execute(command::Brush{.radius = 0.9}));
     return session;
 }
 
@@ -38,9 +38,9 @@ TEST(FrameTime, StoppedFramesGoOnUntilNothingNeedsRefinement) {
     Session session = sphere();
     const VertexId top = vertex_at_top(session.mesh());
     session.set_frame_time(std::chrono::seconds(0));
-    ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
+    ASSERT_TRUE(session.begin_drag(std::vector{kTop}, {}));
     EXPECT_FALSE(session.continue_frame()) << "there is no frame yet";
-    ASSERT_FALSE(session.drag_to(at(1.5)));
+    ASSERT_TRUE(session.drag_to(at(1.5)));
     EXPECT_FALSE(session.last_frame().is_complete);
     std::uint64_t splits = session.last_frame().splits;
     int frames = 1;
@@ -61,12 +61,12 @@ TEST(FrameTime, StoppedFramesGoOnUntilNothingNeedsRefinement) {
 TEST(FrameTime, StoppedFramesFollowTheDrag) {
     Session session = sphere();
     session.set_frame_time(std::chrono::seconds(0));
-    ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
+    ASSERT_TRUE(session.begin_drag(std::vector{kTop}, {}));
     const TriMesh before = session.mesh();
     for (const double height : {1.1, 1.4, 1.2, 1.6, 1.0}) {
-        ASSERT_FALSE(session.drag_to(at(height)));
+        ASSERT_TRUE(session.drag_to(at(height)));
     }
-    ASSERT_FALSE(session.drag_to(std::vector{kTop}));
+    ASSERT_TRUE(session.drag_to(std::vector{kTop}));
     for (int frames = 0; session.continue_frame(); ++frames) ASSERT_LT(frames, 10'000);
     EXPECT_EQ(session.statistics().needing_refinement, 0u);
     for (std::uint32_t v = 0; v < before.vertex_slots(); ++v) {
@@ -80,8 +80,8 @@ TEST(FrameTime, TheCommitDoesEverythingAndDependsOnNoFrame) {
     Session without = sphere(), with = sphere();
     with.set_frame_time(std::chrono::seconds(0));
     for (Session* session : {&without, &with}) {
-        ASSERT_FALSE(session->begin_drag(std::vector{kTop}, {}, {.fold_free = true}));
-        for (const double height : {1.05, 1.3, 1.5}) ASSERT_FALSE(session->drag_to(at(height)));
+        ASSERT_TRUE(session->begin_drag(std::vector{kTop}, {}, {.fold_free = true}));
+        for (const double height : {1.05, 1.3, 1.5}) ASSERT_TRUE(session->drag_to(at(height)));
         EXPECT_EQ(session->has_unfinished_frame(), session == &with);
         ASSERT_TRUE(session->end_drag().has_value());
     }
@@ -94,16 +94,16 @@ TEST(FrameTime, TheCommitDoesEverythingAndDependsOnNoFrame) {
 TEST(FrameTime, EndsAlsoWhereABudgetIsUsedUp) {
     for (const double first : {1.5, 1.9}) {
         Session session = sphere();
-        ASSERT_FALSE(session.execute(Adapt{.drag_budget = Setting::of(6000)}));
+        ASSERT_TRUE(session.execute(Adapt{.drag_budget = Setting::of(6000)}));
         session.set_frame_time(std::chrono::seconds(0));
-        ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
+        ASSERT_TRUE(session.begin_drag(std::vector{kTop}, {}));
         for (const double height : {first, 1.6}) {
-            ASSERT_FALSE(session.drag_to(at(height)));
+            ASSERT_TRUE(session.drag_to(at(height)));
             for (int frames = 0; session.continue_frame(); ++frames) ASSERT_LT(frames, 1000);
             EXPECT_TRUE(session.last_frame().drag_budget_hit);
         }
         const TriMesh before = session.mesh();
-        ASSERT_FALSE(session.drag_to(at(1.6)));
+        ASSERT_TRUE(session.drag_to(at(1.6)));
         EXPECT_TRUE(session.mesh() == before) << "the drag has not changed";
     }
 }
@@ -111,10 +111,10 @@ TEST(FrameTime, EndsAlsoWhereABudgetIsUsedUp) {
 // The 1:512 rule and the floor leave edges that need refinement in every frame.
 TEST(FrameTime, EndsAlsoWhereEdgesMayNotBeSplit) {
     Session session = sphere();
-    ASSERT_FALSE(session.execute(Adapt{.floor = Setting::of(0.03)}));
+    ASSERT_TRUE(session.execute(Adapt{.floor = Setting::of(0.03)}));
     session.set_frame_time(std::chrono::seconds(0));
-    ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
-    ASSERT_FALSE(session.drag_to(at(0.2)));
+    ASSERT_TRUE(session.begin_drag(std::vector{kTop}, {}));
+    ASSERT_TRUE(session.drag_to(at(0.2)));
     for (int frames = 0; session.continue_frame(); ++frames) ASSERT_LT(frames, 1000);
     EXPECT_TRUE(session.last_frame().floor_hit);
 }
@@ -122,17 +122,17 @@ TEST(FrameTime, EndsAlsoWhereEdgesMayNotBeSplit) {
 TEST(FrameTime, HoldsForControlPointsAndOnBothSidesOfAPlane) {
     for (const bool is_control : {false, true}) {
         Session session = sphere();
-        ASSERT_FALSE(session.execute(command::Symmetry{.plane = command::Symmetry::Plane::x}));
+        ASSERT_TRUE(session.execute(command::Symmetry{.plane = command::Symmetry::Plane::x}));
         if (is_control) {
-            ASSERT_FALSE(session.execute(command::Cage{command::Cage::Fit{{3, 3, 3}}}));
+            ASSERT_TRUE(session.execute(command::Cage{.fit = IVec3{3, 3, 3}}));
         }
         session.set_frame_time(std::chrono::seconds(0));
         if (is_control) {
-            ASSERT_FALSE(session.begin_control(std::vector{IVec3{2, 1, 1}}));
-            ASSERT_FALSE(session.control_to(std::vector{Vec3{2.5, 0, 0}}));
+            ASSERT_TRUE(session.begin_control(std::vector{IVec3{2, 1, 1}}));
+            ASSERT_TRUE(session.control_to(std::vector{Vec3{2.5, 0, 0}}));
         } else {
-            ASSERT_FALSE(session.begin_drag(std::vector{Vec3{0.6, 0, 0.8}}, {}));
-            ASSERT_FALSE(session.drag_to(std::vector{Vec3{0.8, 0, 1.2}}));
+            ASSERT_TRUE(session.begin_drag(std::vector{Vec3{0.6, 0, 0.8}}, {}));
+            ASSERT_TRUE(session.drag_to(std::vector{Vec3{0.8, 0, 1.2}}));
         }
         EXPECT_TRUE(session.has_unfinished_frame());
         int frames = 0;
@@ -148,8 +148,8 @@ TEST(FrameTime, HoldsForControlPointsAndOnBothSidesOfAPlane) {
 TEST(FrameTime, FramesWithEnoughTimeAreComplete) {
     Session session = sphere();
     session.set_frame_time(std::chrono::hours(1));
-    ASSERT_FALSE(session.begin_drag(std::vector{kTop}, {}));
-    ASSERT_FALSE(session.drag_to(at(1.5)));
+    ASSERT_TRUE(session.begin_drag(std::vector{kTop}, {}));
+    ASSERT_TRUE(session.drag_to(at(1.5)));
     EXPECT_TRUE(session.last_frame().is_complete);
     EXPECT_FALSE(session.continue_frame());
     EXPECT_EQ(session.statistics().needing_refinement, 0u);

@@ -101,7 +101,7 @@ TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {
 
 TEST(InputSummary, StatisticsHoldTheCountsOfTheObject) {
     Session session;
-    ASSERT_FALSE(session.execute(command::Shape{command::Shape::Kind::plane, 2}));
+    ASSERT_TRUE(session.execute(command::Shape{command::Shape::Kind::plane, 2}));
     const auto& input = session.statistics().input;
     EXPECT_EQ(input, input_counts(session.input_report()));
     EXPECT_EQ(session.input_report().triangulated_polygons, 4u);

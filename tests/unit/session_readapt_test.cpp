@@ -44,9 +44,10 @@ TEST(Readapt, RefinesAnObjectThatHasNotBeenDraggedByAGivenLength) {
 }
 
 TEST(Readapt, RefinesTheWholeObjectByAGivenLengthWhateverLatticeIsSet) {
-    const Command small_cage = Cage{Cage::Grid{Vec3{0.9}, Vec3{0.05}, IVec3{2}}};
+    const Command small_cage =
+        Cage{.origin = Vec3{0.9}, .cell = Vec3{0.05}, .deformable = IVec3{2}};
     for (const Command& lattice :
-         {Command{Brush{.radius = 0.1}}, Command{Cage{Cage::Fit{IVec3{3}}}}, small_cage}) {
+         {Command{Brush{.radius = 0.1}}, Command{Cage{.fit = IVec3{3}}}, small_cage}) {
         Session session;
         expect_done(session, Shape{Shape::Kind::sphere, 2});
         expect_done(session, lattice);
