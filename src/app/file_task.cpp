@@ -52,8 +52,10 @@ FileWork open_work(const command::Open& open, bool with_fingerprint) {
 
 FileWork reopen_work(const command::Open& open, const ModelCopy& copy) {
     return [open, copy](const Progress& progress) {
+        // The model may be read from the copy because its file was replaced since then.
         return FileResult{.model = prepared(load_original(open, copy, progress)),
-                          .fingerprint = copy.fingerprint};
+                          .fingerprint = copy.fingerprint,
+                          .is_in_file = false};
     };
 }
 
