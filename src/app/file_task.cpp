@@ -66,7 +66,7 @@ FileWork save_work(const command::Save& save, std::vector<ModelCopy> copies,
         const double copy_time = copies.empty() ? 0.0 : 0.2;  // fraction of the whole time
         FileResult result;
         result.warning = make_copies(copies, progress.part(0.0, copy_time));
-        result.report = save_model(mesh, save, progress.part(copy_time, 1.0), folders).text;
+        result.report = save_model(mesh, save, progress.part(copy_time, 1.0), folders);
         return result;
     };
 }

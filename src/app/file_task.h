@@ -18,7 +18,7 @@ struct FileResult {
     std::string fingerprint{};           // of the model's file; empty if it was not asked for
     // Whether the model's file has the contents that were read.
     bool is_in_file = true;
-    std::string report{};   // about the file that was written
+    SaveReport report{};    // about the file that was written
     std::string warning{};  // that the session cannot be restored after a crash
 };
 

@@ -28,6 +28,7 @@ constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, Histo
                                                  3'000'000'000, 10'000'000'000};
 
 const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
+const ImVec4 kWarningBorder(0.86f, 0.62f, 0.34f, 0.8f);
 
 constexpr std::array kHint{
     "Drag a point of the surface. Its surroundings follow.",
@@ -339,7 +340,9 @@ void Panels::draw_message(Editor& editor) {
     const float text = std::min(longest, ImGui::CalcTextSize(message.c_str()).x + scaled(2.0f));
     ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, menu_height_ + scaled(kMargin)),
                             ImGuiCond_Always, ImVec2(0.5f, 0.0f));
-    ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0.86f, 0.62f, 0.34f, 0.8f));
+    ImGui::PushStyleColor(ImGuiCol_Border, editor.workspace().message_is_confirmation()
+                                               ? ImGui::GetStyleColorVec4(ImGuiCol_Border)
+                                               : kWarningBorder);
     ImGui::Begin("message", nullptr, kBare | ImGuiWindowFlags_AlwaysAutoResize);
     claim_window();
     const float left = ImGui::GetCursorPosX();

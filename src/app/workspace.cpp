@@ -89,6 +89,9 @@ Workspace::Outcome Workspace::run(const Command& command, MakeWork make_work) {
     finish(command);
     tell_if_possible([&] {
         if (!session_.remark().empty()) set_message(sentence(session_.remark()));
+        if (const auto* picture = std::get_if<command::Screenshot>(&command)) {
+            confirm_save(picture->path);
+        }
     });
     return Outcome::done;
 }
@@ -130,7 +133,8 @@ Workspace::Outcome Workspace::poll_file(std::chrono::milliseconds longest_wait) 
     finish(task->command, result.fingerprint);
     if (!result.is_in_file) set_saved_state(std::nullopt);
     tell_if_possible([&] {
-        if (!result.report.empty()) set_message(result.report);
+        const auto* save = std::get_if<command::Save>(&task->command);
+        if (save) confirm_save(save->path, result.report);
         if (!result.warning.empty()) add_notice(sentence(result.warning));
     });
     return Outcome::done;
@@ -165,6 +169,15 @@ void Workspace::finish_edit(const EditTask& task, const EditResult& result) {
     tell_if_possible([&] {
         if (!session_.remark().empty()) set_message(sentence(session_.remark()));
     });
+}
+
+// report: on the material files of a model.
+void Workspace::confirm_save(const std::string& path, const SaveReport& report) {
+    const std::string what = report.text.empty()
+                                 ? std::filesystem::path(path).filename().string()
+                                 : report.text;  // which begins with the name of the file
+    messages_.set("Saved " + what + ".",
+                  report.has_failed ? Messages::Kind::warning : Messages::Kind::confirmation);
 }
 
 Workspace::Outcome Workspace::fail(const std::string& error) {

@@ -104,6 +104,7 @@ class Workspace {
     void clear_command_message() { messages_.clear_command_message(); }
     void add_notice(const std::string& message) { messages_.add_notice(message); }
     std::string message() const { return messages_.text(); }
+    bool message_is_confirmation() const { return messages_.is_confirmation(); }
     void dismiss() { messages_.dismiss(); }
 
     // --- The object.
@@ -130,6 +131,7 @@ class Workspace {
     Outcome poll_file(std::chrono::milliseconds longest_wait);
     Outcome poll_edit(std::chrono::milliseconds longest_wait);
     void finish_edit(const EditTask& task, const EditResult& result);
+    void confirm_save(const std::string& path, const SaveReport& report = {});
     ObjectFigures figures_now() const;
     FileWork file_work(const Command& command) const;
     Outcome fail(const std::string& error);

@@ -1,4 +1,4 @@
-// Whether the object counts as modified.
+// Whether the object counts as modified, and the message that confirms a save.
 #include <thread>
 
 #include "io/obj_writer.h"
@@ -148,6 +148,7 @@ TEST_F(SavedStateTest, AFailedSaveChangesNothing) {
     EXPECT_FALSE(editor.execute(fails));
     EXPECT_TRUE(is_modified(editor));
     EXPECT_EQ(editor.workspace().path(), path("saved.obj"));
+    EXPECT_FALSE(editor.workspace().message_is_confirmation()) << editor.workspace().message();
     execute(editor, {Undo{}});
     EXPECT_FALSE(is_modified(editor));
     EXPECT_FALSE(editor.execute(fails));
@@ -162,6 +163,7 @@ TEST_F(SavedStateTest, WorkInTheBackgroundCountsOnceItIsDone) {
     EXPECT_TRUE(is_modified(editor)) << "not yet saved";
     wait(editor);
     EXPECT_FALSE(is_modified(editor));
+    EXPECT_EQ(editor.workspace().message(), "Saved saved.obj.");
     editor.execute(kSecond);
     ASSERT_TRUE(editor.workspace().edit_task());
     EXPECT_FALSE(is_modified(editor)) << "not yet changed";
@@ -227,6 +229,75 @@ TEST_F(SavedStateTest, APartOfASessionIsModifiedAndASessionThatIsNotRestoredIsNo
     execute(editor, {kSecond});
     editor.workspace().reset_session();
     EXPECT_FALSE(is_modified(editor)) << "there is no object";
+}
+
+TEST_F(SavedStateTest, SavingIsConfirmedUntilTheNextCommandOrDrag) {
+    auto editor = this->editor();
+    for (const bool by_drag : {false, true}) {
+        execute(editor, {kFirst});
+        EXPECT_EQ(editor.workspace().message(), "");
+        execute(editor, {save()});
+        EXPECT_EQ(editor.workspace().message(), "Saved saved.obj.");
+        EXPECT_TRUE(editor.workspace().message_is_confirmation());
+        if (by_drag) {
+            drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+        } else {
+            execute(editor, {Undo{}});
+        }
+        EXPECT_EQ(editor.workspace().message(), "");
+        EXPECT_FALSE(editor.workspace().message_is_confirmation());
+    }
+}
+
+TEST_F(SavedStateTest, AMessageWithAWarningIsNoMereConfirmation) {
+    auto editor = this->editor();
+    editor.workspace().add_notice("Something is wrong.");
+    execute(editor, {save()});
+    EXPECT_EQ(editor.workspace().message(), "Something is wrong.\nSaved saved.obj.");
+    EXPECT_FALSE(editor.workspace().message_is_confirmation());
+    editor.workspace().dismiss();
+    execute(editor, {save()});
+    editor.workspace().set_message("This went wrong.");
+    EXPECT_FALSE(editor.workspace().message_is_confirmation());
+}
+
+TEST_F(SavedStateTest, TheConfirmationReportsOnMaterialFiles) {
+    for (const char* folder : {"a", "b", "c"}) fs::create_directory(path(folder));
+    write("a/model.obj", std::string("mtllib m/m.mtl other.mtl\n") + kTetrahedron);
+    fs::create_directory(path("a/m"));
+    write("a/m/m.mtl", "newmtl blue\n");
+    write("a/other.mtl", "newmtl red\n");
+    write("c/m", "a file where the folder has to be");
+    auto editor = this->editor();
+    editor.document().open(path("a/model.obj"));
+    execute(editor, {Save{path("b/copy.obj")}});
+    EXPECT_EQ(editor.workspace().message(),
+              "Saved copy.obj: material files copied: m/m.mtl, other.mtl.");
+    EXPECT_TRUE(editor.workspace().message_is_confirmation());
+    execute(editor, {Save{path("c/copy.obj")}});
+    const std::string message = editor.workspace().message();
+    EXPECT_TRUE(message.starts_with("Saved copy.obj: ")) << message;
+    EXPECT_NE(message.find("could not be copied: m/m.mtl"), std::string::npos) << message;
+    EXPECT_FALSE(editor.workspace().message_is_confirmation());
+    EXPECT_FALSE(is_modified(editor)) << "the model itself is saved";
+}
+
+TEST_F(SavedStateTest, SavingAPictureIsConfirmedAndLeavesTheObjectModified) {
+    struct BlankViewport : Viewport {
+        std::optional<std::string> screenshot(const TriMesh&, const std::optional<Lattice>&,
+                                              const command::Screenshot&) override {
+            return std::nullopt;
+        }
+    } viewport;
+    auto editor = this->editor();
+    editor.workspace().set_viewport(&viewport);
+    execute(editor, {kFirst, save(), kSecond});
+    editor.perform(Action::save_picture);
+    editor.document().browser()->name = path("picture.png");
+    editor.document().accept_file();
+    EXPECT_EQ(editor.workspace().message(), "Saved picture.png.");
+    EXPECT_TRUE(editor.workspace().message_is_confirmation());
+    EXPECT_TRUE(is_modified(editor));
 }
 
 // --- Random commands.
