@@ -29,10 +29,7 @@ bool is_edit(const Command& command) {
 }
 
 EditTask::EditTask(Session& session, const Command& command)
-    : session_(session),
-      command_(command),
-      step_before_(session.history().step_number()),
-      faces_(session.mesh().face_count()) {
+    : session_(session), command_(command), faces_(session.mesh().face_count()) {
     work_.emplace([this](const Progress& progress) {
         prepare_parallel_loops();
         const StopToken stop = stop_token(progress);
@@ -49,10 +46,7 @@ EditTask::EditTask(Session& session, const Command& command)
     });
 }
 
-EditTask::EditTask(Session& session)
-    : session_(session),
-      step_before_(session.history().step_number()),
-      faces_(session.mesh().face_count()) {
+EditTask::EditTask(Session& session) : session_(session), faces_(session.mesh().face_count()) {
     work_.emplace([this](const Progress& progress) {
         prepare_parallel_loops();
         const StopToken stop = stop_token(progress);

@@ -3,7 +3,6 @@
 
 #include <atomic>
 #include <chrono>
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -43,15 +42,12 @@ class EditTask {
     }
     // Of the object as far as the edit has got.
     std::uint64_t faces() const { return faces_; }
-    // The number of the step of the history before the edit.
-    std::size_t step_before() const { return step_before_; }
 
   private:
     StopToken stop_token(const Progress& progress);
 
     Session& session_;
     std::optional<Command> command_;
-    std::size_t step_before_;
     std::chrono::steady_clock::time_point begin_ = std::chrono::steady_clock::now();
     std::atomic<std::uint64_t> faces_;
     std::optional<BackgroundTask<EditResult>> work_;  // last, so that it ends before the others

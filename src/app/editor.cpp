@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "app/command_kind.h"
 #include "app/picture.h"
 
 namespace pectin {
@@ -21,11 +22,15 @@ Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_b
     frame_all(kFitDirection);
 }
 
+void Editor::begin(const std::string& model) {
+    if (!model.empty()) return document_.open(model);
+    document_.make_first_object();
+    set_symmetry(true);
+}
+
 void Editor::advance() {
-    if (restoration_) {
-        continue_restoring();
-    } else if (workspace_.is_working()) {
-        poll_work();
+    if (is_working()) {
+        advance_work();
     } else if (has_drag()) {
         if (std::exchange(drag_is_stale_, false)) {
             drag();
@@ -36,11 +41,14 @@ void Editor::advance() {
     update_hover();
 }
 
-void Editor::poll_work() {
+void Editor::advance_work() {
     const EditTask* const edit = workspace_.edit_task();
-    if (edit && !edit->command()) return finish_drag(workspace_.poll());
-    const Command command = edit ? *edit->command() : workspace_.file_task()->command;
-    finish_command(command, workspace_.poll());
+    const bool is_end_of_drag = edit && !edit->command();
+    if (is_end_of_drag) {
+        finish_drag(workspace_.poll());
+    } else {
+        document_.advance();
+    }
 }
 
 void Editor::update_hover() {
@@ -56,6 +64,55 @@ void Editor::update_hover() {
     }
     cage_points_.set_hovered(control_point);
     if (control_point) hover_.reset();
+}
+
+// --- For the document controller.
+
+void Editor::command_done(const Command& command) {
+    hover_.reset();
+    if (makes_object(command)) reset_for_new_object();
+    if (is_any_of<command::Undo, command::Redo>(command)) figures_.folded = 0;
+}
+
+// Discards what belonged to the object before.
+void Editor::reset_for_new_object() {
+    figures_ = {};
+    pins_.clear();
+    frame_all(kFitDirection);
+    reset_sizes();
+    // The plane follows the centre of the new object.
+    if (session().symmetry() && mirror_.through_centre) {
+        document_.execute_keeping_message(symmetry_command(true));
+    }
+}
+
+// Sizes that were set for the object before may be wrong by orders of magnitude for this one.
+void Editor::reset_sizes() {
+    const LatticeSettings& lattice = session().lattice_settings();
+    const double diagonal = workspace_.diagonal();
+    if ((lattice.radius || lattice.cage) && diagonal > 0.0) {
+        document_.execute_keeping_message(command::Brush{.radius = kAutoRadius * diagonal});
+    }
+    const AdaptSettings& adapt = session().adapt_settings();
+    command::Adapt change;
+    if (adapt.l_max.kind == Setting::Kind::value) change.l_max = Setting::automatic();
+    if (adapt.floor.kind == Setting::Kind::value) change.floor = Setting::automatic();
+    if (change != command::Adapt{}) document_.execute_keeping_message(change);
+}
+
+void Editor::restoration_ended() {
+    figures_ = {};
+    pins_.clear();
+    frame_all(kFitDirection);
+}
+
+command::Screenshot Editor::picture_command(const std::string& path) const {
+    return {
+        .path = path,
+        .size = glm::clamp(size_, 16, 8192),
+        .camera = camera(),
+        .show = {
+            .wireframe = display.wireframe, .lattice = display.lattice, .levels = display.levels}};
 }
 
 // --- Radius.
@@ -136,7 +193,7 @@ void Editor::perform(Action action) {
             set_radius(workspace_.radius() * kRadiusStep);
             break;
         default:
-            perform_on_file(action);
+            document_.perform(action);
             perform_on_view(action);
     }
 }
@@ -176,23 +233,6 @@ void Editor::perform_on_view(Action action) {
             break;
         default:
             break;
-    }
-}
-
-bool Editor::execute(const Command& command) {
-    return !is_busy() && finish_command(command, workspace_.execute(command));
-}
-
-void Editor::new_shape(command::Shape::Kind kind, int resolution) {
-    ask_or_do({command::Shape{kind, resolution}});
-}
-
-void Editor::quit() {
-    if (is_working()) {
-        cancel_work();
-        quits_next_ = true;
-    } else {
-        ask_or_do({Question::Quit{}});
     }
 }
 

@@ -6,15 +6,13 @@
 #include <optional>
 #include <string>
 #include <utility>
-#include <variant>
 #include <vector>
 
 #include "app/cage_points.h"
-#include "app/file_browser.h"
+#include "app/document_controller.h"
 #include "app/input_event.h"
 #include "app/navigation.h"
 #include "app/pins.h"
-#include "app/restoration.h"
 #include "app/sculptor.h"
 #include "app/shortcuts.h"
 #include "app/view.h"
@@ -53,11 +51,14 @@ struct UiClaims {
     bool mouse = false, keyboard = false;
 };
 
-class Editor {
+class Editor : private DocumentController::Delegate {
   public:
     // max_blocking_time: as for Workspace.
     explicit Editor(std::optional<Recorder> recorder = {},
                     std::chrono::milliseconds max_blocking_time = kMaxBlockingTime);
+    virtual ~Editor() = default;
+    Editor(const Editor&) = delete;  // its parts refer to each other
+    Editor& operator=(const Editor&) = delete;
 
     // --- Input.
     void handle(const InputEvent& input, const UiClaims& claims = {});
@@ -75,14 +76,11 @@ class Editor {
     // --- Actions of menus, panels and keys. They do nothing during a drag, and during work in the
     // background.
     void perform(Action action);
-    bool execute(const Command& command);  // returns whether the command is already done
+    // As DocumentController::execute().
+    bool execute(const Command& command) { return document_.execute(command); }
     // Opens the window's first object: the model, or a sphere if `model` is empty or cannot be
     // opened.
     void begin(const std::string& model);
-    // These three ask first if changes would be lost.
-    void open(const std::string& path);
-    void new_shape(command::Shape::Kind kind, int resolution);
-    void quit();  // also cancels the work on a file
     // Sets the brush's radius, clamped to the range from min_radius() to max_radius(). The range
     // follows from the object's size.
     void set_radius(double radius);
@@ -92,6 +90,12 @@ class Editor {
     void choose_mirror(const MirrorChoice& choice);  // also changes the plane of active symmetry
     // Sets a cage that is fitted to this box. counts: control points per axis.
     void set_cage(const Box& box, const IVec3& counts);
+
+    // --- Files, dialogs about them, work in the background, and quitting.
+    DocumentController& document() { return document_; }
+    const DocumentController& document() const { return document_; }
+    bool has_dialog() const { return document_.has_dialog(); }
+    bool is_working() const { return document_.is_working(); }
 
     // --- State to display.
     Workspace& workspace() { return workspace_; }
@@ -111,58 +115,12 @@ class Editor {
     FrameFigures figures() const;
     const IVec2& size() const { return size_; }
     bool shows_hint() const { return shows_hint_; }
-    bool wants_to_end() const { return wants_to_end_; }
 
     Display display{};
     DragOptions drag_options{.connected = true, .fold_free = true};
     bool sets_pins = false;  // whether a click on the surface sets or removes a pin
 
-    // --- Dialogs. A dialog that is open takes all input.
-    bool has_dialog() const { return browser || question || offered_session() || is_working(); }
-
-    // Work on a file, an edit that takes long, or a restoration. A dialog shows its progress. Only
-    // settings of the session may be used meanwhile.
-    bool is_working() const { return restoration_ || workspace_.is_working(); }
-    const Restoration* restoration() const { return restoration_ ? &*restoration_ : nullptr; }
-    void cancel_work();  // the work ends soon afterwards; does nothing without any
-
-    // The file browser.
-    std::optional<FileBrowser> browser{};
-    // Uses the file that is named in the browser and closes the browser. If this would replace
-    // another file, the first call only sets file_to_replace(). Does nothing without a name.
-    void accept_file();
-    void close_browser();
-    const std::string& file_to_replace() const { return file_to_replace_; }
-    void keep_file() { file_to_replace_.clear(); }
-    // Whether Enter was pressed in the open dialog since the last call.
-    bool take_enter() { return std::exchange(enter_pressed_, false); }
-
-    // The question whether to save the changes that an action would discard.
-    struct Question {
-        struct Quit {};
-        std::variant<Quit, command::Open, command::Shape> then;
-    };
-    std::optional<Question> question{};
-    enum class Answer { save, discard, cancel };
-    void answer(Answer answer);
-
-    // Sessions that may be restored.
-    // Offers these, one after the other.
-    void offer(std::vector<LostSession> sessions) { lost_sessions_ = std::move(sessions); }
-    // The session that is being offered; null if there is none, and during work.
-    const LostSession* offered_session() const {
-        return lost_sessions_.empty() || workspace_.is_working() ? nullptr
-                                                                 : &lost_sessions_.front();
-    }
-    // restore: begins to restore the session, which advance() continues.
-    // later: this session and the remaining ones are offered again at the next start.
-    enum class RecoveryAnswer { restore, discard, later };
-    void answer_recovery(RecoveryAnswer answer);
-
   private:
-    // The object of a new window.
-    static constexpr command::Shape kFirstObject{command::Shape::Kind::sphere, 4};
-
     // --- Input (editor_input.cpp).
     void on(const event::Press& press, const UiClaims& claims);
     void on(const event::Release& release, const UiClaims& claims);
@@ -178,7 +136,6 @@ class Editor {
     void on(const event::Close& close, const UiClaims& claims);
     void escape(bool is_claimed);
     bool escape_gesture();
-    bool escape_dialog();
     void escape_state();
 
     // --- Drags and pins (editor_drag.cpp).
@@ -202,31 +159,20 @@ class Editor {
     void rotate_or_scale(double notches);
     void toggle_pin();
 
-    // --- Files (editor_files.cpp).
-    bool finish_command(const Command& command, Workspace::Outcome outcome);
-    void update_after(const Command& command);
+    // --- For the document controller (editor.cpp).
+    bool has_gesture() const override { return has_drag() || radius_drag_; }
+    void command_done(const Command& command) override;
+    void restoration_ended() override;
+    command::Screenshot picture_command(const std::string& path) const override;
     void reset_for_new_object();
     void reset_sizes();
-    void execute_keeping_message(const Command& command);
-    void perform_on_file(Action action);
-    std::string path_to_propose() const;
-    void begin_save(std::optional<Question> next);
-    void save(const std::string& path, std::optional<Question> next);
-    void use_chosen_file(FileBrowser::Purpose purpose, const std::string& path);
-    void save_picture(const std::string& path);
-    void ask_or_do(Question asked);
-    void do_without_asking(const Question& asked);
-
-    // --- Restoring (editor_recovery.cpp).
-    void continue_restoring();
-    std::string end_restoring(const Restoration& ended, Restoration::State state);
 
     // --- Everything else (editor.cpp).
     View view() const { return {camera(), size_}; }
     // Whether a drag follows the mouse, or its end is being worked on.
     bool has_drag() const { return sculptor_.is_dragging() || cage_points_.is_active(); }
-    bool is_busy() const { return has_drag() || radius_drag_ || is_working(); }
-    void poll_work();
+    bool is_busy() const { return has_gesture() || is_working(); }
+    void advance_work();
     void update_hover();
     void begin_radius_drag();
     void end_radius_drag(bool keeps);
@@ -241,6 +187,7 @@ class Editor {
     };
 
     Workspace workspace_;
+    DocumentController document_{workspace_, *this};
     Navigation navigation_;
     Sculptor sculptor_;
     CagePoints cage_points_;
@@ -256,15 +203,7 @@ class Editor {
     std::optional<Pick> hover_;
     std::optional<RadiusDrag> radius_drag_;
     FrameFigures figures_;
-    std::optional<Question> after_save_;  // to be done once a file to save to has been chosen
-    std::optional<Question> next_;        // to be done once the present save is done
-    bool quits_next_ = false;             // to quit once the work on a file has ended
-    std::string file_to_replace_;
-    std::vector<LostSession> lost_sessions_;
-    std::optional<Restoration> restoration_;
-    bool enter_pressed_ = false;
     bool shows_hint_ = true;
-    bool wants_to_end_ = false;
 };
 
 }  // namespace pectin

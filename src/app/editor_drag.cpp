@@ -188,7 +188,7 @@ void Editor::finish_drag(Workspace::Outcome outcome) {
     if (outcome == Workspace::Outcome::in_progress) return;
     abandon_drag();
     if (outcome == Workspace::Outcome::done && workspace_.has_moved()) report_drag();
-    if (std::exchange(quits_next_, false)) quit();
+    document_.continue_quitting();
 }
 
 void Editor::report_drag() {

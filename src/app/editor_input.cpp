@@ -75,11 +75,9 @@ void Editor::on(const event::Scroll& scroll, const UiClaims& claims) {
 void Editor::on(const event::KeyDown& key, const UiClaims& claims) {
     modifiers_ = key.modifiers;
     if (key.key == Key::escape) return escape(claims.keyboard);
-    if (key.key == Key::enter && !key.is_repeat) {
-        enter_pressed_ = browser || question || offered_session();
-    }
+    if (key.key == Key::enter && !key.is_repeat) document_.press_enter();
     const auto action = action_for(key.key, key.modifiers);
-    if (is_working() && action == Action::quit) return quit();
+    if (is_working() && action == Action::quit) return document_.quit();
     if (claims.keyboard) return;
     if (is_letter(key.key, 'F') && key.modifiers == Modifiers{}) {
         if (!key.is_repeat) begin_radius_drag();
@@ -100,7 +98,7 @@ void Editor::on(const event::Character& character, const UiClaims& claims) {
 
 // Escape ends one thing at a time.
 void Editor::escape(bool is_claimed) {
-    if (!escape_gesture() && !escape_dialog() && !is_claimed) escape_state();
+    if (!escape_gesture() && !document_.escape() && !is_claimed) escape_state();
 }
 
 // Returns whether there was a gesture to cancel.
@@ -110,24 +108,6 @@ bool Editor::escape_gesture() {
         cancel_drag();
     } else if (radius_drag_) {
         end_radius_drag(false);
-    } else {
-        return false;
-    }
-    return true;
-}
-
-// Returns whether there was a dialog to close.
-bool Editor::escape_dialog() {
-    if (is_working()) {
-        cancel_work();
-    } else if (!file_to_replace_.empty()) {
-        keep_file();
-    } else if (offered_session()) {
-        answer_recovery(RecoveryAnswer::later);
-    } else if (question) {
-        answer(Answer::cancel);
-    } else if (browser) {
-        close_browser();
     } else {
         return false;
     }
@@ -147,7 +127,7 @@ void Editor::escape_state() {
 // --- Window.
 
 void Editor::on(const event::Drop& drop, const UiClaims&) {
-    if (!drop.paths.empty()) open(drop.paths.front());
+    if (!drop.paths.empty()) document_.open(drop.paths.front());
 }
 
 void Editor::on(const event::Resize& resize, const UiClaims&) {
@@ -156,6 +136,6 @@ void Editor::on(const event::Resize& resize, const UiClaims&) {
 
 void Editor::on(const event::Focus&, const UiClaims&) {}
 
-void Editor::on(const event::Close&, const UiClaims&) { quit(); }
+void Editor::on(const event::Close&, const UiClaims&) { document_.quit(); }
 
 }  // namespace pectin

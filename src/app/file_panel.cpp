@@ -76,16 +76,16 @@ bool draw_entries(FileBrowser& browser) {
     return chosen;
 }
 
-void draw_replace_question(Editor& editor, float scale) {
-    const bool is_wanted = !editor.file_to_replace().empty();
+void draw_replace_question(DocumentController& document, float scale) {
+    const bool is_wanted = !document.file_to_replace().empty();
     if (!begin_dialog(is_wanted, "Replace the file?", 420.0f * scale, 0.0f)) return;
-    ImGui::TextWrapped("%s already exists.", editor.file_to_replace().c_str());
+    ImGui::TextWrapped("%s already exists.", document.file_to_replace().c_str());
     ImGui::Spacing();
     const ImVec2 size(110.0f * scale, 0.0f);
     const bool replaces = ImGui::Button("Replace", size);
     ImGui::SameLine();
-    if (ImGui::Button("Keep it", size)) editor.keep_file();
-    if (replaces || editor.take_enter()) editor.accept_file();
+    if (ImGui::Button("Keep it", size)) document.keep_file();
+    if (replaces || document.take_enter()) document.accept_file();
     ImGui::EndPopup();
 }
 
@@ -112,21 +112,22 @@ bool begin_dialog(bool is_wanted, const char* title, float width, float height) 
     return ImGui::BeginPopupModal(title, nullptr, kDialog);
 }
 
-void draw_file_panel(Editor& editor, float scale) {
+void draw_file_panel(DocumentController& document, float scale) {
     // The part after ### identifies the dialog, which stays the same when its title changes.
     const std::string title =
-        (editor.browser ? editor.browser->title() : std::string()) + "###files";
-    if (!begin_dialog(editor.browser.has_value(), title.c_str(), 640.0f * scale, 520.0f * scale)) {
+        (document.browser() ? document.browser()->title() : std::string()) + "###files";
+    if (!begin_dialog(document.browser() != nullptr, title.c_str(), 640.0f * scale,
+                      520.0f * scale)) {
         return;
     }
-    FileBrowser& browser = *editor.browser;
+    FileBrowser& browser = *document.browser();
     draw_breadcrumbs(browser);
     if (!browser.error().empty()) ImGui::TextWrapped("%s", browser.error().c_str());
     const float below = 2.0f * ImGui::GetFrameHeightWithSpacing() + ImGui::GetStyle().ItemSpacing.y;
     ImGui::BeginChild("entries", ImVec2(0.0f, -below), true);
     bool accepts = draw_entries(browser);
     ImGui::EndChild();
-    const bool has_enter = editor.file_to_replace().empty() && editor.take_enter();
+    const bool has_enter = document.file_to_replace().empty() && document.take_enter();
     // Each folder has its own field, since a field that has the focus ignores changes of its text.
     ImGui::PushID(browser.folder().c_str());
     if (std::exchange(browser.wants_focus, false)) ImGui::SetKeyboardFocusHere();
@@ -140,11 +141,11 @@ void draw_file_panel(Editor& editor, float scale) {
     const bool cancels = ImGui::Button("Cancel", size);
     ImGui::SameLine();
     accepts |= ImGui::Button(browser.accept_label(), size) || has_enter;
-    draw_replace_question(editor, scale);
+    draw_replace_question(document, scale);
     ImGui::EndPopup();
     // These may close the browser.
-    if (editor.browser && accepts) editor.accept_file();
-    if (editor.browser && cancels) editor.close_browser();
+    if (document.browser() && accepts) document.accept_file();
+    if (document.browser() && cancels) document.close_browser();
 }
 
 }  // namespace pectin

@@ -1,13 +1,13 @@
 // The dialog of the file browser.
 #pragma once
 
-#include "app/editor.h"
+#include "app/document_controller.h"
 
 namespace pectin {
 
-// Draws the browser while the editor has one open, and the question whether to replace a file.
+// Draws the browser while it is open, and the question whether to replace a file.
 // scale: of the screen.
-void draw_file_panel(Editor& editor, float scale);
+void draw_file_panel(DocumentController& document, float scale);
 
 // Begins a modal dialog in the middle of the window, opening it first if need be. If it is not
 // wanted, closes it. To be called in every frame. If it returns true, ImGui::EndPopup() must

@@ -52,8 +52,10 @@ FileWork open_work(const command::Open& open, bool with_fingerprint) {
 
 FileWork reopen_work(const command::Open& open, const ModelCopy& copy) {
     return [open, copy](const Progress& progress) {
+        // The model may be read from the copy because its file was replaced since then.
         return FileResult{.model = prepared(load_original(open, copy, progress)),
-                          .fingerprint = copy.fingerprint};
+                          .fingerprint = copy.fingerprint,
+                          .is_in_file = false};
     };
 }
 
@@ -64,7 +66,7 @@ FileWork save_work(const command::Save& save, std::vector<ModelCopy> copies,
         const double copy_time = copies.empty() ? 0.0 : 0.2;  // fraction of the whole time
         FileResult result;
         result.warning = make_copies(copies, progress.part(0.0, copy_time));
-        result.report = save_model(mesh, save, progress.part(copy_time, 1.0), folders).text;
+        result.report = save_model(mesh, save, progress.part(copy_time, 1.0), folders);
         return result;
     };
 }

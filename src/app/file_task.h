@@ -16,8 +16,10 @@ namespace pectin {
 struct FileResult {
     std::optional<LoadedModel> model{};  // the model that was read
     std::string fingerprint{};           // of the model's file; empty if it was not asked for
-    std::string report{};                // about the file that was written
-    std::string warning{};               // that the session cannot be restored after a crash
+    // Whether the model's file has the contents that were read.
+    bool is_in_file = true;
+    SaveReport report{};    // about the file that was written
+    std::string warning{};  // that the session cannot be restored after a crash
 };
 
 using FileWork = std::function<FileResult(const Progress&)>;

@@ -6,7 +6,10 @@
 
 namespace pectin {
 
-void Messages::set(const std::string& message) { command_message_ = printable(message); }
+void Messages::set(const std::string& message, Kind kind) {
+    command_message_ = printable(message);
+    command_kind_ = kind;
+}
 
 void Messages::add_notice(const std::string& message) {
     notices_ += (notices_.empty() ? "" : "\n") + printable(message);
@@ -15,6 +18,10 @@ void Messages::add_notice(const std::string& message) {
 std::string Messages::text() const {
     const bool are_both = !notices_.empty() && !command_message_.empty();
     return notices_ + (are_both ? "\n" : "") + command_message_;
+}
+
+bool Messages::is_confirmation() const {
+    return notices_.empty() && !command_message_.empty() && command_kind_ == Kind::confirmation;
 }
 
 void Messages::dismiss() {

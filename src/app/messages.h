@@ -7,21 +7,26 @@ namespace pectin {
 
 class Messages {
   public:
+    // A warning says that something went wrong, or otherwise than expected.
+    enum class Kind { warning, confirmation };
     // Replaces the message about the last command. It is shown until the next command is done or
     // the next drag begins.
-    void set(const std::string& message);
+    void set(const std::string& message, Kind kind = Kind::warning);
     const std::string& command_message() const { return command_message_; }
     void clear_command_message() { command_message_.clear(); }
 
-    // Adds a message that is shown until dismiss().
+    // Adds a warning that is shown until dismiss().
     void add_notice(const std::string& message);
 
     // All messages, one per line.
     std::string text() const;
+    // Whether the text is a confirmation and contains no warning.
+    bool is_confirmation() const;
     void dismiss();
 
   private:
     std::string command_message_, notices_;
+    Kind command_kind_ = Kind::warning;
 };
 
 // Makes a sentence of a remark that begins with a small letter and has no full stop.

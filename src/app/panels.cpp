@@ -28,6 +28,7 @@ constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, Histo
                                                  3'000'000'000, 10'000'000'000};
 
 const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
+const ImVec4 kWarningBorder(0.86f, 0.62f, 0.34f, 0.8f);
 
 constexpr std::array kHint{
     "Drag a point of the surface. Its surroundings follow.",
@@ -48,11 +49,11 @@ void toggle(Editor& editor, const char* label, Action action, bool is_on) {
 void draw_new_menu(Editor& editor) {
     using Kind = command::Shape::Kind;
     if (!ImGui::BeginMenu("New")) return;
-    if (ImGui::MenuItem("Sphere")) editor.new_shape(Kind::sphere, 4);
-    if (ImGui::MenuItem("Cube")) editor.new_shape(Kind::cube, 16);
-    if (ImGui::MenuItem("Plane")) editor.new_shape(Kind::plane, 32);
-    if (ImGui::MenuItem("Torus")) editor.new_shape(Kind::torus, 16);
-    if (ImGui::MenuItem("Cylinder")) editor.new_shape(Kind::cylinder, 12);
+    if (ImGui::MenuItem("Sphere")) editor.document().new_shape(Kind::sphere, 4);
+    if (ImGui::MenuItem("Cube")) editor.document().new_shape(Kind::cube, 16);
+    if (ImGui::MenuItem("Plane")) editor.document().new_shape(Kind::plane, 32);
+    if (ImGui::MenuItem("Torus")) editor.document().new_shape(Kind::torus, 16);
+    if (ImGui::MenuItem("Cylinder")) editor.document().new_shape(Kind::cylinder, 12);
     ImGui::EndMenu();
 }
 
@@ -113,8 +114,8 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     draw_settings(editor);
     draw_message(editor);
     draw_question(editor);
-    draw_recovery_question(editor);
-    draw_file_panel(editor, scale_);
+    draw_recovery_question(editor.document());
+    draw_file_panel(editor.document(), scale_);
     draw_progress_panel(editor, scale_);
     // A dialog that was closed in this frame claims no input, though Dear ImGui still counts it.
     has_popup_ = editor.has_dialog() ||
@@ -339,7 +340,9 @@ void Panels::draw_message(Editor& editor) {
     const float text = std::min(longest, ImGui::CalcTextSize(message.c_str()).x + scaled(2.0f));
     ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, menu_height_ + scaled(kMargin)),
                             ImGuiCond_Always, ImVec2(0.5f, 0.0f));
-    ImGui::PushStyleColor(ImGuiCol_Border, ImVec4(0.86f, 0.62f, 0.34f, 0.8f));
+    ImGui::PushStyleColor(ImGuiCol_Border, editor.workspace().message_is_confirmation()
+                                               ? ImGui::GetStyleColorVec4(ImGuiCol_Border)
+                                               : kWarningBorder);
     ImGui::Begin("message", nullptr, kBare | ImGuiWindowFlags_AlwaysAutoResize);
     claim_window();
     const float left = ImGui::GetCursorPosX();
@@ -366,24 +369,26 @@ void Panels::draw_hint(const Editor& editor) {
 }
 
 void Panels::draw_question(Editor& editor) {
-    if (!begin_dialog(editor.question.has_value(), "Save the changes?", scaled(440.0f), 0.0f)) {
-        return;
-    }
+    using Answer = DocumentController::Answer;
+    DocumentController& document = editor.document();
+    const bool is_wanted = document.question() != nullptr;
+    if (!begin_dialog(is_wanted, "Save the changes?", scaled(440.0f), 0.0f)) return;
     ImGui::TextWrapped("%s has unsaved changes.", editor.workspace().object_name().c_str());
     ImGui::Spacing();
     const ImVec2 size(scaled(120.0f), 0.0f);
-    std::optional<Editor::Answer> answer;
-    if (ImGui::Button("Save", size) || editor.take_enter()) answer = Editor::Answer::save;
+    std::optional<Answer> answer;
+    if (ImGui::Button("Save", size) || document.take_enter()) answer = Answer::save;
     ImGui::SameLine();
-    if (ImGui::Button("Don't save", size)) answer = Editor::Answer::discard;
+    if (ImGui::Button("Don't save", size)) answer = Answer::discard;
     ImGui::SameLine();
-    if (ImGui::Button("Cancel", size)) answer = Editor::Answer::cancel;
+    if (ImGui::Button("Cancel", size)) answer = Answer::cancel;
     ImGui::EndPopup();
-    if (answer) editor.answer(*answer);
+    if (answer) document.answer(*answer);
 }
 
-void Panels::draw_recovery_question(Editor& editor) {
-    const LostSession* const session = editor.offered_session();
+void Panels::draw_recovery_question(DocumentController& document) {
+    using Answer = DocumentController::RecoveryAnswer;
+    const LostSession* const session = document.offered_session();
     if (!begin_dialog(session != nullptr, "Restore the last session?", scaled(460.0f), 0.0f)) {
         return;
     }
@@ -391,16 +396,14 @@ void Panels::draw_recovery_question(Editor& editor) {
                        session->object.c_str());
     ImGui::Spacing();
     const ImVec2 size(scaled(120.0f), 0.0f);
-    std::optional<Editor::RecoveryAnswer> answer;
-    if (ImGui::Button("Restore", size) || editor.take_enter()) {
-        answer = Editor::RecoveryAnswer::restore;
-    }
+    std::optional<Answer> answer;
+    if (ImGui::Button("Restore", size) || document.take_enter()) answer = Answer::restore;
     ImGui::SameLine();
-    if (ImGui::Button("Discard", size)) answer = Editor::RecoveryAnswer::discard;
+    if (ImGui::Button("Discard", size)) answer = Answer::discard;
     ImGui::SameLine();
-    if (ImGui::Button("Later", size)) answer = Editor::RecoveryAnswer::later;
+    if (ImGui::Button("Later", size)) answer = Answer::later;
     ImGui::EndPopup();
-    if (answer) editor.answer_recovery(*answer);
+    if (answer) document.answer_recovery(*answer);
 }
 
 }  // namespace pectin

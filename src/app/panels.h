@@ -51,7 +51,7 @@ class Panels {
     void draw_message(Editor& editor);
     void draw_hint(const Editor& editor);
     void draw_question(Editor& editor);
-    void draw_recovery_question(Editor& editor);
+    void draw_recovery_question(DocumentController& document);
     float scaled(float pixels) const { return pixels * scale_; }
 
     float scale_;

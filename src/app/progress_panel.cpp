@@ -88,7 +88,8 @@ Work describe(const EditTask& edit) {
 
 // Nothing while there is no work, or it has only begun.
 std::optional<Work> present_work(const Editor& editor) {
-    if (const Restoration* restoration = editor.restoration()) return describe(*restoration);
+    if (const Restoration* restoration = editor.document().restoration())
+        return describe(*restoration);
     if (const FileTask* task = editor.workspace().file_task()) return describe(*task);
     const EditTask* const edit = editor.workspace().edit_task();
     if (edit && edit->duration() >= kHiddenTime) return describe(*edit);
@@ -108,7 +109,8 @@ void draw_progress_panel(Editor& editor, float scale) {
     const ImVec2 size(120.0f * scale, 0.0f);
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - size.x);
     ImGui::BeginDisabled(work->is_cancelled);
-    if (ImGui::Button(work->is_cancelled ? "Cancelling…" : "Cancel", size)) editor.cancel_work();
+    if (ImGui::Button(work->is_cancelled ? "Cancelling…" : "Cancel", size))
+        editor.document().cancel_work();
     ImGui::EndDisabled();
     ImGui::EndPopup();
 }

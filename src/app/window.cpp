@@ -72,11 +72,11 @@ class Window {
         set_exit_message(termination);
         report_record_path(options.record);
         editor_.begin(options.model);
-        editor_.offer(std::move(lost_sessions));
+        editor_.document().offer(std::move(lost_sessions));
     }
 
     void run() {
-        while (!editor_.wants_to_end()) {
+        while (!editor_.document().wants_to_end()) {
             attempt([this] { take_input(); });
             *is_kept_ = editor_.workspace().has_recovery();
             if (frames_to_draw_ == 0) continue;
@@ -142,7 +142,7 @@ class Window {
     // Returns the seconds for which take_input() may wait. Restoring runs between the frames, while
     // work on files runs in the background.
     double input_wait() const {
-        if (editor_.restoration() || editor_.has_unfinished_frame()) return 0.0;
+        if (editor_.document().restoration() || editor_.has_unfinished_frame()) return 0.0;
         if (editor_.is_working()) return kProgressWait;
         return frames_to_draw_ == 0 ? kLongestWait : 0.0;
     }
@@ -153,7 +153,7 @@ class Window {
         const std::span<const InputEvent> events = host_.take_events(input_wait());
         if (!events.empty() || shows_progress) frames_to_draw_ = kSettlingFrames;
         for (const InputEvent& event : events) {
-            if (editor_.wants_to_end()) return;
+            if (editor_.document().wants_to_end()) return;
             // If there is no memory for one event, the events after it are still handled.
             attempt([&] { interface_.handle(editor_, event); });
         }

@@ -89,6 +89,9 @@ Workspace::Outcome Workspace::run(const Command& command, MakeWork make_work) {
     finish(command);
     tell_if_possible([&] {
         if (!session_.remark().empty()) set_message(sentence(session_.remark()));
+        if (const auto* picture = std::get_if<command::Screenshot>(&command)) {
+            confirm_save(picture->path);
+        }
     });
     return Outcome::done;
 }
@@ -128,8 +131,10 @@ Workspace::Outcome Workspace::poll_file(std::chrono::milliseconds longest_wait) 
     });
     if (!done) return is_cancelled ? Outcome::failed : fail(done.refusal().reason);
     finish(task->command, result.fingerprint);
+    if (!result.is_in_file) set_saved_state(std::nullopt);
     tell_if_possible([&] {
-        if (!result.report.empty()) set_message(result.report);
+        const auto* save = std::get_if<command::Save>(&task->command);
+        if (save) confirm_save(save->path, result.report);
         if (!result.warning.empty()) add_notice(sentence(result.warning));
     });
     return Outcome::done;
@@ -149,6 +154,7 @@ Workspace::Outcome Workspace::poll_edit(std::chrono::milliseconds longest_wait) 
         }
         return result.done;
     });
+    update_modified();
     has_moved_ = result.drag.has_value();
     if (!done) return fail(done.refusal().reason);
     if (is_stopped) return Outcome::failed;
@@ -157,13 +163,21 @@ Workspace::Outcome Workspace::poll_edit(std::chrono::milliseconds longest_wait) 
 }
 
 void Workspace::finish_edit(const EditTask& task, const EditResult& result) {
-    if (session_.history().step_number() != task.step_before()) is_modified_ = true;
     if (result.drag) record(*result.drag);
     if (!task.command()) return;
     finish(*task.command());
     tell_if_possible([&] {
         if (!session_.remark().empty()) set_message(sentence(session_.remark()));
     });
+}
+
+// report: on the material files of a model.
+void Workspace::confirm_save(const std::string& path, const SaveReport& report) {
+    const std::string what = report.text.empty()
+                                 ? std::filesystem::path(path).filename().string()
+                                 : report.text;  // which begins with the name of the file
+    messages_.set("Saved " + what + ".",
+                  report.has_failed ? Messages::Kind::warning : Messages::Kind::confirmation);
 }
 
 Workspace::Outcome Workspace::fail(const std::string& error) {
@@ -193,12 +207,17 @@ void Workspace::reset_session() {
     session_.set_frame_time(frame_time_);
     path_.clear();
     shape_name_ = "untitled";
-    is_modified_ = false;
+    set_saved_state(session_.history().state_id());
 }
 
 void Workspace::skip_save(const command::Save& save) {
     update_file_state(save);
     log_.record_for_recovery(save, {}, messages_);
+}
+
+void Workspace::clear_path() {
+    path_.clear();
+    set_saved_state(std::nullopt);
 }
 
 void Workspace::set_viewport(Viewport* viewport) {
@@ -239,8 +258,16 @@ void Workspace::begin_object(std::string path) {
     path_ = std::move(path);
     box_ = session_.mesh().bounding_box();
     diagonal_ = box_.diagonal();
-    is_modified_ = false;
+    set_saved_state(session_.history().state_id());
 }
+
+void Workspace::set_saved_state(std::optional<std::uint64_t> state) {
+    saved_state_ = state;
+    update_modified();
+}
+
+// Precondition: no edit is in progress.
+void Workspace::update_modified() { is_modified_ = session_.history().state_id() != saved_state_; }
 
 void Workspace::update_file_state(const Command& command) {
     if (const auto* open = std::get_if<command::Open>(&command)) {
@@ -251,7 +278,7 @@ void Workspace::update_file_state(const Command& command) {
     } else if (const auto* save = std::get_if<command::Save>(&command)) {
         session_.record_saved(save->path);
         path_ = save->path;
-        is_modified_ = false;
+        set_saved_state(session_.history().state_id());
     }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <chrono>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <string>
@@ -72,8 +73,8 @@ class Workspace {
                    const std::string& fingerprint);
     // Takes note that the lost session saved its object here. The file is not written.
     void skip_save(const command::Save& save);
-    // Forgets the object's file, so that the next save asks for one.
-    void clear_path() { path_.clear(); }
+    // Forgets the object's file, so that the next save asks for one. The object counts as modified.
+    void clear_path();
 
     // --- Work in the background: a file that is being read or written, or an edit.
     // Null if there is none.
@@ -103,6 +104,7 @@ class Workspace {
     void clear_command_message() { messages_.clear_command_message(); }
     void add_notice(const std::string& message) { messages_.add_notice(message); }
     std::string message() const { return messages_.text(); }
+    bool message_is_confirmation() const { return messages_.is_confirmation(); }
     void dismiss() { messages_.dismiss(); }
 
     // --- The object.
@@ -112,7 +114,8 @@ class Workspace {
     const std::string& path() const { return path_; }
     // Its name for titles.
     std::string object_name() const;
-    // Whether it has unsaved changes.
+    // Whether it is in another state than when it was last opened or saved, or made as a shape.
+    // Undo and redo can return to that state. During an edit this is the answer before it.
     bool is_modified() const { return is_modified_; }
     // The bounding box, and its diagonal, of the object as it was opened.
     const Box& box() const { return box_; }
@@ -128,12 +131,15 @@ class Workspace {
     Outcome poll_file(std::chrono::milliseconds longest_wait);
     Outcome poll_edit(std::chrono::milliseconds longest_wait);
     void finish_edit(const EditTask& task, const EditResult& result);
+    void confirm_save(const std::string& path, const SaveReport& report = {});
     ObjectFigures figures_now() const;
     FileWork file_work(const Command& command) const;
     Outcome fail(const std::string& error);
     void finish(const Command& command, const std::string& fingerprint = {});
     void begin_object(std::string path);
     void update_file_state(const Command& command);
+    void set_saved_state(std::optional<std::uint64_t> state);
+    void update_modified();
     void record(const Command& command, const std::string& fingerprint = {}) {
         log_.record(command, fingerprint, messages_);
     }
@@ -151,7 +157,10 @@ class Workspace {
     std::string shape_name_ = "untitled";
     Box box_;
     double diagonal_ = 1.0;
-    bool is_modified_ = false;
+    // History::state_id() of the state that was last opened, saved or made as a shape. Nothing if
+    // the object may differ from its file in every state.
+    std::optional<std::uint64_t> saved_state_ = session_.history().state_id();
+    bool is_modified_ = false;  // kept, since an edit in the background uses the history
     // Last, so that they end before the mesh that they use.
     std::unique_ptr<FileTask> file_task_;
     std::unique_ptr<EditTask> edit_task_;

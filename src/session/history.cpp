@@ -33,6 +33,7 @@ void History::add(Step&& step) {
     steps_.emplace_back();
     std::swap(steps_[done_], steps_.back());  // the steps that could be redone are dropped below
     steps_[done_].step = std::move(step);
+    steps_[done_].state_id = ++last_state_;
     ++done_;
     while (redo_count() > 0) drop_last();
     measure(steps_.back());
@@ -45,6 +46,7 @@ void History::clear() noexcept {
     lost_undos_ = 0;
     dropped_ = 0;
     first_outcome_ = {};
+    first_state_ = ++last_state_;
     bytes_ = 0;
 }
 
@@ -66,6 +68,7 @@ void History::drop_oldest() {
     Entry& oldest = steps_.front();
     bytes_ -= oldest.bytes;
     first_outcome_ = oldest.step.outcome;
+    first_state_ = oldest.state_id;
     steps_.pop_front();
     --done_;
     ++lost_undos_;

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <deque>
 #include <memory>
 #include <optional>
@@ -58,6 +59,10 @@ class History {
     std::size_t take_dropped_count() { return std::exchange(dropped_, 0); }
     // The number of the step that led to the present mesh. Dropped steps count, too.
     std::size_t step_number() const { return lost_undos_ + done_; }
+    // A number that identifies the present state of the object. Undo and redo go back and forth
+    // between such states. Each step that is added, and clear(), lead to a state with a new number,
+    // which no state has had before.
+    std::uint64_t state_id() const { return done_ > 0 ? steps_[done_ - 1].state_id : first_state_; }
 
     // Undoes or redoes `count` steps by calling apply(Step&) for each of them, the latest first or
     // the earliest first. Precondition: there are that many.
@@ -96,7 +101,8 @@ class History {
   private:
     struct Entry {
         Step step;
-        std::size_t bytes = 0;  // of the step when it was last measured
+        std::size_t bytes = 0;       // of the step when it was last measured
+        std::uint64_t state_id = 0;  // of the state after the step
     };
 
     template <typename Apply>
@@ -112,9 +118,11 @@ class History {
     std::deque<Entry> steps_;
     std::size_t done_ = 0;  // steps_[0, done_) are done, the others undone
     std::size_t lost_undos_ = 0;
-    std::size_t dropped_ = 0;     // by the limit, not yet reported
-    AdaptOutcome first_outcome_;  // of the mesh before the first step
-    std::size_t bytes_ = 0;       // of all steps
+    std::size_t dropped_ = 0;        // by the limit, not yet reported
+    AdaptOutcome first_outcome_;     // of the mesh before the first step
+    std::uint64_t first_state_ = 0;  // before the first step
+    std::uint64_t last_state_ = 0;   // the number that was given last
+    std::size_t bytes_ = 0;          // of all steps
     std::optional<std::size_t> limit_ = kDefaultLimit;
 };
 

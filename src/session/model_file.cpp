@@ -131,14 +131,14 @@ LoadedModel load_model(const command::Open& open, const Progress& progress) try 
 SaveReport save_model(const TriMesh& mesh, const command::Save& save, const Progress& progress,
                       std::span<const std::string> material_folders) {
     write_model(mesh, save.path, progress.part(0.0, kWritten));
+    const std::string name = printable(std::filesystem::path(save.path).filename().string());
     try {
         SaveReport report = copy_materials(mesh, material_folder(save.path), material_folders,
                                            progress.part(kWritten, 1.0));
         if (report.text.empty()) return report;
-        const std::string name = std::filesystem::path(save.path).filename().string();
-        return {printable(name) + ": " + report.text, report.has_failed};
+        return {name + ": " + report.text, report.has_failed};
     } catch (const Cancelled&) {
-        return {"saved, but not all of its material files were copied: cancelled"};
+        return {name + ": not all material files were copied: cancelled", true};
     }
 }
 

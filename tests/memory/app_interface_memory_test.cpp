@@ -38,16 +38,16 @@ TEST(InterfaceMemory, EventsAfterALackOfMemoryStillReachThePanels) {
         }
         interface.lay_out(editor, {});
         press(Key::escape);
-        ASSERT_FALSE(editor.question) << failures;
+        ASSERT_FALSE(editor.document().question()) << failures;
         editor.workspace().dismiss();
         press(Key{'S'}, {.shift = true, .control = true});
-        ASSERT_TRUE(editor.browser) << failures;
+        ASSERT_TRUE(editor.document().browser()) << failures;
         interface.handle(editor, event::KeyDown{Key{'X'}});
         interface.handle(editor, event::Character{'x'});
         interface.handle(editor, event::KeyUp{Key{'X'}});
-        ASSERT_EQ(editor.browser->name, "x") << failures;
+        ASSERT_EQ(editor.document().browser()->name, "x") << failures;
         press(Key::escape);
-        ASSERT_FALSE(editor.browser) << failures;
+        ASSERT_FALSE(editor.document().browser()) << failures;
         interface.lay_out(editor, {});
     }
     EXPECT_GT(failures, 3u);

@@ -123,7 +123,7 @@ bool release_until_memory_ends(std::size_t served, FailingNew::How how) {
     const Vec2 from{640, 400}, to{700, 300};
     Editor editor;
     editor.handle(event::Resize{{1280, 800}});
-    editor.new_shape(command::Shape::Kind::sphere, 3);
+    editor.document().new_shape(command::Shape::Kind::sphere, 3);
     const TriMesh before = editor.session().mesh();
     editor.handle(event::MouseMove{from, {}});
     editor.handle(event::Press{MouseButton::left, from, {}});

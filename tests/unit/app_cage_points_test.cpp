@@ -12,12 +12,12 @@ namespace {
 class CagePointsTest : public EditorTest {
   protected:
     // Shows a sphere in a cage of 3 control points per axis.
-    Editor caged(std::optional<Recorder> recorder = {}) const {
-        Editor made = editor(std::move(recorder));
-        made.execute(command::Cage{.fit = IVec3{3}});
-        made.display.lattice = true;
-        made.advance();
-        return made;
+    PreparedEditor caged(std::optional<Recorder> recorder = {}) const {
+        return prepared_editor(std::move(recorder), 3, [](Editor& made) {
+            made.execute(command::Cage{.fit = IVec3{3}});
+            made.display.lattice = true;
+            made.advance();
+        });
     }
     static Vec2 seen(const Editor& editor, const IVec3& index) {
         const Vec3 rest = editor.session().lattice_settings().cage->rest(index);
@@ -44,7 +44,7 @@ TEST(CageBox, FittingACageToItGivesTheSameCage) {
 }
 
 TEST_F(CagePointsTest, ControlPointsAreFoundOnlyWhileTheCageIsShown) {
-    Editor editor = caged();
+    auto editor = caged();
     move(editor, seen(editor, kCorner) + Vec2(3, -2));
     EXPECT_EQ(editor.cage_points().hovered(), kCorner);
     editor.display.lattice = false;
@@ -53,14 +53,14 @@ TEST_F(CagePointsTest, ControlPointsAreFoundOnlyWhileTheCageIsShown) {
 }
 
 TEST_F(CagePointsTest, PointsHiddenByTheObjectAreNotFound) {
-    Editor editor = caged();
+    auto editor = caged();
     move(editor, seen(editor, {2, 2, 2}));
     EXPECT_FALSE(editor.cage_points().hovered());
     EXPECT_TRUE(editor.hover()) << "the surface is";
 }
 
 TEST_F(CagePointsTest, InnerPointsOfALargeCageAreSelectedOnlyByABox) {
-    Editor editor = caged();
+    auto editor = caged();
     // The cage is wider than the object, so that its inner control points lie beside the object.
     editor.set_cage({.min = Vec3{-4.0}, .max = Vec3{4.0}}, IVec3{7});
     for (int i = 0; i < 3; ++i) editor.handle(event::Scroll{-8.0, kMiddle});
@@ -82,7 +82,7 @@ TEST_F(CagePointsTest, InnerPointsOfALargeCageAreSelectedOnlyByABox) {
 }
 
 TEST_F(CagePointsTest, ClicksSelectOnePointAndWithShiftSeveral) {
-    Editor editor = caged();
+    auto editor = caged();
     const auto& selected = editor.cage_points().selected();
     click(editor, seen(editor, kCorner));
     EXPECT_EQ(selected, std::vector{kCorner});
@@ -98,7 +98,7 @@ TEST_F(CagePointsTest, ClicksSelectOnePointAndWithShiftSeveral) {
 }
 
 TEST_F(CagePointsTest, ABoxSelectsAllPointsInsideIt) {
-    Editor editor = caged();
+    auto editor = caged();
     editor.handle(event::Scroll{-8.0, kMiddle});  // so that the whole cage is in the window
     const Vec2 at = seen(editor, kCorner);
     drag(editor, at - Vec2(5, 5), at + Vec2(5, 5), {.control = true});
@@ -113,7 +113,7 @@ TEST_F(CagePointsTest, ABoxSelectsAllPointsInsideIt) {
 }
 
 TEST_F(CagePointsTest, DraggedPointsFollowTheCursorAndTheRecordReplaysToTheSameMesh) {
-    Editor editor = caged(Recorder(path("record.jsonl")));
+    auto editor = caged(Recorder(path("record.jsonl")));
     click(editor, seen(editor, kCorner));
     click(editor, seen(editor, kOther), {.shift = true});
     const Vec2 from = seen(editor, kCorner);
@@ -133,7 +133,7 @@ TEST_F(CagePointsTest, DraggedPointsFollowTheCursorAndTheRecordReplaysToTheSameM
 }
 
 TEST_F(CagePointsTest, EscapeDuringADragRestoresTheObject) {
-    Editor editor = caged(), untouched = caged();
+    auto editor = caged(), untouched = caged();
     press(editor, seen(editor, kCorner));
     move(editor, seen(editor, kCorner) + Vec2(80, 80));
     EXPECT_FALSE(editor.session().mesh() == untouched.session().mesh());
@@ -143,7 +143,7 @@ TEST_F(CagePointsTest, EscapeDuringADragRestoresTheObject) {
 }
 
 TEST_F(CagePointsTest, WithSymmetryTheOtherSideMovesMirroredEvenIfSelected) {
-    Editor editor = caged(Recorder(path("record.jsonl")));
+    auto editor = caged(Recorder(path("record.jsonl")));
     editor.set_symmetry(true);
     const Vec2 from = seen(editor, kCorner);
     click(editor, seen(editor, kOther));
@@ -162,7 +162,7 @@ TEST_F(CagePointsTest, WithSymmetryTheOtherSideMovesMirroredEvenIfSelected) {
 }
 
 TEST_F(CagePointsTest, SymmetryWithAnAsymmetricCageIsRefusedWithAMessage) {
-    Editor editor = caged();
+    auto editor = caged();
     editor.set_symmetry(true);
     editor.set_cage({.min = Vec3{-1, -1, -1}, .max = Vec3{2, 1, 1}}, IVec3{3});
     editor.advance();
@@ -173,7 +173,7 @@ TEST_F(CagePointsTest, SymmetryWithAnAsymmetricCageIsRefusedWithAMessage) {
 }
 
 TEST_F(CagePointsTest, AnotherCageClearsTheSelection) {
-    Editor editor = caged();
+    auto editor = caged();
     click(editor, seen(editor, kCorner));
     editor.set_cage(cage_box(*editor.session().lattice_settings().cage), IVec3{2});
     editor.advance();
@@ -182,7 +182,7 @@ TEST_F(CagePointsTest, AnotherCageClearsTheSelection) {
 }
 
 TEST_F(CagePointsTest, ACageSetAsABoxHasTheSameMarginsAsAFittedOne) {
-    Editor editor = caged(Recorder(path("record.jsonl")));
+    auto editor = caged(Recorder(path("record.jsonl")));
     const Lattice fitted = *editor.session().lattice_settings().cage;
     editor.set_cage(cage_box(fitted), IVec3{3});
     const Lattice set = *editor.session().lattice_settings().cage;

@@ -17,14 +17,15 @@ class EditTaskTest : public EditorTest {
   protected:
     // An editor in which every edit continues in the background. What a drag refines by so small an
     // angle takes far longer than some frames.
-    Editor background_editor(double theta_max = 0.4, std::optional<Recorder> recorder = {}) const {
-        Editor made = editor(std::move(recorder), 5);
-        made.workspace().set_max_edit_time(0ms);
-        // Frames stop soon; only the end of the drag does everything.
-        made.workspace().set_frame_time(0ms);
-        made.execute(
-            command::Adapt{.theta_max = Setting::of(theta_max), .drag_budget = Setting::off()});
-        return made;
+    PreparedEditor background_editor(double theta_max = 0.4,
+                                     std::optional<Recorder> recorder = {}) const {
+        return prepared_editor(std::move(recorder), 5, [&](Editor& made) {
+            made.workspace().set_max_edit_time(0ms);
+            // Frames stop soon; only the end of the drag does everything.
+            made.workspace().set_frame_time(0ms);
+            made.execute(
+                command::Adapt{.theta_max = Setting::of(theta_max), .drag_budget = Setting::off()});
+        });
     }
     static bool is_in_progress(const Editor& editor) {
         return editor.workspace().edit_task() != nullptr;
@@ -53,7 +54,7 @@ class EditTaskTest : public EditorTest {
         editor.handle(event::Resize{{900, 700}});
         editor.perform(Action::undo);
         editor.perform(Action::frame_all);
-        editor.new_shape(command::Shape::Kind::cube, 2);
+        editor.document().new_shape(command::Shape::Kind::cube, 2);
         editor.set_radius(0.123);
         EXPECT_FALSE(editor.execute(command::Readapt{}));
         EXPECT_EQ(editor.workspace().execute(command::Undo{}), Workspace::Outcome::failed);
@@ -61,8 +62,8 @@ class EditTaskTest : public EditorTest {
 };
 
 TEST_F(EditTaskTest, TheEndOfADragGivesTheSameAsInTheForeground) {
-    Editor background = background_editor(4.0, Recorder(path("record.jsonl")));
-    Editor foreground = background_editor(4.0);
+    auto background = background_editor(4.0, Recorder(path("record.jsonl")));
+    auto foreground = background_editor(4.0);
     foreground.workspace().set_max_edit_time(1h);
     for (Editor* editor : {&background, &foreground}) {
         press_and_move(*editor);
@@ -80,7 +81,7 @@ TEST_F(EditTaskTest, TheEndOfADragGivesTheSameAsInTheForeground) {
 }
 
 TEST_F(EditTaskTest, UndoRedoAndReadaptDoTheSameAsInTheForeground) {
-    Editor editor = background_editor(6.0);
+    auto editor = background_editor(6.0);
     const TriMesh before = editor.session().mesh();
     press_and_move(editor);
     release(editor);
@@ -100,7 +101,7 @@ TEST_F(EditTaskTest, UndoRedoAndReadaptDoTheSameAsInTheForeground) {
 
 TEST_F(EditTaskTest, NoInputDisturbsIt) {
     const double theta_max = test::is_sanitized() ? 2.0 : 0.4;
-    Editor alone = background_editor(theta_max), disturbed = background_editor(theta_max);
+    auto alone = background_editor(theta_max), disturbed = background_editor(theta_max);
     for (Editor* editor : {&alone, &disturbed}) {
         press_and_move(*editor);
         release(*editor);
@@ -117,7 +118,7 @@ TEST_F(EditTaskTest, NoInputDisturbsIt) {
 // again.
 TEST_F(EditTaskTest, EscapeGivesTheObjectBackWhileTheWindowIsRedrawn) {
     Interface interface(1.0f, {});
-    Editor editor = background_editor(0.05);
+    auto editor = background_editor(0.05);
     interface.set_size(kSize, kSize);
     const TriMesh before = editor.session().mesh();
     const std::string text = format_obj(before);
@@ -154,13 +155,13 @@ TEST_F(EditTaskTest, EscapeGivesTheObjectBackWhileTheWindowIsRedrawn) {
 }
 
 TEST_F(EditTaskTest, CancellingUndoRedoAndReadaptGivesBackWhatWasThere) {
-    Editor editor = background_editor(6.0);
+    auto editor = background_editor(6.0);
     press_and_move(editor);
     release(editor);
     wait(editor);
     const TriMesh dragged = editor.session().mesh();
     editor.perform(Action::undo);
-    editor.cancel_work();
+    editor.document().cancel_work();
     wait(editor);
     // Undo may have ended before it was cancelled, but nothing lies in between.
     const bool is_undone = editor.session().undo_count() == 0;
@@ -169,14 +170,14 @@ TEST_F(EditTaskTest, CancellingUndoRedoAndReadaptGivesBackWhatWasThere) {
     wait(editor);
     editor.execute(command::Adapt{.theta_max = Setting::of(0.05)});
     EXPECT_FALSE(editor.execute(command::Readapt{}));
-    editor.cancel_work();
+    editor.document().cancel_work();
     wait(editor);
     EXPECT_TRUE(editor.session().mesh() == dragged);
     EXPECT_EQ(editor.workspace().message(), "");
 }
 
 TEST_F(EditTaskTest, ControlPointsAreReleasedInTheBackground) {
-    Editor editor = background_editor(2.0);
+    auto editor = background_editor(2.0);
     editor.display.lattice = true;
     editor.set_cage(editor.workspace().box(), IVec3{3});
     editor.perform(Action::view_front);
@@ -193,18 +194,19 @@ TEST_F(EditTaskTest, ControlPointsAreReleasedInTheBackground) {
 }
 
 TEST_F(EditTaskTest, QuittingCancelsItFirst) {
-    Editor editor = background_editor(0.05);
+    auto editor = background_editor(0.05);
     press_and_move(editor);
     release(editor);
     ASSERT_TRUE(is_in_progress(editor));
-    editor.quit();
-    EXPECT_FALSE(editor.wants_to_end());
+    editor.document().quit();
+    EXPECT_FALSE(editor.document().wants_to_end());
     wait(editor);
-    EXPECT_TRUE(editor.wants_to_end()) << "nothing has changed, so nothing has to be saved";
+    EXPECT_TRUE(editor.document().wants_to_end())
+        << "nothing has changed, so nothing has to be saved";
 }
 
 TEST_F(EditTaskTest, AnEditorMayEndWhileItIsInProgress) {
-    Editor editor = background_editor(0.05);
+    auto editor = background_editor(0.05);
     press_and_move(editor);
     release(editor);
     ASSERT_TRUE(is_in_progress(editor));

@@ -18,6 +18,17 @@ namespace fs = std::filesystem;
 inline constexpr IVec2 kSize{1280, 800};
 inline constexpr Vec2 kMiddle{640, 400}, kBeside{20, 780};
 
+// An Editor that is set up by prepare(Editor&) when it is made, since it cannot be moved later.
+class PreparedEditor : public Editor {
+  public:
+    template <typename Prepare>
+    PreparedEditor(std::optional<Recorder> recorder, std::chrono::milliseconds max_blocking_time,
+                   Prepare prepare)
+        : Editor(std::move(recorder), max_blocking_time) {
+        prepare(static_cast<Editor&>(*this));
+    }
+};
+
 class EditorTest : public testing::Test {
   protected:
     std::string path(const std::string& name) const { return folder_.path(name); }
@@ -26,12 +37,19 @@ class EditorTest : public testing::Test {
     }
     std::string read(const std::string& name) const { return folder_.read(name); }
     // The editor shows a sphere of the given resolution.
-    Editor editor(std::optional<Recorder> recorder = {}, int resolution = 3) const {
-        Editor made(std::move(recorder),
-                    std::chrono::hours(1));  // no work on files continues in the background
-        made.handle(event::Resize{kSize});
-        made.new_shape(command::Shape::Kind::sphere, resolution);
-        return made;
+    PreparedEditor editor(std::optional<Recorder> recorder = {}, int resolution = 3) const {
+        return prepared_editor(std::move(recorder), resolution, [](Editor&) {});
+    }
+    // The same, and prepare(Editor&) sets it up further.
+    template <typename Prepare>
+    PreparedEditor prepared_editor(std::optional<Recorder> recorder, int resolution,
+                                   Prepare prepare) const {
+        // No work on files continues in the background.
+        return PreparedEditor(std::move(recorder), std::chrono::hours(1), [&](Editor& made) {
+            made.handle(event::Resize{kSize});
+            made.document().new_shape(command::Shape::Kind::sphere, resolution);
+            prepare(made);
+        });
     }
     static void drag(Editor& editor, const Vec2& from, const Vec2& to, Modifiers modifiers = {}) {
         press(editor, from, modifiers);

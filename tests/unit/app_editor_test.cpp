@@ -14,7 +14,7 @@ constexpr const char* kTetrahedron =
     "v 0 0 0\nv 1 0 0\nv 0 1 0\nv 0 0 1\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n";
 
 TEST_F(EditorTest, ADragOnTheSurfaceIsOneUndoStepAndHidesTheHint) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     EXPECT_TRUE(editor.shows_hint());
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     EXPECT_EQ(editor.session().undo_count(), 1u);
@@ -24,7 +24,7 @@ TEST_F(EditorTest, ADragOnTheSurfaceIsOneUndoStepAndHidesTheHint) {
 }
 
 TEST_F(EditorTest, TheGrabbedPointStaysUnderTheCursor) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     press(editor, kMiddle);
     ASSERT_TRUE(editor.sculptor().is_dragging());
     move(editor, {700, 310});
@@ -34,7 +34,7 @@ TEST_F(EditorTest, TheGrabbedPointStaysUnderTheCursor) {
 }
 
 TEST_F(EditorTest, ADragBesideTheObjectOnlyOrbitsTheCamera) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     const Camera before = editor.camera();
     drag(editor, kBeside, kBeside + Vec2(200, -100));
     EXPECT_EQ(editor.session().undo_count(), 0u);
@@ -43,7 +43,7 @@ TEST_F(EditorTest, ADragBesideTheObjectOnlyOrbitsTheCamera) {
 }
 
 TEST_F(EditorTest, ClicksOnPanelsDoNotReachTheObject) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     const Camera before = editor.camera();
     editor.handle(event::Press{MouseButton::left, kMiddle, {}}, {.mouse = true});
     move(editor, kMiddle + Vec2(50, 50));
@@ -52,7 +52,7 @@ TEST_F(EditorTest, ClicksOnPanelsDoNotReachTheObject) {
 }
 
 TEST_F(EditorTest, EscapeDuringADragRestoresTheObjectAndTheReleaseDoesNothing) {
-    Editor editor = this->editor(), untouched = this->editor();
+    auto editor = this->editor(), untouched = this->editor();
     press(editor, kMiddle);
     move(editor, {760, 300});
     EXPECT_FALSE(editor.session().mesh() == untouched.session().mesh());
@@ -65,7 +65,7 @@ TEST_F(EditorTest, EscapeDuringADragRestoresTheObjectAndTheReleaseDoesNothing) {
 }
 
 TEST_F(EditorTest, KeysDuringADragAreIgnored) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(40, 40));
     press(editor, kMiddle - Vec2(60, 60));
     move(editor, kMiddle);
@@ -78,7 +78,7 @@ TEST_F(EditorTest, KeysDuringADragAreIgnored) {
 }
 
 TEST_F(EditorTest, UndoAndRedoKeysRestoreTheExactMesh) {
-    Editor editor = this->editor(), untouched = this->editor();
+    auto editor = this->editor(), untouched = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     const TriMesh dragged = editor.session().mesh();
     key(editor, Key{'Z'}, {.control = true});
@@ -90,7 +90,7 @@ TEST_F(EditorTest, UndoAndRedoKeysRestoreTheExactMesh) {
 }
 
 TEST_F(EditorTest, DroppedStepsStillCountAsChangesAndAreReported) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     editor.execute(command::Save{path("saved.obj")});
     ASSERT_FALSE(editor.workspace().is_modified());
@@ -112,7 +112,7 @@ TEST_F(EditorTest, DroppedStepsStillCountAsChangesAndAreReported) {
 }
 
 TEST_F(EditorTest, HoldingFAndMovingSetsTheRadius) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     const double before = editor.radius();
     move(editor, kMiddle);
     editor.handle(event::KeyDown{Key{'F'}, {}});
@@ -129,7 +129,7 @@ TEST_F(EditorTest, HoldingFAndMovingSetsTheRadius) {
 }
 
 TEST_F(EditorTest, BracketsStepTheRadiusWithinBounds) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     const double before = editor.radius();
     editor.handle(event::Character{']'});
     EXPECT_GT(editor.radius(), before);
@@ -139,7 +139,7 @@ TEST_F(EditorTest, BracketsStepTheRadiusWithinBounds) {
 
 TEST_F(EditorTest, TheRecordReplaysToTheSameMesh) {
     {
-        Editor editor = this->editor(Recorder(path("record.jsonl")));
+        auto editor = this->editor(Recorder(path("record.jsonl")));
         drag(editor, kMiddle, kMiddle + Vec2(60, -80));
         editor.handle(event::Character{'['});
         drag(editor, kMiddle, kMiddle + Vec2(10, 90), {.alt = true});
@@ -166,7 +166,7 @@ TEST_F(EditorTest, TheRecordReplaysToTheSameMesh) {
 
 // A drag that reaches no vertex changes no vertex, but its lattice becomes the one in use.
 TEST_F(EditorTest, TheRecordHoldsDragsThatChangeOnlyTheLatticeInUse) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")), 2);
+    auto editor = this->editor(Recorder(path("record.jsonl")), 2);
     editor.drag_options = {};
     editor.execute(command::Adapt{.enabled = false});
     editor.set_radius(editor.min_radius());
@@ -185,7 +185,7 @@ TEST_F(EditorTest, TheRecordHoldsDragsThatChangeOnlyTheLatticeInUse) {
 }
 
 TEST_F(EditorTest, DialogsTakeAllInputAsSoonAsTheyAreRequested) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     const double radius = editor.radius();
     editor.perform(Action::open);
@@ -194,8 +194,8 @@ TEST_F(EditorTest, DialogsTakeAllInputAsSoonAsTheyAreRequested) {
     EXPECT_FALSE(editor.sculptor().is_dragging());
     EXPECT_EQ(editor.radius(), radius);
     editor.handle(event::Close{});
-    EXPECT_TRUE(editor.question);
-    EXPECT_FALSE(editor.browser) << "two dialogs at once";
+    EXPECT_TRUE(editor.document().question());
+    EXPECT_FALSE(editor.document().browser()) << "two dialogs at once";
 }
 
 TEST_F(EditorTest, RecordingOverAModelIsRefused) {
@@ -205,13 +205,13 @@ TEST_F(EditorTest, RecordingOverAModelIsRefused) {
 }
 
 TEST_F(EditorTest, ARecordHoldsEachCommandAsSoonAsItIsDone) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     EXPECT_EQ(read("record.jsonl"),
               "{\"pectin\": 1}\n{\"cmd\": \"shape\", \"kind\": \"sphere\", \"resolution\": 3}\n");
 }
 
 TEST_F(EditorTest, ACommandWithAPathThatIsNotUtf8IsExecutedButReportedAsNotRecorded) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     const std::string before = read("record.jsonl");
     EXPECT_TRUE(editor.execute(command::Save{path("caf\xe9.obj")}));
     EXPECT_NE(editor.workspace().message().find("UTF-8"), std::string::npos);
@@ -220,7 +220,7 @@ TEST_F(EditorTest, ACommandWithAPathThatIsNotUtf8IsExecutedButReportedAsNotRecor
 
 TEST_F(EditorTest, DroppingAModelOpensIt) {
     write("tetrahedron.obj", kTetrahedron);
-    Editor editor = this->editor();
+    auto editor = this->editor();
     editor.handle(event::Drop{{path("tetrahedron.obj")}});
     EXPECT_EQ(editor.session().mesh().face_count(), 4u);
     EXPECT_EQ(editor.workspace().object_name(), "tetrahedron.obj");
@@ -230,10 +230,10 @@ TEST_F(EditorTest, DroppingAModelOpensIt) {
 TEST_F(EditorTest, ANewObjectGetsSizesThatSuitIt) {
     write("large.obj",
           "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 0 0 100\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-    Editor editor = this->editor();
+    auto editor = this->editor();
     editor.set_radius(0.1);
     editor.execute(command::Adapt{.l_max = Setting::of(0.02), .floor = Setting::of(0.001)});
-    editor.open(path("large.obj"));
+    editor.document().open(path("large.obj"));
     const double diagonal = editor.workspace().diagonal();
     EXPECT_NEAR(diagonal, 100.0 * std::sqrt(3.0), 1e-9);
     EXPECT_DOUBLE_EQ(editor.radius(), 0.25 * diagonal);
@@ -242,7 +242,7 @@ TEST_F(EditorTest, ANewObjectGetsSizesThatSuitIt) {
     // A cage around the object before goes, too; settings that are no sizes stay.
     editor.execute(command::Adapt{.theta_max = Setting::of(12.0), .l_max = Setting::off()});
     editor.set_cage(editor.workspace().box(), IVec3{4});
-    editor.new_shape(command::Shape::Kind::sphere, 2);
+    editor.document().new_shape(command::Shape::Kind::sphere, 2);
     EXPECT_FALSE(editor.session().lattice_settings().cage.has_value());
     EXPECT_DOUBLE_EQ(editor.radius(), 0.25 * editor.workspace().diagonal());
     EXPECT_EQ(editor.session().adapt_settings().theta_max, Setting::of(12.0));
@@ -252,7 +252,7 @@ TEST_F(EditorTest, ANewObjectGetsSizesThatSuitIt) {
 
 TEST_F(EditorTest, DroppingAFileThatIsNoModelShowsAMessageAndKeepsTheObject) {
     write("letter.obj", "Dear v,\nf 1 2 3\n");
-    Editor editor = this->editor(), untouched = this->editor();
+    auto editor = this->editor(), untouched = this->editor();
     for (const char* name : {"letter.obj", "absent.obj", "."}) {
         editor.handle(event::Drop{{path(name)}});
         EXPECT_FALSE(editor.workspace().message().empty()) << name;
@@ -263,43 +263,43 @@ TEST_F(EditorTest, DroppingAFileThatIsNoModelShowsAMessageAndKeepsTheObject) {
 
 TEST_F(EditorTest, OpeningOverUnsavedChangesAsksFirst) {
     write("tetrahedron.obj", kTetrahedron);
-    Editor editor = this->editor();
+    auto editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     editor.handle(event::Drop{{path("tetrahedron.obj")}});
-    ASSERT_TRUE(editor.question);
+    ASSERT_TRUE(editor.document().question());
     EXPECT_EQ(editor.session().undo_count(), 1u);
-    editor.answer(Editor::Answer::cancel);
+    editor.document().answer(DocumentController::Answer::cancel);
     EXPECT_EQ(editor.session().undo_count(), 1u);
     editor.handle(event::Drop{{path("tetrahedron.obj")}});
-    editor.answer(Editor::Answer::discard);
+    editor.document().answer(DocumentController::Answer::discard);
     EXPECT_EQ(editor.session().mesh().face_count(), 4u);
 }
 
 TEST_F(EditorTest, ClosingWithChangesSavesThemToTheChosenFile) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     editor.handle(event::Close{});
-    ASSERT_TRUE(editor.question);
-    EXPECT_FALSE(editor.wants_to_end());
-    editor.answer(Editor::Answer::save);
-    ASSERT_TRUE(editor.browser);
-    editor.browser->name = path("kept");
-    editor.accept_file();
+    ASSERT_TRUE(editor.document().question());
+    EXPECT_FALSE(editor.document().wants_to_end());
+    editor.document().answer(DocumentController::Answer::save);
+    ASSERT_TRUE(editor.document().browser());
+    editor.document().browser()->name = path("kept");
+    editor.document().accept_file();
     EXPECT_TRUE(fs::exists(path("kept.obj")));
-    EXPECT_TRUE(editor.wants_to_end());
+    EXPECT_TRUE(editor.document().wants_to_end());
 }
 
 TEST_F(EditorTest, SaveGoesToTheOpenFileOnceThereIsOne) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     key(editor, Key{'S'}, {.control = true});
-    ASSERT_TRUE(editor.browser);
-    editor.browser->name = path("ball.obj");
-    editor.accept_file();
-    EXPECT_FALSE(editor.browser);
+    ASSERT_TRUE(editor.document().browser());
+    editor.document().browser()->name = path("ball.obj");
+    editor.document().accept_file();
+    EXPECT_FALSE(editor.document().browser());
     const std::string first = read("ball.obj");
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     key(editor, Key{'S'}, {.control = true});
-    EXPECT_FALSE(editor.browser);
+    EXPECT_FALSE(editor.document().browser());
     EXPECT_NE(read("ball.obj"), first);
     EXPECT_FALSE(editor.workspace().is_modified());
 }
@@ -308,45 +308,45 @@ TEST_F(EditorTest, SaveGoesToTheOpenFileOnceThereIsOne) {
 // same case.
 TEST_F(EditorTest, SaveAsksForAPathIfTheFormatOfTheOpenFileCannotBeWritten) {
     write("tetrahedron.txt", kTetrahedron);
-    Editor editor = this->editor();
-    editor.open(path("tetrahedron.txt"));
+    auto editor = this->editor();
+    editor.document().open(path("tetrahedron.txt"));
     drag(editor, kMiddle, kMiddle + Vec2(60, -80));
     key(editor, Key{'S'}, {.control = true});
-    ASSERT_TRUE(editor.browser);
-    EXPECT_EQ(editor.browser->name, "tetrahedron.obj");
-    editor.close_browser();
+    ASSERT_TRUE(editor.document().browser());
+    EXPECT_EQ(editor.document().browser()->name, "tetrahedron.obj");
+    editor.document().close_browser();
     editor.handle(event::Close{});
-    editor.answer(Editor::Answer::save);
-    ASSERT_TRUE(editor.browser);
-    editor.accept_file();
+    editor.document().answer(DocumentController::Answer::save);
+    ASSERT_TRUE(editor.document().browser());
+    editor.document().accept_file();
     EXPECT_EQ(editor.workspace().path(), path("tetrahedron.obj"));
     EXPECT_TRUE(fs::exists(path("tetrahedron.obj")));
     EXPECT_EQ(read("tetrahedron.txt"), kTetrahedron);
-    EXPECT_TRUE(editor.wants_to_end());
+    EXPECT_TRUE(editor.document().wants_to_end());
 }
 
 TEST_F(EditorTest, SavingAsksBeforeReplacingAnotherFile) {
     write("other.obj", "precious");
-    Editor editor = this->editor();
+    auto editor = this->editor();
     editor.perform(Action::save_as);
-    editor.browser->name = path("other.obj");
-    editor.accept_file();
-    EXPECT_EQ(editor.file_to_replace(), path("other.obj"));
+    editor.document().browser()->name = path("other.obj");
+    editor.document().accept_file();
+    EXPECT_EQ(editor.document().file_to_replace(), path("other.obj"));
     EXPECT_EQ(read("other.obj"), "precious");
     key(editor, Key::escape);
-    EXPECT_TRUE(editor.browser);
-    EXPECT_TRUE(editor.file_to_replace().empty());
-    editor.accept_file();
-    editor.accept_file();
-    EXPECT_FALSE(editor.browser);
+    EXPECT_TRUE(editor.document().browser());
+    EXPECT_TRUE(editor.document().file_to_replace().empty());
+    editor.document().accept_file();
+    editor.document().accept_file();
+    EXPECT_FALSE(editor.document().browser());
     EXPECT_NE(read("other.obj"), "precious");
 }
 
 TEST_F(EditorTest, SavingToAFolderThatDoesNotExistShowsAMessage) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     editor.perform(Action::save_as);
-    editor.browser->name = path("no such folder/ball.obj");
-    editor.accept_file();
+    editor.document().browser()->name = path("no such folder/ball.obj");
+    editor.document().accept_file();
     EXPECT_FALSE(editor.workspace().message().empty());
     EXPECT_TRUE(editor.workspace().path().empty());
 }

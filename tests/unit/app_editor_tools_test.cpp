@@ -53,7 +53,7 @@ TEST(RoundedNumbers, ShortenFractionsAndKeepWholeNumbers) {
 }
 
 TEST_F(EditorToolsTest, TheKeyPSetsAndRemovesThePinUnderTheCursor) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     pin(editor, kMiddle);
     ASSERT_EQ(editor.pins().points().size(), 1u);
     const auto seen = editor.camera().project(editor.pins().points()[0], kSize);
@@ -67,7 +67,7 @@ TEST_F(EditorToolsTest, TheKeyPSetsAndRemovesThePinUnderTheCursor) {
 }
 
 TEST_F(EditorToolsTest, APinBehindTheObjectIsNotFound) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     pin(editor, kMiddle);
     const Vec3 front = editor.pins().points()[0];
     // The camera turns half around, so that the pin lies behind the middle.
@@ -77,7 +77,7 @@ TEST_F(EditorToolsTest, APinBehindTheObjectIsNotFound) {
 }
 
 TEST_F(EditorToolsTest, PinnedPointsStayAndTheRecordReplaysToTheSameMesh) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     pin(editor, kMiddle + Vec2(70, 0));
     pin(editor, kMiddle + Vec2(-70, 20));
     drag(editor, kMiddle, kMiddle + Vec2(30, -50));
@@ -94,7 +94,7 @@ TEST_F(EditorToolsTest, PinnedPointsStayAndTheRecordReplaysToTheSameMesh) {
 }
 
 TEST_F(EditorToolsTest, DraggingAPinIsRefusedWithAMessageAndChangesNothing) {
-    Editor editor = this->editor(), untouched = this->editor();
+    auto editor = this->editor(), untouched = this->editor();
     pin(editor, kMiddle);
     press(editor, kMiddle + Vec2(3, 0));
     move(editor, kMiddle + Vec2(50, 50));
@@ -106,9 +106,9 @@ TEST_F(EditorToolsTest, DraggingAPinIsRefusedWithAMessageAndChangesNothing) {
 }
 
 TEST_F(EditorToolsTest, AnotherObjectAndTheMenuRemoveAllPins) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     pin(editor, kMiddle);
-    editor.new_shape(command::Shape::Kind::cube, 4);
+    editor.document().new_shape(command::Shape::Kind::cube, 4);
     EXPECT_TRUE(editor.pins().is_empty());
     pin(editor, kMiddle);
     ASSERT_FALSE(editor.pins().is_empty());
@@ -117,7 +117,7 @@ TEST_F(EditorToolsTest, AnotherObjectAndTheMenuRemoveAllPins) {
 }
 
 TEST_F(EditorToolsTest, WithThePinButtonOnAClickSetsAPinInsteadOfDragging) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     editor.sets_pins = true;
     drag(editor, kMiddle, kMiddle + Vec2(60, 60));
     EXPECT_EQ(editor.pins().points().size(), 1u);
@@ -141,16 +141,16 @@ TEST_F(EditorToolsTest, TheFirstSphereIsSymmetricAndTheKeyXSwitchesSymmetry) {
 
 TEST_F(EditorToolsTest, TheSymmetryPlaneFollowsTheCentreOfANewObject) {
     write("aside.obj", "v 4 0 0\nv 6 0 0\nv 4 2 0\nv 4 0 2\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
-    Editor editor = this->editor();
+    auto editor = this->editor();
     editor.choose_mirror({command::Symmetry::Plane::x, true});
     editor.set_symmetry(true);
     EXPECT_NEAR(editor.session().symmetry()->at, 0.0, 1e-12);
-    editor.open(path("aside.obj"));
+    editor.document().open(path("aside.obj"));
     EXPECT_EQ(editor.session().symmetry()->at, 5.0);
 }
 
 TEST_F(EditorToolsTest, ASymmetricDragMovesBothSidesAndReplaysToTheSameMesh) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     editor.set_symmetry(true);
     drag(editor, kMiddle + Vec2(80, 0), kMiddle + Vec2(120, -60));
     const auto drag = std::get<command::Drag>(last_of("record.jsonl"));
@@ -164,7 +164,7 @@ TEST_F(EditorToolsTest, ASymmetricDragMovesBothSidesAndReplaysToTheSameMesh) {
 // The mouse cannot hit the plane exactly, and two points that lie this close could not be
 // separated.
 TEST_F(EditorToolsTest, APointGrabbedNearThePlaneOfSymmetrySnapsToIt) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     editor.perform(Action::view_front);
     editor.set_symmetry(true);
     drag(editor, kMiddle + Vec2(3, 0), kMiddle + Vec2(90, -60));
@@ -175,7 +175,7 @@ TEST_F(EditorToolsTest, APointGrabbedNearThePlaneOfSymmetrySnapsToIt) {
 }
 
 TEST_F(EditorToolsTest, ADragTowardsThePlaneOfSymmetryStopsBeforeItWithoutAMessage) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     editor.perform(Action::view_front);
     editor.set_symmetry(true);
     const Vec2 from = kMiddle + Vec2(60, 0);
@@ -189,7 +189,7 @@ TEST_F(EditorToolsTest, ADragTowardsThePlaneOfSymmetryStopsBeforeItWithoutAMessa
 }
 
 TEST_F(EditorToolsTest, TheWheelDuringADragTwistsAndWithShiftScales) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     const Camera before = editor.camera();
     const Vec2 end = kMiddle + Vec2(20, -30);
     press(editor, kMiddle);
@@ -215,7 +215,7 @@ TEST_F(EditorToolsTest, TheWheelDuringADragTwistsAndWithShiftScales) {
 }
 
 TEST_F(EditorToolsTest, AFoldFreeDragFollowsTheCursorPathBetweenTwoFrames) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     editor.set_radius(0.3);
     const Vec2 corner = kMiddle + Vec2(220, 0), end = corner + Vec2(0, -220);
     press(editor, kMiddle);
@@ -240,7 +240,7 @@ TEST_F(EditorToolsTest, AFoldFreeDragFollowsTheCursorPathBetweenTwoFrames) {
 }
 
 TEST_F(EditorToolsTest, WithoutFoldFreeFoldedVerticesAreReported) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     drag(editor, kMiddle, kMiddle + Vec2(0, -300));
     EXPECT_EQ(editor.figures().folded, 0u);
     EXPECT_TRUE(editor.workspace().message().empty());

@@ -5,17 +5,15 @@
 #include <functional>
 #include <thread>
 
-#include "app/editor.h"
 #include "io/obj_writer.h"
 #include "support/scratch_folder.h"
 #include "support/small_files.h"
+#include "unit/app_editor_fixture.h"
 
 namespace pectin {
 namespace {
 
 using namespace std::chrono_literals;
-namespace fs = std::filesystem;
-constexpr Vec2 kMiddle{640, 400};
 constexpr Modifiers kControl{.control = true};
 
 class FileTaskTest : public testing::Test {
@@ -29,11 +27,11 @@ class FileTaskTest : public testing::Test {
     std::string read(const std::string& name) const { return folder_.read(name); }
     // An editor that does all work on files in the background. It shows a sphere; one of resolution
     // 6 takes far longer to save than to cancel.
-    Editor editor(int resolution = 3, std::optional<Recorder> recorder = {}) const {
-        Editor made(std::move(recorder), 0ms);
-        made.handle(event::Resize{{1280, 800}});
-        made.new_shape(command::Shape::Kind::sphere, resolution);
-        return made;
+    PreparedEditor editor(int resolution = 3, std::optional<Recorder> recorder = {}) const {
+        return PreparedEditor(std::move(recorder), 0ms, [=](Editor& made) {
+            made.handle(event::Resize{kSize});
+            made.document().new_shape(command::Shape::Kind::sphere, resolution);
+        });
     }
     static void drag(Editor& editor) {
         editor.handle(event::MouseMove{kMiddle, {}});
@@ -69,8 +67,8 @@ class FileTaskTest : public testing::Test {
         editor.handle(event::Drop{{file}});
         editor.perform(Action::undo);
         editor.perform(Action::save_as);
-        editor.new_shape(command::Shape::Kind::cube, 2);
-        editor.open(file);
+        editor.document().new_shape(command::Shape::Kind::cube, 2);
+        editor.document().open(file);
         editor.set_radius(0.123);
         EXPECT_FALSE(editor.execute(command::Readapt{}));
         EXPECT_EQ(editor.workspace().execute(command::Undo{}), Workspace::Outcome::failed);
@@ -83,7 +81,7 @@ class FileTaskTest : public testing::Test {
 
 TEST_F(FileTaskTest, AQuickFileIsDoneImmediately) {
     Editor editor({}, 1h);
-    editor.open(path("tetrahedron.obj"));
+    editor.document().open(path("tetrahedron.obj"));
     EXPECT_FALSE(is_in_progress(editor));
     EXPECT_EQ(editor.session().mesh().face_count(), 4u);
     EXPECT_TRUE(editor.execute(command::Save{path("copy.obj")}));
@@ -91,10 +89,10 @@ TEST_F(FileTaskTest, AQuickFileIsDoneImmediately) {
 }
 
 TEST_F(FileTaskTest, OpeningKeepsTheOldObjectUntilTheNewOneIsRead) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     const TriMesh sphere = editor.session().mesh();
     const Camera camera = editor.camera();
-    editor.open(path("tetrahedron.obj"));
+    editor.document().open(path("tetrahedron.obj"));
     ASSERT_TRUE(is_in_progress(editor));
     EXPECT_TRUE(editor.has_dialog());
     while (!editor.workspace().file_task()->work.has_ended(1h)) {
@@ -110,7 +108,7 @@ TEST_F(FileTaskTest, OpeningKeepsTheOldObjectUntilTheNewOneIsRead) {
 }
 
 TEST_F(FileTaskTest, NoInputChangesTheObjectWhileItIsSaved) {
-    Editor editor = this->editor(5);
+    auto editor = this->editor(5);
     drag(editor);
     ASSERT_EQ(editor.session().undo_count(), 1u);
     const TriMesh before = editor.session().mesh();
@@ -119,7 +117,7 @@ TEST_F(FileTaskTest, NoInputChangesTheObjectWhileItIsSaved) {
     editor.execute(command::Save{path("ball.obj")});
     ASSERT_TRUE(is_in_progress(editor));
     fumble(editor, path("tetrahedron.obj"));
-    EXPECT_FALSE(editor.browser || editor.question);
+    EXPECT_FALSE(editor.document().browser() || editor.document().question());
     wait(editor);
     EXPECT_EQ(editor.session().mesh(), before);
     EXPECT_EQ(editor.session().undo_count(), 1u);
@@ -132,8 +130,8 @@ TEST_F(FileTaskTest, NoInputChangesTheObjectWhileItIsSaved) {
 
 TEST_F(FileTaskTest, ASecondFileIsRefusedWhileOneIsInProgress) {
     write("other.obj", std::string(kTetrahedron) + "v 5 5 5\n");
-    Editor editor = this->editor();
-    editor.open(path("tetrahedron.obj"));
+    auto editor = this->editor();
+    editor.document().open(path("tetrahedron.obj"));
     fumble(editor, path("other.obj"));
     wait(editor);
     EXPECT_EQ(editor.workspace().object_name(), "tetrahedron.obj");
@@ -141,9 +139,9 @@ TEST_F(FileTaskTest, ASecondFileIsRefusedWhileOneIsInProgress) {
 }
 
 TEST_F(FileTaskTest, EscapeCancelsAndKeepsTheObjectWithoutAMessage) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     const TriMesh sphere = editor.session().mesh();
-    editor.open(path("tetrahedron.obj"));
+    editor.document().open(path("tetrahedron.obj"));
     key(editor, Key::escape);
     ASSERT_TRUE(is_in_progress(editor)) << "until the work has stopped";
     EXPECT_TRUE(editor.workspace().file_task()->work.is_cancelled());
@@ -152,15 +150,15 @@ TEST_F(FileTaskTest, EscapeCancelsAndKeepsTheObjectWithoutAMessage) {
     EXPECT_EQ(editor.workspace().message(), "");
     EXPECT_EQ(editor.workspace().object_name(), "sphere");
     editor.advance();
-    editor.open(path("tetrahedron.obj"));
+    editor.document().open(path("tetrahedron.obj"));
     wait(editor);
     EXPECT_EQ(editor.session().mesh().face_count(), 4u) << "and it can be opened again";
 }
 
 TEST_F(FileTaskTest, AModelThatWasReadBeforeItWasCancelledIsNotAdopted) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     const TriMesh sphere = editor.session().mesh();
-    editor.open(path("tetrahedron.obj"));
+    editor.document().open(path("tetrahedron.obj"));
     ASSERT_TRUE(editor.workspace().file_task()->work.has_ended(1h));
     key(editor, Key::escape);
     wait(editor);
@@ -170,7 +168,7 @@ TEST_F(FileTaskTest, AModelThatWasReadBeforeItWasCancelledIsNotAdopted) {
 
 TEST_F(FileTaskTest, CancellingASaveKeepsTheOldFileAndTheChanges) {
     write("ball.obj", "precious");
-    Editor editor = this->editor(6);
+    auto editor = this->editor(6);
     drag(editor);
     editor.execute(command::Save{path("ball.obj")});
     key(editor, Key::escape);
@@ -184,9 +182,9 @@ TEST_F(FileTaskTest, CancellingASaveKeepsTheOldFileAndTheChanges) {
 
 TEST_F(FileTaskTest, ErrorsInAFileAreReported) {
     write("letter.obj", "v 0 0 0\nv Dear reader\n");
-    Editor editor = this->editor();
+    auto editor = this->editor();
     const TriMesh sphere = editor.session().mesh();
-    editor.open(path("letter.obj"));
+    editor.document().open(path("letter.obj"));
     wait(editor);
     EXPECT_NE(editor.workspace().message().find("letter.obj:2: "), std::string::npos)
         << editor.workspace().message();
@@ -199,19 +197,19 @@ TEST_F(FileTaskTest, ErrorsInAFileAreReported) {
 
 TEST_F(FileTaskTest, FindingsInTheInputAreReported) {
     write("loose.obj", std::string(kTetrahedron) + "v 5 5 5\nv 6 6 6\n");
-    Editor editor = this->editor();
-    editor.open(path("loose.obj"));
+    auto editor = this->editor();
+    editor.document().open(path("loose.obj"));
     wait(editor);
     EXPECT_EQ(editor.workspace().message(), "loose.obj: 2 isolated vertices");
 }
 
 TEST_F(FileTaskTest, TheRecordHoldsCommandsThatAreDoneAndNotCancelledOnes) {
-    Editor editor = this->editor(6, Recorder(path("record.jsonl")));
+    auto editor = this->editor(6, Recorder(path("record.jsonl")));
     const std::string before = read("record.jsonl");
     editor.execute(command::Save{path("never.obj")});
     key(editor, Key::escape);
     wait(editor);
-    editor.open(path("tetrahedron.obj"));
+    editor.document().open(path("tetrahedron.obj"));
     EXPECT_EQ(read("record.jsonl"), before);
     wait(editor);
     const std::string added = read("record.jsonl").substr(before.size());
@@ -221,40 +219,40 @@ TEST_F(FileTaskTest, TheRecordHoldsCommandsThatAreDoneAndNotCancelledOnes) {
 
 TEST_F(FileTaskTest, QuittingCancelsTheWorkAndEndsOnceItHasStopped) {
     for (const bool by_key : {false, true}) {
-        Editor editor = this->editor();
-        editor.open(path("tetrahedron.obj"));
+        auto editor = this->editor();
+        editor.document().open(path("tetrahedron.obj"));
         if (by_key) {
             key(editor, Key{'Q'}, kControl);
         } else {
             editor.handle(event::Close{});
         }
-        EXPECT_FALSE(editor.wants_to_end());
+        EXPECT_FALSE(editor.document().wants_to_end());
         wait(editor);
-        EXPECT_TRUE(editor.wants_to_end());
+        EXPECT_TRUE(editor.document().wants_to_end());
         EXPECT_EQ(editor.workspace().object_name(), "sphere");
     }
 }
 
 TEST_F(FileTaskTest, QuittingDuringASaveAsksAboutTheUnsavedChanges) {
-    Editor editor = this->editor(6);
+    auto editor = this->editor(6);
     drag(editor);
     editor.execute(command::Save{path("ball.obj")});
     editor.handle(event::Close{});
     wait(editor);
     EXPECT_FALSE(fs::exists(path("ball.obj")));
-    EXPECT_TRUE(editor.question);
-    EXPECT_FALSE(editor.wants_to_end());
+    EXPECT_TRUE(editor.document().question());
+    EXPECT_FALSE(editor.document().wants_to_end());
 }
 
 TEST_F(FileTaskTest, ThePendingActionFollowsOnlyASuccessfulSave) {
-    Editor editor = this->editor(6);
+    auto editor = this->editor(6);
     editor.execute(command::Save{path("ball.obj")});
     wait(editor);
     for (const bool cancels : {true, false}) {
         drag(editor);
-        editor.open(path("tetrahedron.obj"));
-        ASSERT_TRUE(editor.question);
-        editor.answer(Editor::Answer::save);
+        editor.document().open(path("tetrahedron.obj"));
+        ASSERT_TRUE(editor.document().question());
+        editor.document().answer(DocumentController::Answer::save);
         ASSERT_TRUE(is_in_progress(editor));
         EXPECT_TRUE(std::holds_alternative<command::Save>(editor.workspace().file_task()->command));
         if (cancels) key(editor, Key::escape);
@@ -267,7 +265,7 @@ TEST_F(FileTaskTest, IfTheFirstModelIsCancelledOrInvalidASphereIsShown) {
     write("letter.obj", "Dear sphere\n");
     for (const char* name : {"tetrahedron.obj", "letter.obj"}) {
         Editor editor({}, 0ms);
-        editor.handle(event::Resize{{1280, 800}});
+        editor.handle(event::Resize{kSize});
         editor.begin(path(name));
         ASSERT_TRUE(is_in_progress(editor));
         EXPECT_EQ(editor.session().mesh().face_slots(), 0u);
@@ -280,18 +278,18 @@ TEST_F(FileTaskTest, IfTheFirstModelIsCancelledOrInvalidASphereIsShown) {
 }
 
 TEST_F(FileTaskTest, ADroppedFileClosesTheBrowser) {
-    Editor editor = this->editor();
+    auto editor = this->editor();
     editor.perform(Action::open);
-    ASSERT_TRUE(editor.browser);
+    ASSERT_TRUE(editor.document().browser());
     editor.handle(event::Drop{{path("tetrahedron.obj")}});
     EXPECT_TRUE(is_in_progress(editor));
-    EXPECT_FALSE(editor.browser);
+    EXPECT_FALSE(editor.document().browser());
 }
 
 TEST_F(FileTaskTest, TheDestructorOfTheEditorWaitsForTheWork) {
     write("ball.obj", "precious");
     {
-        Editor editor = this->editor(6);
+        auto editor = this->editor(6);
         editor.execute(command::Save{path("ball.obj")});
         ASSERT_TRUE(is_in_progress(editor));
     }

@@ -2,6 +2,7 @@
 // panels are laid out without a window, and nothing is drawn.
 #include "app/ui/interface.h"
 
+#include <memory>
 #include <thread>
 
 #include "unit/app_editor_fixture.h"
@@ -15,7 +16,7 @@ constexpr Modifiers kControlShift{.shift = true, .control = true};
 class InterfaceTest : public EditorTest {
   protected:
     void SetUp() override {
-        editor_.emplace(editor());
+        editor_.reset(new PreparedEditor(editor()));  // made in its place
         interface_.set_size(kSize, kSize);
         interface_.lay_out(*editor_, {});
     }
@@ -40,7 +41,7 @@ class InterfaceTest : public EditorTest {
         give(event::Release{MouseButton::left, at});
     }
 
-    std::optional<Editor> editor_;
+    std::unique_ptr<PreparedEditor> editor_;
     std::string clipboard_;
     Interface interface_{1.0f,
                          {.read = [this] { return clipboard_; },
@@ -51,7 +52,7 @@ TEST_F(InterfaceTest, EnterAcceptsThePathThatWasTypedBeforeItInTheSameFrame) {
     press_key(Key{'S'}, kControlShift);
     type(path("typed.obj"));
     press_key(Key::enter);
-    EXPECT_FALSE(editor_->browser);
+    EXPECT_FALSE(editor_->document().browser());
     EXPECT_TRUE(fs::exists(path("typed.obj"))) << editor_->workspace().message();
     EXPECT_EQ(editor_->workspace().path(), path("typed.obj"));
 }
@@ -63,10 +64,10 @@ TEST_F(InterfaceTest, ASequenceOfDialogsAndKeysIsHandledWithinOneFrame) {
     press_key(Key{'O'}, kControl);
     type(path("models"));  // a folder, which the dialog opens first
     press_key(Key::enter);
-    ASSERT_TRUE(editor_->browser);
-    EXPECT_EQ(editor_->browser->folder(), path("models"));
+    ASSERT_TRUE(editor_->document().browser());
+    EXPECT_EQ(editor_->document().browser()->folder(), path("models"));
     type("wedge.obj");
-    EXPECT_EQ(editor_->browser->name, "wedge.obj");
+    EXPECT_EQ(editor_->document().browser()->name, "wedge.obj");
     press_key(Key::enter);
     EXPECT_EQ(editor_->workspace().path(), path("models/wedge.obj"));
     EXPECT_EQ(editor_->session().mesh().face_count(), 4u);
@@ -85,7 +86,7 @@ TEST_F(InterfaceTest, EnterAnswersTheQuestionThatThePreviousKeyHasOpened) {
     const std::string before = read("ball.obj");
     press_key(Key{'Q'}, kControl);
     press_key(Key::enter);  // Save
-    EXPECT_TRUE(editor_->wants_to_end());
+    EXPECT_TRUE(editor_->document().wants_to_end());
     EXPECT_NE(read("ball.obj"), before);
 }
 
@@ -93,18 +94,18 @@ TEST_F(InterfaceTest, TextFieldsAllowEditingCopyingAndPasting) {
     press_key(Key{'S'}, kControlShift);
     type("abc");
     press_key(Key::backspace);
-    EXPECT_EQ(editor_->browser->name, "ab");
+    EXPECT_EQ(editor_->document().browser()->name, "ab");
     press_key(Key::home);
     type("x");
-    EXPECT_EQ(editor_->browser->name, "xab");
+    EXPECT_EQ(editor_->document().browser()->name, "xab");
     press_key(Key{'A'}, kControl);
     press_key(Key{'C'}, kControl);
     EXPECT_EQ(clipboard_, "xab");
     clipboard_ = "pasted";
     press_key(Key{'V'}, kControl);
-    EXPECT_EQ(editor_->browser->name, "pasted");
+    EXPECT_EQ(editor_->document().browser()->name, "pasted");
     press_key(Key::escape);
-    EXPECT_FALSE(editor_->browser);
+    EXPECT_FALSE(editor_->document().browser());
 }
 
 TEST_F(InterfaceTest, LettersTypedIntoAFieldDoNotActAsShortcuts) {
@@ -172,7 +173,7 @@ TEST_F(InterfaceTest, AKeyHeldWhenTheWindowLosesTheFocusIsReleased) {
     std::this_thread::sleep_for(
         std::chrono::milliseconds(600));  // longer than the delay until keys repeat
     for (int i = 0; i < 3; ++i) interface_.lay_out(*editor_, {});
-    EXPECT_EQ(editor_->browser->name, "kep");
+    EXPECT_EQ(editor_->document().browser()->name, "kep");
 }
 
 }  // namespace

@@ -16,7 +16,7 @@ class ObjectViewTest : public OffscreenTest {};
 TEST_F(ObjectViewTest, FramesOfADragUploadOnlyWhatTheyChange) {
     Editor editor;
     editor.handle(event::Resize{{1280, 800}});
-    editor.new_shape(command::Shape::Kind::sphere, 8);
+    editor.document().new_shape(command::Shape::Kind::sphere, 8);
     editor.set_radius(0.02);
     ObjectView view(gl());
     Session& session = editor.workspace().session();
@@ -43,7 +43,7 @@ TEST_F(ObjectViewTest, FramesOfADragUploadOnlyWhatTheyChange) {
 TEST_F(ObjectViewTest, ADragAndUndoRestoreThePicture) {
     Editor editor;
     editor.handle(event::Resize{{320, 240}});
-    editor.new_shape(command::Shape::Kind::sphere, 3);
+    editor.document().new_shape(command::Shape::Kind::sphere, 3);
     ObjectView view(gl());
     Session& session = editor.workspace().session();
     view.update(session);

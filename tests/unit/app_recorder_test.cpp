@@ -19,7 +19,7 @@ class RecorderTest : public RecoveryTest {
 };
 
 TEST_F(RecorderTest, ARecordThatCanNoLongerBeWrittenEndsWithACompleteLineAndAMessage) {
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     ASSERT_TRUE(editor.execute(kDrag));
     const std::string before = read("record.jsonl");
     {
@@ -40,7 +40,7 @@ TEST_F(RecorderTest, ARecordThatCanNoLongerBeWrittenEndsWithACompleteLineAndAMes
 
 TEST_F(RecorderTest, ARecordEndsBeforeOpeningAModelWhosePathItCannotHold) {
     write("caf\xe9.obj", kTetrahedron);
-    Editor editor = this->editor(Recorder(path("record.jsonl")));
+    auto editor = this->editor(Recorder(path("record.jsonl")));
     const std::string before = read("record.jsonl");
     ASSERT_TRUE(editor.execute(command::Open{path("caf\xe9.obj")}));
     ASSERT_TRUE(editor.execute(kFirst));

@@ -41,32 +41,31 @@ class RecoveryTest : public EditorTest {
     }
     std::vector<LostSession> lost() const { return find_lost_sessions(folder()).sessions; }
     // An editor that keeps its commands in the state folder.
-    Editor recovering_editor() const {
-        Editor made({}, std::chrono::hours(1));
-        made.workspace().begin_recovery(folder());
-        return made;
+    PreparedEditor recovering_editor() const {
+        return PreparedEditor({}, std::chrono::hours(1),
+                              [this](Editor& made) { made.workspace().begin_recovery(folder()); });
     }
     // Executes the commands in an editor that ends without end_recovery(), as after a crash.
     void crash_after(const std::vector<Command>& commands) const {
-        Editor editor = recovering_editor();
+        auto editor = recovering_editor();
         for (const Command& command : commands) {
             ASSERT_TRUE(editor.execute(command)) << editor.workspace().message();
         }
     }
     // The same without what the editor does by itself after a command.
     void crash_after_exactly(const std::vector<Command>& commands) const {
-        Editor editor = recovering_editor();
+        auto editor = recovering_editor();
         for (const Command& command : commands) {
             ASSERT_EQ(editor.workspace().execute(command), Workspace::Outcome::done);
         }
     }
     static void finish_restoring(Editor& editor) {
-        while (editor.restoration()) editor.advance();
+        while (editor.document().restoration()) editor.advance();
     }
     static void restore(Editor& editor, std::vector<LostSession> sessions) {
-        editor.offer(std::move(sessions));
-        ASSERT_TRUE(editor.offered_session());
-        editor.answer_recovery(Editor::RecoveryAnswer::restore);
+        editor.document().offer(std::move(sessions));
+        ASSERT_TRUE(editor.document().offered_session());
+        editor.document().answer_recovery(DocumentController::RecoveryAnswer::restore);
         finish_restoring(editor);
     }
     void restore(Editor& editor) const { restore(editor, lost()); }

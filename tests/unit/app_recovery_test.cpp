@@ -84,19 +84,19 @@ TEST_F(RecoveryTest, ADamagedFileIsSetAsideAndReported) {
 TEST_F(RecoveryTest, LaterKeepsAllSessionsAndDiscardRemovesOne) {
     lose({kSphere, kDrag});
     lose({kSphere, kDrag});
-    Editor editor = this->editor();
-    editor.offer(lost());
-    editor.answer_recovery(Editor::RecoveryAnswer::discard);
-    EXPECT_TRUE(editor.offered_session()) << "the second one";
+    auto editor = this->editor();
+    editor.document().offer(lost());
+    editor.document().answer_recovery(DocumentController::RecoveryAnswer::discard);
+    EXPECT_TRUE(editor.document().offered_session()) << "the second one";
     EXPECT_EQ(file_count(), 1u);
     key(editor, Key::escape);
-    EXPECT_FALSE(editor.offered_session());
+    EXPECT_FALSE(editor.document().offered_session());
     EXPECT_EQ(file_count(), 1u);
 }
 
 TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsReportedAndTheWindowGoesOn) {
     write("state", "a file in place of the folder");
-    Editor editor = this->editor();
+    auto editor = this->editor();
     editor.workspace().begin_recovery(folder());
     EXPECT_NE(editor.workspace().message().find("recovery"), std::string::npos);
     EXPECT_FALSE(editor.workspace().has_recovery());
@@ -105,7 +105,7 @@ TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsReportedAndTheWindowGoesOn) {
 
 TEST_F(RecoveryTest, ASessionThatCanNoLongerBeKeptIsReportedAndIsNotTakenForACrash) {
     for (const bool has_full_disk : {true, false}) {
-        Editor editor = this->editor();
+        auto editor = this->editor();
         editor.workspace().begin_recovery(folder());
         ASSERT_TRUE(editor.execute(kDrag));
         ASSERT_TRUE(editor.workspace().has_recovery());

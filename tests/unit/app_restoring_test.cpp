@@ -11,7 +11,7 @@ TEST_F(RestoringTest, RestoringGivesTheExactObjectAndWritesNoFile) {
     const command::Open open{path("a.obj")};
     const std::string expected = bytes_after({open, kWide, kFirst, kSecond});
     crash_after({open, kWide, kFirst, kSecond});
-    Editor editor = this->editor();
+    auto editor = this->editor();
     restore(editor);
     EXPECT_FALSE(editor.has_dialog());
     EXPECT_EQ(read("a.obj"), kTetrahedron);
@@ -32,12 +32,12 @@ TEST_F(RestoringTest, ASessionThatHadSavedOverItsOwnModelIsRestored) {
         EXPECT_NE(saved, kTetrahedron);
         EXPECT_EQ(file_count(), 2u) << "commands and model";
         {
-            Editor editor = this->editor();
+            auto editor = this->editor();
             restore_and_begin_recovery(editor);
             EXPECT_EQ(file_count(), 2u) << "the restoring session has its own files";
             ASSERT_TRUE(editor.execute(kSecond)) << editor.workspace().message();
         }  // which crashes, too
-        Editor editor = this->editor();
+        auto editor = this->editor();
         restore(editor);
         EXPECT_EQ(read("a.obj"), saved) << "restoring writes no file";
         EXPECT_EQ(editor.workspace().path(), path(saved_as));
@@ -48,7 +48,7 @@ TEST_F(RestoringTest, ASessionThatHadSavedOverItsOwnModelIsRestored) {
 
 TEST_F(RestoringTest, OnlyTheOwnerCanReadCopiesOfModelsAndTheyAreRemovedWithTheSession) {
     write("a.obj", kTetrahedron);
-    Editor editor = recovering_editor();
+    auto editor = recovering_editor();
     ASSERT_TRUE(editor.execute(command::Open{path("a.obj")}));
     EXPECT_EQ(file_count(), 1u) << "no copy before it is needed";
     ASSERT_TRUE(editor.execute(command::Save{path("b.obj")}));
@@ -68,7 +68,7 @@ TEST_F(RestoringTest, ASessionIsNotRestoredFromAModelThatHasChanged) {
     write("a.obj", kTetrahedron);
     crash_after({command::Open{path("a.obj")}, kWide, kFirst});
     write("a.obj", kCube);
-    Editor editor = this->editor();
+    auto editor = this->editor();
     restore(editor);
     const std::string message = editor.workspace().message();
     EXPECT_NE(message.find("a.obj: was changed after the session had opened it"), std::string::npos)
@@ -76,14 +76,14 @@ TEST_F(RestoringTest, ASessionIsNotRestoredFromAModelThatHasChanged) {
     EXPECT_EQ(editor.workspace().object_name(), "sphere");
     EXPECT_FALSE(editor.workspace().is_modified());
     write("a.obj", kTetrahedron);  // the earlier contents
-    Editor next = this->editor();
+    auto next = this->editor();
     restore(next);
     EXPECT_EQ(bytes_of(next), bytes_after({command::Open{path("a.obj")}, kWide, kFirst}));
 }
 
 TEST_F(RestoringTest, SavingOverAModelThatAnotherProgramHasChangedWarnsThatItCannotBeRestored) {
     write("a.obj", kTetrahedron);
-    Editor editor = recovering_editor();
+    auto editor = recovering_editor();
     ASSERT_TRUE(editor.execute(command::Open{path("a.obj")}));
     write("a.obj", kCube);
     EXPECT_TRUE(editor.execute(command::Save{path("a.obj")}));
@@ -101,7 +101,7 @@ TEST_F(RestoringTest, OnlyTheModelThatWasOpenedLastIsNeeded) {
     crash_after({first, symmetry, kWide, kSecond, last, kWide, kFirst});
     const std::string expected = bytes_after({last, symmetry, kWide, kFirst});
     fs::remove(path("a.obj"));
-    Editor editor = this->editor();
+    auto editor = this->editor();
     restore(editor);
     EXPECT_EQ(bytes_of(editor), expected);
 }
@@ -114,7 +114,7 @@ TEST_F(RestoringTest, ACageThatWasFittedToAnEarlierObjectIsRestored) {
         command::Control{.points = {{.index = {1, 1, 1}, .to = Vec3(0.5, 0.3, 0.6)}}}};
     const std::string expected = bytes_after(commands);
     crash_after_exactly(commands);
-    Editor editor = this->editor();
+    auto editor = this->editor();
     restore(editor);
     EXPECT_EQ(bytes_of(editor), expected);
 }
@@ -123,7 +123,7 @@ TEST_F(RestoringTest, TheNextSaveGoesWhereTheLostSessionSavedLast) {
     write("a.obj", kTetrahedron);
     crash_after(
         {command::Open{path("a.obj")}, kWide, kFirst, command::Save{path("b.obj")}, kSecond});
-    Editor editor = this->editor();
+    auto editor = this->editor();
     restore(editor);
     EXPECT_EQ(editor.workspace().object_name(), "b.obj");
     const std::string expected =
@@ -144,7 +144,7 @@ TEST_F(RestoringTest, SettingsOfTheRestoringWindowHaveNoEffect) {
           Command(command::Brush{.span = 4}), Command(command::Cage{.fit = IVec3{3, 3, 3}}),
           Command(command::History{Setting::of(0.001)})}) {
         lose(off_centre);
-        Editor editor = this->editor();
+        auto editor = this->editor();
         ASSERT_TRUE(editor.execute(setting));
         restore(editor);
         EXPECT_EQ(bytes_of(editor), expected) << name(setting);
@@ -174,15 +174,15 @@ TEST_F(RestoringTest, RestoringContinuesFrameByFrameAndCanBeCancelled) {
     commands.push_back(kDrag);
     for (const bool quits : {false, true}) {
         lose(commands);
-        Editor editor = this->editor();
-        editor.offer(lost());
-        editor.answer_recovery(Editor::RecoveryAnswer::restore);
+        auto editor = this->editor();
+        editor.document().offer(lost());
+        editor.document().answer_recovery(DocumentController::RecoveryAnswer::restore);
         editor.advance();
-        ASSERT_TRUE(editor.restoration()) << "800 drags and undos in one frame";
+        ASSERT_TRUE(editor.document().restoration()) << "800 drags and undos in one frame";
         EXPECT_TRUE(editor.has_dialog());
         EXPECT_EQ(lost().size() + 1, file_count()) << "another window is offered this one, too";
-        EXPECT_GT(editor.restoration()->fraction(), 0.0);
-        EXPECT_LT(editor.restoration()->fraction(), 1.0);
+        EXPECT_GT(editor.document().restoration()->fraction(), 0.0);
+        EXPECT_LT(editor.document().restoration()->fraction(), 1.0);
         EXPECT_FALSE(editor.execute(command::Readapt{}))
             << "no other command may be executed meanwhile";
         if (quits) {
@@ -191,7 +191,7 @@ TEST_F(RestoringTest, RestoringContinuesFrameByFrameAndCanBeCancelled) {
             key(editor, Key::escape);
         }
         finish_restoring(editor);
-        EXPECT_EQ(editor.wants_to_end(), quits);
+        EXPECT_EQ(editor.document().wants_to_end(), quits);
         EXPECT_EQ(editor.workspace().object_name(), "sphere");
         EXPECT_FALSE(editor.workspace().is_modified());
         EXPECT_EQ(editor.session().undo_count(), 0u);
@@ -203,7 +203,7 @@ TEST_F(RestoringTest, RestoringContinuesFrameByFrameAndCanBeCancelled) {
 
 TEST_F(RestoringTest, TheRestoringSessionIsItselfKeptForRecovery) {
     lose({kSphere, kDrag});
-    Editor editor = this->editor();
+    auto editor = this->editor();
     restore_and_begin_recovery(editor);
     EXPECT_EQ(file_count(), 1u) << "this session's file also holds the restored commands";
     editor.workspace().end_recovery();
@@ -214,7 +214,7 @@ TEST_F(RestoringTest, IfRestoringFailsTheCommandsStayInAFileThatTheMessageNames)
     // The third command is invalid.
     write("a.obj", kTetrahedron);
     lose({command::Open{path("a.obj")}, kFirst, command::Redo{}, kSecond});
-    Editor editor = this->editor();
+    auto editor = this->editor();
     restore(editor);
     const std::string message = editor.workspace().message();
     EXPECT_NE(message.find("Restored up to command 2 of 4"), std::string::npos) << message;
@@ -226,7 +226,7 @@ TEST_F(RestoringTest, IfRestoringFailsTheCommandsStayInAFileThatTheMessageNames)
 
 TEST_F(RestoringTest, IfTheModelIsMissingTheSessionIsOfferedAgain) {
     lose({kSphere, kDrag, command::Open{path("gone.obj")}, kDrag});
-    Editor editor = this->editor();
+    auto editor = this->editor();
     restore(editor);
     const std::string message = editor.workspace().message();
     EXPECT_NE(message.find("gone.obj"), std::string::npos) << message;

@@ -3,9 +3,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <set>
 #include <utility>
+#include <vector>
 
 #include "command/json.h"
 #include "mesh/build_mesh.h"
@@ -259,6 +263,36 @@ TEST(HistoryMemory, MayExceedTheLimitWhileEverythingIsUndone) {
     EXPECT_LE(history.memory_bytes(), *history.limit());
     EXPECT_EQ(history.undo_count(), 2u);
     EXPECT_EQ(history.step_number(), 4u);
+}
+
+TEST(HistoryStates, HaveNumbersThatUndoAndRedoReturnToAndNewStepsDoNotReuse) {
+    FourDrags drags;
+    Session& session = drags.session;
+    const History& history = session.history();
+    std::vector<std::uint64_t> ids{history.state_id()};  // of the last state, then those before it
+    for (int i = 0; i < 4; ++i) {
+        expect_done(session, Undo{});
+        ids.push_back(history.state_id());
+    }
+    EXPECT_EQ(std::set(ids.begin(), ids.end()).size(), 5u);
+    for (std::size_t i = 4; i-- > 0;) {
+        expect_done(session, Redo{});
+        EXPECT_EQ(history.state_id(), ids[i]);
+    }
+    expect_done(session, Undo{.count = 2});
+    expect_done(session, Drag{.moves = {{{-1, 0, 0}, {-1.3, 0, 0}}}});
+    ASSERT_EQ(history.step_number(), 3u);
+    EXPECT_EQ(std::count(ids.begin(), ids.end(), history.state_id()), 0);
+    // The limit drops all steps but the last, and the states stay what they are.
+    const std::uint64_t last = history.state_id();
+    expect_done(session, megabytes(1e-6));
+    EXPECT_EQ(history.state_id(), last);
+    expect_done(session, Undo{});
+    EXPECT_EQ(history.state_id(), ids[2]);
+    // Another object.
+    ids.push_back(last);
+    expect_done(session, Shape{Shape::Kind::sphere, 3});
+    EXPECT_EQ(std::count(ids.begin(), ids.end(), history.state_id()), 0);
 }
 
 TEST(HistoryMemory, IsPartOfTheStatistics) {

@@ -97,7 +97,7 @@ void Interface::handle(Editor& editor, const InputEvent& input) {
 }
 
 void Interface::settle(Editor& editor, int layouts) {
-    for (int i = 0; i < layouts && !editor.wants_to_end(); ++i) {
+    for (int i = 0; i < layouts && !editor.document().wants_to_end(); ++i) {
         begin_layout(editor);
         ImGui::EndFrame();
     }
