@@ -8,7 +8,6 @@
 namespace pectin {
 namespace {
 
-constexpr double kRadiusStep = 1.12;
 // Limits of the brush's radius, in diagonals of the object's box.
 constexpr double kMinRadius = 1e-3, kMaxRadius = 2.0;
 // The part of the window between the panels on both sides, centred in the window.
@@ -112,33 +111,8 @@ std::optional<Lattice> Editor::editable_cage() const {
 // --- Actions.
 
 void Editor::perform(Action action) {
-    if (is_busy()) return;
-    switch (action) {
-        case Action::undo:
-            undo();
-            break;
-        case Action::redo:
-            if (session().redo_count() > 0) execute(command::Redo{});
-            break;
-        case Action::toggle_symmetry:
-            set_symmetry(!session().symmetry());
-            break;
-        case Action::toggle_pin:
-            toggle_pin();
-            break;
-        case Action::remove_pins:
-            pins_.clear();
-            break;
-        case Action::smaller_radius:
-            set_radius(workspace_.radius() / kRadiusStep);
-            break;
-        case Action::larger_radius:
-            set_radius(workspace_.radius() * kRadiusStep);
-            break;
-        default:
-            perform_on_file(action);
-            perform_on_view(action);
-    }
+    const ActionInfo& info = info_of(action);
+    if (!is_busy() && info.is_enabled(*this)) info.perform(*this);
 }
 
 void Editor::undo() {
@@ -148,34 +122,6 @@ void Editor::undo() {
         workspace_.set_message(
             "There is nothing left to undo: older steps were dropped to limit memory. The limit is "
             "in the menu Edit, Memory for undo.");
-    }
-}
-
-void Editor::perform_on_view(Action action) {
-    switch (action) {
-        case Action::frame_all:
-            frame_all();
-            break;
-        case Action::view_front:
-            frame_all(kFrontView);
-            break;
-        case Action::view_right:
-            frame_all(kRightView);
-            break;
-        case Action::view_top:
-            frame_all(kTopView);
-            break;
-        case Action::toggle_wireframe:
-            display.wireframe = !display.wireframe;
-            break;
-        case Action::toggle_lattice:
-            display.lattice = !display.lattice;
-            break;
-        case Action::toggle_levels:
-            display.levels = !display.levels;
-            break;
-        default:
-            break;
     }
 }
 

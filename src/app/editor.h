@@ -9,6 +9,7 @@
 #include <variant>
 #include <vector>
 
+#include "app/actions.h"
 #include "app/cage_points.h"
 #include "app/file_browser.h"
 #include "app/input_event.h"
@@ -16,7 +17,6 @@
 #include "app/pins.h"
 #include "app/restoration.h"
 #include "app/sculptor.h"
-#include "app/shortcuts.h"
 #include "app/view.h"
 #include "app/workspace.h"
 
@@ -74,7 +74,13 @@ class Editor {
 
     // --- Actions of menus, panels and keys. They do nothing during a drag, and during work in the
     // background.
-    void perform(Action action);
+    void perform(Action action);  // if it is enabled
+    void perform_on_file(Action action);
+    void undo();
+    // Moves the camera so that it shows the whole object, from its present direction or another.
+    void frame_all(const std::optional<Vec3>& direction = {});
+    void toggle_pin();  // under the cursor
+    void remove_pins() { pins_.clear(); }
     bool execute(const Command& command);  // returns whether the command is already done
     // Opens the window's first object: the model, or a sphere if `model` is empty or cannot be
     // opened.
@@ -112,6 +118,7 @@ class Editor {
     const IVec2& size() const { return size_; }
     bool shows_hint() const { return shows_hint_; }
     bool wants_to_end() const { return wants_to_end_; }
+    bool has_cursor_in_viewport() const { return cursor_in_viewport_; }
 
     Display display{};
     DragOptions drag_options{.connected = true, .fold_free = true};
@@ -200,7 +207,6 @@ class Editor {
     void report_drag();
     void cancel_drag();
     void rotate_or_scale(double notches);
-    void toggle_pin();
 
     // --- Files (editor_files.cpp).
     bool finish_command(const Command& command, Workspace::Outcome outcome);
@@ -208,7 +214,6 @@ class Editor {
     void reset_for_new_object();
     void reset_sizes();
     void execute_keeping_message(const Command& command);
-    void perform_on_file(Action action);
     std::string path_to_propose() const;
     void begin_save(std::optional<Question> next);
     void save(const std::string& path, std::optional<Question> next);
@@ -231,9 +236,6 @@ class Editor {
     void begin_radius_drag();
     void end_radius_drag(bool keeps);
     command::Symmetry symmetry_command(bool is_on) const;
-    void undo();
-    void perform_on_view(Action action);
-    void frame_all(const std::optional<Vec3>& direction = {});
 
     // Setting the radius: F is held, and the radius follows the mouse.
     struct RadiusDrag {

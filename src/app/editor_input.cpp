@@ -85,8 +85,7 @@ void Editor::on(const event::KeyDown& key, const UiClaims& claims) {
         if (!key.is_repeat) begin_radius_drag();
         return;
     }
-    const bool repeats = action == Action::undo || action == Action::redo;
-    if (action && (!key.is_repeat || repeats)) perform(*action);
+    if (action && (!key.is_repeat || info_of(*action).repeats)) perform(*action);
 }
 
 void Editor::on(const event::KeyUp& key, const UiClaims&) {

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 
+#include "app/action_widgets.h"
+#include "app/figure_text.h"
 #include "app/file_panel.h"
 #include "app/progress_panel.h"
 
@@ -23,10 +23,6 @@ constexpr float kSettingsWidth = 310.0f;
 
 constexpr float kMessageGap = 12.0f;  // between a message and its close button
 
-// The limits that the menu offers, in bytes.
-constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, History::kDefaultLimit,
-                                                 3'000'000'000, 10'000'000'000};
-
 const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
 
 constexpr std::array kHint{
@@ -34,71 +30,6 @@ constexpr std::array kHint{
     "Drag beside the object to orbit, with Shift to pan. The wheel zooms.",
     "[ and ] change the brush radius, X toggles symmetry, Ctrl+Z undoes a drag.",
 };
-
-void item(Editor& editor, const char* label, Action action, bool enabled = true) {
-    if (ImGui::MenuItem(label, shortcut_label(action).c_str(), false, enabled)) {
-        editor.perform(action);
-    }
-}
-
-void toggle(Editor& editor, const char* label, Action action, bool is_on) {
-    if (ImGui::MenuItem(label, shortcut_label(action).c_str(), is_on)) editor.perform(action);
-}
-
-void draw_new_menu(Editor& editor) {
-    using Kind = command::Shape::Kind;
-    if (!ImGui::BeginMenu("New")) return;
-    if (ImGui::MenuItem("Sphere")) editor.new_shape(Kind::sphere, 4);
-    if (ImGui::MenuItem("Cube")) editor.new_shape(Kind::cube, 16);
-    if (ImGui::MenuItem("Plane")) editor.new_shape(Kind::plane, 32);
-    if (ImGui::MenuItem("Torus")) editor.new_shape(Kind::torus, 16);
-    if (ImGui::MenuItem("Cylinder")) editor.new_shape(Kind::cylinder, 12);
-    ImGui::EndMenu();
-}
-
-// Formats 1234567 as 1,234,567.
-std::string grouped(std::uint64_t number) {
-    std::string digits = std::to_string(number);
-    for (std::size_t i = digits.size(); i > 3;) digits.insert(i -= 3, ",");
-    return digits;
-}
-
-std::string counted(std::uint64_t number, const char* one, const char* many) {
-    return grouped(number) + ' ' + (number == 1 ? one : many);
-}
-
-std::string formatted(const char* format, double value) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
-
-// Formats a number of bytes with as many digits as are useful.
-std::string megabytes(std::size_t bytes) {
-    const double number = 1e-6 * static_cast<double>(bytes);
-    if (number < 10.0) return formatted("%.1f MB", number);
-    return grouped(static_cast<std::uint64_t>(std::llround(number))) + " MB";
-}
-
-std::string undo_memory(const ObjectFigures& object) {
-    return megabytes(object.undo_bytes) +
-           (object.undo_limit ? " of " + megabytes(*object.undo_limit) : "");
-}
-
-void draw_undo_memory_menu(Editor& editor) {
-    if (!ImGui::BeginMenu("Memory for undo")) return;
-    const ObjectFigures object = editor.workspace().object_figures();
-    ImGui::TextDisabled("%s in use", undo_memory(object).c_str());
-    ImGui::Separator();
-    const auto choice = [&](const std::string& label, std::optional<std::size_t> limit) {
-        if (!ImGui::MenuItem(label.c_str(), nullptr, object.undo_limit == limit)) return;
-        const double number = 1e-6 * static_cast<double>(limit.value_or(0));
-        editor.execute(command::History{limit ? Setting::of(number) : Setting::off()});
-    };
-    for (const std::size_t limit : kUndoLimits) choice(megabytes(limit), limit);
-    choice("No limit", std::nullopt);
-    ImGui::EndMenu();
-}
 
 }  // namespace
 
@@ -139,44 +70,7 @@ void Panels::draw_menus(Editor& editor) {
     if (!ImGui::BeginMainMenuBar()) return;
     menu_height_ = ImGui::GetWindowSize().y;
     claim_window();
-    if (ImGui::BeginMenu("File")) {
-        draw_new_menu(editor);
-        item(editor, "Open…", Action::open);
-        ImGui::Separator();
-        item(editor, "Save", Action::save);
-        item(editor, "Save as…", Action::save_as);
-        item(editor, "Export OBJ…", Action::export_obj);
-        item(editor, "Save a picture…", Action::save_picture);
-        ImGui::Separator();
-        item(editor, "Quit", Action::quit);
-        ImGui::EndMenu();
-    }
-    if (ImGui::BeginMenu("Edit")) {
-        const ObjectFigures object = editor.workspace().object_figures();
-        item(editor, "Undo", Action::undo, object.undo_steps > 0);
-        item(editor, "Redo", Action::redo, object.redo_steps > 0);
-        draw_undo_memory_menu(editor);
-        ImGui::Separator();
-        toggle(editor, "Symmetry", Action::toggle_symmetry,
-               editor.session().symmetry().has_value());
-        item(editor, "Remove all pins", Action::remove_pins, !editor.pins().is_empty());
-        ImGui::Separator();
-        if (ImGui::MenuItem("Bake refinement", nullptr, false, object.is_refined)) {
-            editor.execute(command::Bake{});
-        }
-        ImGui::EndMenu();
-    }
-    if (ImGui::BeginMenu("View")) {
-        item(editor, "Frame all", Action::frame_all);
-        item(editor, "Front", Action::view_front);
-        item(editor, "Right", Action::view_right);
-        item(editor, "Top", Action::view_top);
-        ImGui::Separator();
-        toggle(editor, "Wireframe", Action::toggle_wireframe, editor.display.wireframe);
-        toggle(editor, "Lattice", Action::toggle_lattice, editor.display.lattice);
-        toggle(editor, "Levels", Action::toggle_levels, editor.display.levels);
-        ImGui::EndMenu();
-    }
+    menus_.draw(editor);
     ImGui::EndMainMenuBar();
 }
 
@@ -213,10 +107,10 @@ void Panels::draw_settings(Editor& editor) {
 }
 
 void Panels::draw_display_settings(Editor& editor) {
-    ImGui::Checkbox("Wireframe", &editor.display.wireframe);
-    ImGui::Checkbox("Refinement levels", &editor.display.levels);
-    ImGui::Checkbox("Lattice between drags", &editor.display.lattice);
-    ImGui::Checkbox("Symmetry plane", &editor.display.symmetry_plane);
+    action_checkbox(editor, Action::toggle_wireframe);
+    action_checkbox(editor, Action::toggle_levels);
+    action_checkbox(editor, Action::toggle_lattice);
+    action_checkbox(editor, Action::toggle_symmetry_plane);
 }
 
 void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
