@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/editor.h"
+#include "app/tools/pin_tool.h"
 
 namespace pectin {
 namespace {
@@ -36,7 +37,7 @@ bool can_undo(const Editor& editor) {
 bool can_redo(const Editor& editor) { return editor.workspace().object_figures().redo_steps > 0; }
 bool is_refined(const Editor& editor) { return editor.workspace().object_figures().is_refined; }
 bool has_pins(const Editor& editor) { return !editor.pins().is_empty(); }
-bool has_cursor(const Editor& editor) { return editor.has_cursor_in_viewport(); }
+bool has_cursor(const Editor& editor) { return editor.pointer().is_in_viewport; }
 
 bool has_symmetry(const Editor& editor) { return editor.session().symmetry().has_value(); }
 
@@ -286,7 +287,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .shortcuts = {plain('P')},
      .tooltip = "The key sets a pin where the cursor is on the surface, or removes the one there.",
      .is_enabled = has_cursor,
-     .perform = [](Editor& editor) { editor.toggle_pin(); }},
+     .perform = [](Editor& editor) { toggle_pin_at_cursor(editor); }},
     {.action = Action::smaller_radius,
      .name = "Smaller radius",
      .menu = Menu::tools,

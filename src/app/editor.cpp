@@ -8,76 +8,61 @@
 namespace pectin {
 namespace {
 
-// Limits of the brush's radius, in diagonals of the object's box.
-constexpr double kMinRadius = 1e-3, kMaxRadius = 2.0;
 // The part of the window between the panels on both sides, centred in the window.
 constexpr double kFreeWidth = 0.56, kFreeHeight = 0.78;
 
 }  // namespace
 
-Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_blocking_time)
-    : workspace_(std::move(recorder), max_blocking_time) {
+Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_blocking_time,
+               Tools tools)
+    : workspace_(std::move(recorder), max_blocking_time), tools_(std::move(tools)) {
     frame_all(kFitDirection);
 }
 
-void Editor::advance() {
-    if (restoration_) {
-        continue_restoring();
-    } else if (workspace_.is_working()) {
-        poll_work();
-    } else if (has_drag()) {
-        if (std::exchange(drag_is_stale_, false)) {
-            drag();
-        } else {
-            continue_frame();
-        }
+// --- What the tools show.
+
+void Editor::add_overlays(Overlay& overlay) const {
+    for (const auto& tool : tools_) tool->overlay(*this, overlay);
+}
+
+std::optional<ScreenBox> Editor::selection_box() const {
+    const Tool* const tool = active_tool();
+    return tool ? tool->selection_box() : std::nullopt;
+}
+
+std::string_view Editor::status_hint() const {
+    if (has_dialog()) return {};
+    if (const Tool* const tool = active_tool()) return tool->status_hint(*this);
+    if (!pointer_.is_in_viewport) return {};
+    for (const auto& tool : tools_) {
+        if (const std::string_view hint = tool->status_hint(*this); !hint.empty()) return hint;
     }
-    update_hover();
+    return navigation_hint(pointer_.modifiers);
 }
 
-void Editor::poll_work() {
-    const EditTask* const edit = workspace_.edit_task();
-    if (edit && !edit->command()) return finish_drag(workspace_.poll());
-    const Command command = edit ? *edit->command() : workspace_.file_task()->command;
-    finish_command(command, workspace_.poll());
+ShownSettings Editor::shown_settings() const {
+    ShownSettings settings;
+    for (const auto& tool : tools_) settings |= tool->settings();
+    return settings;
 }
 
-void Editor::update_hover() {
-    // While the radius is being set, its circle stays where it is.
-    if (has_drag() || radius_drag_) return;
-    hover_.reset();
-    std::optional<IVec3> control_point;
-    cage_points_.reset_for(editable_cage());
-    if (cursor_in_viewport_ && !navigation_.is_active() && !has_dialog()) {
-        hover_ = workspace_.session().pick(view().ray_through(cursor_));
-        if (editable_cage())
-            control_point = cage_points_.find_at(session(), view(), cursor_, hover_);
+// The outcome of the object stands for that of the last frame once there is no drag.
+FrameFigures Editor::figures() const {
+    FrameFigures figures = figures_;
+    if (!is_dragging()) {
+        const AdaptOutcome outcome = workspace_.object_figures().outcome;
+        figures.floor_hit = outcome.floor_hit;
+        figures.budget_hit = outcome.budget_hit;
+        figures.drag_budget_hit = outcome.drag_budget_hit;
     }
-    cage_points_.set_hovered(control_point);
-    if (control_point) hover_.reset();
+    return figures;
 }
 
-// --- Radius.
-
-double Editor::radius() const { return radius_drag_ ? radius_drag_->radius : workspace_.radius(); }
-double Editor::min_radius() const { return kMinRadius * workspace_.diagonal(); }
-double Editor::max_radius() const { return kMaxRadius * workspace_.diagonal(); }
-
-void Editor::begin_radius_drag() {
-    if (is_busy() || navigation_.is_active()) return;
-    radius_drag_ = RadiusDrag{cursor_.x, workspace_.radius(), workspace_.radius()};
-}
-
-void Editor::end_radius_drag(bool keeps) {
-    const RadiusDrag done = *std::exchange(radius_drag_, std::nullopt);
-    if (keeps && done.radius != done.start_radius) set_radius(done.radius);
-}
+// --- Radius, symmetry and cage.
 
 void Editor::set_radius(double radius) {
     execute(command::Brush{.radius = std::clamp(radius, min_radius(), max_radius())});
 }
-
-// --- Symmetry and cage.
 
 command::Symmetry Editor::symmetry_command(bool is_on) const {
     command::Symmetry symmetry;
@@ -102,10 +87,6 @@ void Editor::set_cage(const Box& box, const IVec3& counts) {
                                               .cell = cage.cell,
                                               .deformable = cage.counts(),
                                               .margin = cage.margin}});
-}
-
-std::optional<Lattice> Editor::editable_cage() const {
-    return display.lattice ? session().lattice_settings().cage : std::nullopt;
 }
 
 // --- Actions.

@@ -96,7 +96,8 @@ void Panels::draw_settings(Editor& editor) {
     claim_window();
     if (is_open) {
         if (ImGui::CollapsingHeader("Refine", ImGuiTreeNodeFlags_DefaultOpen)) refine_.draw(editor);
-        if (ImGui::CollapsingHeader("Lattice", ImGuiTreeNodeFlags_DefaultOpen)) {
+        if (editor.shown_settings().cage &&
+            ImGui::CollapsingHeader("Lattice", ImGuiTreeNodeFlags_DefaultOpen)) {
             cage_.draw(editor, scale_);
         }
         if (ImGui::CollapsingHeader("Display", ImGuiTreeNodeFlags_DefaultOpen)) {
@@ -189,12 +190,10 @@ void Panels::draw_drag_figures(const Editor& editor) const {
         ImGui::TextColored(colour, "%s", text.c_str());
         left += ImGui::CalcTextSize(text.c_str()).x + scaled(24.0f);
     };
-    if (editor.sculptor().is_dragging()) {
-        const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
-        if (frame.steps > 1) add_text(std::to_string(frame.steps) + " steps", plain);
-        if (frame.degrees != 0.0) add_text(formatted("twist %.0f°", frame.degrees), plain);
-        if (frame.scale != 1.0) add_text(formatted("scale %.2f", frame.scale), plain);
-    }
+    const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    if (frame.steps > 1) add_text(std::to_string(frame.steps) + " steps", plain);
+    if (frame.degrees != 0.0) add_text(formatted("twist %.0f°", frame.degrees), plain);
+    if (frame.scale != 1.0) add_text(formatted("scale %.2f", frame.scale), plain);
     if (frame.folded > 0) {
         add_text(counted(frame.folded, "vertex folded", "vertices folded"), kWarning);
     }
@@ -208,9 +207,9 @@ void Panels::draw_drag_figures(const Editor& editor) const {
     }
 }
 
-// Draws the box with which control points are being selected.
+// Draws the box with which a tool is selecting.
 void Panels::draw_selection(const Editor& editor) const {
-    const auto& box = editor.cage_points().box();
+    const std::optional<ScreenBox> box = editor.selection_box();
     if (!box) return;
     const auto at = [](const Vec2& v) {
         return ImVec2(static_cast<float>(v.x), static_cast<float>(v.y));

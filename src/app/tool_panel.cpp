@@ -62,14 +62,20 @@ void ToolPanel::draw(Editor& editor, float scale, float available) {
     const float others = kButtonLines * ImGui::GetFrameHeightWithSpacing() +
                          kTextLines * ImGui::GetTextLineHeightWithSpacing() +
                          4.0f * ImGui::GetStyle().ItemSpacing.y;
-    draw_radius(editor, width,
-                std::clamp(available - others, kMinSliderHeight * scale, kSliderHeight * scale));
-    ImGui::Separator();
-    draw_symmetry(editor, width);
-    ImGui::Separator();
-    draw_pins(editor, width);
-    action_button(editor, Action::toggle_connected, width);
-    action_button(editor, Action::toggle_fold_free, width);
+    const ShownSettings shown = editor.shown_settings();
+    if (shown.radius) {
+        draw_radius(
+            editor, width,
+            std::clamp(available - others, kMinSliderHeight * scale, kSliderHeight * scale));
+        ImGui::Separator();
+    }
+    if (shown.mirror) {
+        draw_symmetry(editor, width);
+        ImGui::Separator();
+    }
+    if (shown.pins) draw_pins(editor, width);
+    if (shown.connected) action_button(editor, Action::toggle_connected, width);
+    if (shown.fold_free) action_button(editor, Action::toggle_fold_free, width);
 }
 
 void ToolPanel::draw_radius(Editor& editor, float width, float height) {

@@ -10,18 +10,18 @@ namespace {
 
 constexpr IVec2 kSize{1200, 800};
 
-TEST(NavigationMode, DependsOnButtonModifiersAndWhatIsUnderTheCursor) {
+TEST(NavigationMode, DependsOnButtonAndModifiers) {
     using enum MouseButton;
     using enum NavigationMode;
-    EXPECT_EQ(navigation_mode(left, {}, true), std::nullopt);
-    EXPECT_EQ(navigation_mode(left, {.alt = true}, true), std::nullopt);
-    EXPECT_EQ(navigation_mode(left, {}, false), orbit);
-    EXPECT_EQ(navigation_mode(left, {.shift = true}, false), pan);
-    EXPECT_EQ(navigation_mode(middle, {}, true), orbit);
-    EXPECT_EQ(navigation_mode(middle, {.shift = true}, true), pan);
-    EXPECT_EQ(navigation_mode(middle, {.control = true}, false), zoom);
-    EXPECT_EQ(navigation_mode(right, {}, true), orbit);
-    EXPECT_EQ(navigation_mode(right, {.alt = true}, false), pan);
+    EXPECT_EQ(navigation_mode(left, {}), orbit);
+    EXPECT_EQ(navigation_mode(left, {.alt = true}), orbit);
+    EXPECT_EQ(navigation_mode(left, {.shift = true}), pan);
+    EXPECT_EQ(navigation_mode(middle, {}), orbit);
+    EXPECT_EQ(navigation_mode(middle, {.shift = true}), pan);
+    EXPECT_EQ(navigation_mode(middle, {.control = true}), zoom);
+    EXPECT_EQ(navigation_mode(right, {}), orbit);
+    EXPECT_EQ(navigation_mode(right, {.alt = true}), pan);
+    EXPECT_EQ(navigation_mode(right, {.shift = true}), pan);
 }
 
 TEST(Navigation, OrbitKeepsTargetAndDistance) {

@@ -1,4 +1,4 @@
-#include "app/sculptor.h"
+#include "app/tools/sculptor.h"
 
 #include <algorithm>
 #include <array>
