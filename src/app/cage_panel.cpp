@@ -96,7 +96,9 @@ void CagePanel::draw_cage_actions(Editor& editor) const {
     if (ImGui::Button("Fit to the object")) {
         editor.execute(command::Cage{command::Cage::Fit{counts_}});
     }
+    ImGui::PushID("cage");  // the section Display has the same checkbox
     action_checkbox(editor, Action::toggle_lattice);
+    ImGui::PopID();
     if (!editor.display.lattice) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped(

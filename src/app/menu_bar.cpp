@@ -79,8 +79,13 @@ void MenuBar::draw_entry(Editor& editor, const ActionInfo& info) {
     const bool is_chosen =
         ImGui::MenuItem(info.name, shortcut_label(info.action).c_str(),
                         info.is_on && info.is_on(editor), info.is_enabled(editor));
-    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) hovered_ = info.action;
-    tooltip_of(info.action);
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        hovered_ = info.action;
+        // Beside the menu, so that the tooltip hides no entry.
+        ImGui::SetNextWindowPos(
+            ImVec2(ImGui::GetWindowPos().x + ImGui::GetWindowSize().x, ImGui::GetItemRectMin().y));
+        tooltip_of(info.action);
+    }
     if (is_chosen) editor.perform(info.action);
 }
 

@@ -25,11 +25,14 @@ constexpr float kMessageGap = 12.0f;  // between a message and its close button
 
 const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
 
-constexpr std::array kHint{
-    "Drag a point of the surface. Its surroundings follow.",
-    "Drag beside the object to orbit, with Shift to pan. The wheel zooms.",
-    "[ and ] change the brush radius, X toggles symmetry, Ctrl+Z undoes a drag.",
-};
+std::array<std::string, 3> hint_lines() {
+    return {"Drag a point of the surface. Its surroundings follow.",
+            "Drag beside the object to orbit, with Shift to pan. The wheel zooms.",
+            shortcut_label(Action::smaller_radius) + " and " +
+                shortcut_label(Action::larger_radius) + " change the brush radius, " +
+                shortcut_label(Action::toggle_symmetry) + " toggles symmetry, " +
+                shortcut_label(Action::undo) + " undoes a drag."};
+}
 
 }  // namespace
 
@@ -254,7 +257,7 @@ void Panels::draw_hint(const Editor& editor) {
     ImGui::SetNextWindowBgAlpha(0.72f);
     ImGui::Begin("hint", nullptr,
                  kBare | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
-    for (const char* line : kHint) ImGui::TextUnformatted(line);
+    for (const std::string& line : hint_lines()) ImGui::TextUnformatted(line.c_str());
     ImGui::End();
 }
 

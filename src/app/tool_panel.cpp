@@ -92,7 +92,10 @@ void ToolPanel::draw_radius(Editor& editor, float width, float height) {
                         static_cast<float>(editor.min_radius()),
                         static_cast<float>(editor.max_radius()), "",
                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    tooltip("The radius of the brush. [ and ] change it in steps. Or hold F and move the mouse.");
+    tooltip(("The radius of the brush. " + shortcut_label(Action::smaller_radius) + " and " +
+             shortcut_label(Action::larger_radius) +
+             " change it in steps. Or hold F and move the mouse.")
+                .c_str());
     if (ImGui::IsItemActive()) edited_radius_ = radius;
     if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_radius(static_cast<double>(radius));
     if (!ImGui::IsItemActive()) edited_radius_.reset();
