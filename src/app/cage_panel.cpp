@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "app/action_widgets.h"
 #include "app/cage_box.h"
 
 namespace pectin {
@@ -95,8 +96,9 @@ void CagePanel::draw_cage_actions(Editor& editor) const {
     if (ImGui::Button("Fit to the object")) {
         editor.execute(command::Cage{.fit = counts_});
     }
-    ImGui::SameLine();
-    ImGui::Checkbox("Show (L)", &editor.display.lattice);
+    ImGui::PushID("cage");  // the section Display has the same checkbox
+    action_checkbox(editor, Action::toggle_lattice);
+    ImGui::PopID();
     if (!editor.display.lattice) return;
     ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
     ImGui::TextWrapped(

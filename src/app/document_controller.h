@@ -9,9 +9,9 @@
 #include <variant>
 #include <vector>
 
+#include "app/actions.h"
 #include "app/file_browser.h"
 #include "app/restoration.h"
-#include "app/shortcuts.h"
 #include "app/workspace.h"
 
 namespace pectin {

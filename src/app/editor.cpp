@@ -9,16 +9,14 @@
 namespace pectin {
 namespace {
 
-constexpr double kRadiusStep = 1.12;
-// Limits of the brush's radius, in diagonals of the object's box.
-constexpr double kMinRadius = 1e-3, kMaxRadius = 2.0;
 // The part of the window between the panels on both sides, centred in the window.
 constexpr double kFreeWidth = 0.56, kFreeHeight = 0.78;
 
 }  // namespace
 
-Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_blocking_time)
-    : workspace_(std::move(recorder), max_blocking_time) {
+Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_blocking_time,
+               Tools tools)
+    : workspace_(std::move(recorder), max_blocking_time), tools_(std::move(tools)) {
     frame_all(kFitDirection);
 }
 
@@ -28,42 +26,43 @@ void Editor::begin(const std::string& model) {
     set_symmetry(true);
 }
 
-void Editor::advance() {
-    if (is_working()) {
-        advance_work();
-    } else if (has_drag()) {
-        if (std::exchange(drag_is_stale_, false)) {
-            drag();
-        } else {
-            continue_frame();
-        }
-    }
-    update_hover();
+// --- What the tools show.
+
+void Editor::add_overlays(Overlay& overlay) const {
+    for (const auto& tool : tools_) tool->overlay(*this, overlay);
 }
 
-void Editor::advance_work() {
-    const EditTask* const edit = workspace_.edit_task();
-    const bool is_end_of_drag = edit && !edit->command();
-    if (is_end_of_drag) {
-        finish_drag(workspace_.poll());
-    } else {
-        document_.advance();
-    }
+std::optional<ScreenBox> Editor::selection_box() const {
+    const Tool* const tool = active_tool();
+    return tool ? tool->selection_box() : std::nullopt;
 }
 
-void Editor::update_hover() {
-    // While the radius is being set, its circle stays where it is.
-    if (has_drag() || radius_drag_) return;
-    hover_.reset();
-    std::optional<IVec3> control_point;
-    cage_points_.reset_for(editable_cage());
-    if (cursor_in_viewport_ && !navigation_.is_active() && !has_dialog()) {
-        hover_ = workspace_.session().pick(view().ray_through(cursor_));
-        if (editable_cage())
-            control_point = cage_points_.find_at(session(), view(), cursor_, hover_);
+std::string_view Editor::status_hint() const {
+    if (has_dialog()) return {};
+    if (const Tool* const tool = active_tool()) return tool->status_hint(*this);
+    if (!pointer_.is_in_viewport) return {};
+    for (const auto& tool : tools_) {
+        if (const std::string_view hint = tool->status_hint(*this); !hint.empty()) return hint;
     }
-    cage_points_.set_hovered(control_point);
-    if (control_point) hover_.reset();
+    return navigation_hint(pointer_.modifiers);
+}
+
+ShownSettings Editor::shown_settings() const {
+    ShownSettings settings;
+    for (const auto& tool : tools_) settings |= tool->settings();
+    return settings;
+}
+
+// The outcome of the object stands for that of the last frame once there is no drag.
+FrameFigures Editor::figures() const {
+    FrameFigures figures = figures_;
+    if (!is_dragging()) {
+        const AdaptOutcome outcome = workspace_.object_figures().outcome;
+        figures.floor_hit = outcome.floor_hit;
+        figures.budget_hit = outcome.budget_hit;
+        figures.drag_budget_hit = outcome.drag_budget_hit;
+    }
+    return figures;
 }
 
 // --- For the document controller.
@@ -115,27 +114,11 @@ command::Screenshot Editor::picture_command(const std::string& path) const {
             .wireframe = display.wireframe, .lattice = display.lattice, .levels = display.levels}};
 }
 
-// --- Radius.
-
-double Editor::radius() const { return radius_drag_ ? radius_drag_->radius : workspace_.radius(); }
-double Editor::min_radius() const { return kMinRadius * workspace_.diagonal(); }
-double Editor::max_radius() const { return kMaxRadius * workspace_.diagonal(); }
-
-void Editor::begin_radius_drag() {
-    if (is_busy() || navigation_.is_active()) return;
-    radius_drag_ = RadiusDrag{cursor_.x, workspace_.radius(), workspace_.radius()};
-}
-
-void Editor::end_radius_drag(bool keeps) {
-    const RadiusDrag done = *std::exchange(radius_drag_, std::nullopt);
-    if (keeps && done.radius != done.start_radius) set_radius(done.radius);
-}
+// --- Radius, symmetry and cage.
 
 void Editor::set_radius(double radius) {
     execute(command::Brush{.radius = std::clamp(radius, min_radius(), max_radius())});
 }
-
-// --- Symmetry and cage.
 
 command::Symmetry Editor::symmetry_command(bool is_on) const {
     command::Symmetry symmetry;
@@ -162,40 +145,11 @@ void Editor::set_cage(const Box& box, const IVec3& counts) {
                           .margin = cage.margin});
 }
 
-std::optional<Lattice> Editor::editable_cage() const {
-    return display.lattice ? session().lattice_settings().cage : std::nullopt;
-}
-
 // --- Actions.
 
 void Editor::perform(Action action) {
-    if (is_busy()) return;
-    switch (action) {
-        case Action::undo:
-            undo();
-            break;
-        case Action::redo:
-            if (session().redo_count() > 0) execute(command::Redo{});
-            break;
-        case Action::toggle_symmetry:
-            set_symmetry(!session().symmetry());
-            break;
-        case Action::toggle_pin:
-            toggle_pin();
-            break;
-        case Action::remove_pins:
-            pins_.clear();
-            break;
-        case Action::smaller_radius:
-            set_radius(workspace_.radius() / kRadiusStep);
-            break;
-        case Action::larger_radius:
-            set_radius(workspace_.radius() * kRadiusStep);
-            break;
-        default:
-            document_.perform(action);
-            perform_on_view(action);
-    }
+    const ActionInfo& info = info_of(action);
+    if (!is_busy() && info.is_enabled(*this)) info.perform(*this);
 }
 
 void Editor::undo() {
@@ -205,34 +159,6 @@ void Editor::undo() {
         workspace_.set_message(
             "There is nothing left to undo: older steps were dropped to limit memory. The limit is "
             "in the menu Edit, Memory for undo.");
-    }
-}
-
-void Editor::perform_on_view(Action action) {
-    switch (action) {
-        case Action::frame_all:
-            frame_all();
-            break;
-        case Action::view_front:
-            frame_all(kFrontView);
-            break;
-        case Action::view_right:
-            frame_all(kRightView);
-            break;
-        case Action::view_top:
-            frame_all(kTopView);
-            break;
-        case Action::toggle_wireframe:
-            display.wireframe = !display.wireframe;
-            break;
-        case Action::toggle_lattice:
-            display.lattice = !display.lattice;
-            break;
-        case Action::toggle_levels:
-            display.levels = !display.levels;
-            break;
-        default:
-            break;
     }
 }
 

@@ -5,28 +5,18 @@
 #include <chrono>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
-#include "app/cage_points.h"
+#include "app/actions.h"
 #include "app/document_controller.h"
 #include "app/input_event.h"
 #include "app/navigation.h"
-#include "app/pins.h"
-#include "app/sculptor.h"
-#include "app/shortcuts.h"
-#include "app/view.h"
-#include "app/workspace.h"
+#include "app/tool_context.h"
+#include "app/tools/tool.h"
 
 namespace pectin {
-
-struct Display {
-    bool wireframe = false, levels = false;
-    // Whether the lattice is also shown between drags. The control points of a cage can then be
-    // dragged.
-    bool lattice = false;
-    bool symmetry_plane = true;
-};
 
 // The plane that is used when symmetry is switched on.
 struct MirrorChoice {
@@ -35,57 +25,48 @@ struct MirrorChoice {
     bool through_centre = false;
 };
 
-// Counts and timings of the most recent frame in which a drag changed the object.
-struct FrameFigures {
-    std::uint64_t splits = 0, unsplits = 0;
-    double seconds = 0.0;  // without rendering
-    double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
-    bool floor_hit = false, budget_hit = false, drag_budget_hit = false;
-    std::size_t steps = 1;              // number of steps of a fold-free drag
-    double degrees = 0.0, scale = 1.0;  // twist and scale at the grabbed point
-    std::uint64_t folded = 0;           // number of folded vertices after the drag
-};
-
 // The devices whose input belongs to the user interface at the moment.
 struct UiClaims {
     bool mouse = false, keyboard = false;
 };
 
-class Editor : private DocumentController::Delegate {
+class Editor : public ToolContext, private DocumentController::Delegate {
   public:
-    // max_blocking_time: as for Workspace.
+    // max_blocking_time: as for Workspace. tools: in the order in which they are asked.
     explicit Editor(std::optional<Recorder> recorder = {},
-                    std::chrono::milliseconds max_blocking_time = kMaxBlockingTime);
+                    std::chrono::milliseconds max_blocking_time = kMaxBlockingTime,
+                    Tools tools = all_tools());
     virtual ~Editor() = default;
     Editor(const Editor&) = delete;  // its parts refer to each other
     Editor& operator=(const Editor&) = delete;
 
-    // --- Input.
+    // --- Input. It goes to the tools of the mouse (app/tools/), and to navigation if no tool takes
+    // it.
     void handle(const InputEvent& input, const UiClaims& claims = {});
-    // Updates the active drag, work in the background, a restoration and what is under the cursor.
+    // Updates the active tool, work in the background, a restoration and what is under the cursor.
     // To be called once per frame, after the frame's events.
     void advance();
 
     // Whether advance() has more to do for the active drag, although there is no further input.
     bool has_unfinished_frame() const;
 
-    // Cancels the active drag and shows a message; does nothing during an edit in the background.
-    // what: what needed the memory, such as "frame".
+    // Cancels what a tool is doing and shows a message; does nothing during an edit in the
+    // background. what: what needed the memory, such as "frame".
     void handle_out_of_memory(const char* what) noexcept;
 
-    // --- Actions of menus, panels and keys. They do nothing during a drag, and during work in the
-    // background.
-    void perform(Action action);
+    // --- Actions of menus, panels and keys. They do nothing while a tool is active, and during
+    // work in the background.
+    void perform(Action action);  // if it is enabled
+    void undo();
+    // Moves the camera so that it shows the whole object, from its present direction or another.
+    void frame_all(const std::optional<Vec3>& direction = {});
+    void remove_pins() { pins_.clear(); }
     // As DocumentController::execute().
     bool execute(const Command& command) { return document_.execute(command); }
     // Opens the window's first object: the model, or a sphere if `model` is empty or cannot be
     // opened.
     void begin(const std::string& model);
-    // Sets the brush's radius, clamped to the range from min_radius() to max_radius(). The range
-    // follows from the object's size.
-    void set_radius(double radius);
-    double min_radius() const;
-    double max_radius() const;
+    void set_radius(double radius) override;
     void set_symmetry(bool is_on);
     void choose_mirror(const MirrorChoice& choice);  // also changes the plane of active symmetry
     // Sets a cage that is fitted to this box. counts: control points per axis.
@@ -95,30 +76,32 @@ class Editor : private DocumentController::Delegate {
     DocumentController& document() { return document_; }
     const DocumentController& document() const { return document_; }
     bool has_dialog() const { return document_.has_dialog(); }
-    bool is_working() const { return document_.is_working(); }
+    bool is_working() const override { return document_.is_working(); }
 
     // --- State to display.
-    Workspace& workspace() { return workspace_; }
-    const Workspace& workspace() const { return workspace_; }
-    const Session& session() const { return workspace_.session(); }
+    Workspace& workspace() override { return workspace_; }
+    const Workspace& workspace() const override { return workspace_; }
     const Camera& camera() const { return navigation_.camera(); }
-    const Sculptor& sculptor() const { return sculptor_; }
-    const CagePoints& cage_points() const { return cage_points_; }
-    // The cage, if its control points are shown and can be dragged.
-    std::optional<Lattice> editable_cage() const;
-    const Pins& pins() const { return pins_; }
+    View view() const override { return {camera(), size_}; }
+    Pins& pins() override { return pins_; }
+    const Pins& pins() const override { return pins_; }
     const MirrorChoice& mirror_choice() const { return mirror_; }
-    const std::optional<Pick>& hover() const { return hover_; }
-    // The brush's radius, also while it is being set with the mouse.
-    double radius() const;
-    bool is_setting_radius() const { return radius_drag_.has_value(); }
+    const Pointer& pointer() const override { return pointer_; }
+    const std::optional<Pick>& hover() const override { return hover_; }
     FrameFigures figures() const;
     const IVec2& size() const { return size_; }
     bool shows_hint() const { return shows_hint_; }
 
-    Display display{};
-    DragOptions drag_options{.connected = true, .fold_free = true};
-    bool sets_pins = false;  // whether a click on the surface sets or removes a pin
+    // --- The tools.
+    const Tools& tools() const { return tools_; }
+    bool is_dragging() const override;
+    // Adds what the tools show in the viewport.
+    void add_overlays(Overlay& overlay) const;
+    std::optional<ScreenBox> selection_box() const;
+    // One sentence about what the mouse does here and now.
+    std::string_view status_hint() const;
+    // The settings that matter to any of the tools.
+    ShownSettings shown_settings() const;
 
   private:
     // --- Input (editor_input.cpp).
@@ -138,29 +121,19 @@ class Editor : private DocumentController::Delegate {
     bool escape_gesture();
     void escape_state();
 
-    // --- Drags and pins (editor_drag.cpp).
+    // --- Tools (editor_input.cpp).
+    FrameFigures& drag_figures() override { return figures_; }
+    Tool* active_tool() const;
     template <typename Part>
-    bool attempt(Part part);
-    void press_on_surface(const Vec2& at, const Pick& pick);
-    Pick handle_at(Pick pick, const Vec2& at) const;
-    Pick snapped_to_symmetry_plane(Pick pick) const;
-    void grab(const Pick& pick, const Ray& ray);
-    void drag();
-    void continue_frame();
-    void update_point_drag();
-    void update_control_drag();
-    void reset_figures();
-    void record_frame(std::chrono::duration<double> taken);
-    void release_drag();
-    void finish_drag(Workspace::Outcome outcome);
-    void abandon_drag() noexcept;
-    void report_drag();
-    void cancel_drag();
-    void rotate_or_scale(double notches);
-    void toggle_pin();
+    bool run(Part part);
+    template <typename Offer>
+    bool offer_to_tools(Offer offer);
+    void cancel_gesture() noexcept;
+    void advance_work();
+    void update_hover();
 
     // --- For the document controller (editor.cpp).
-    bool has_gesture() const override { return has_drag() || radius_drag_; }
+    bool has_gesture() const override { return active_tool() != nullptr; }
     void command_done(const Command& command) override;
     void restoration_ended() override;
     command::Screenshot picture_command(const std::string& path) const override;
@@ -168,40 +141,18 @@ class Editor : private DocumentController::Delegate {
     void reset_sizes();
 
     // --- Everything else (editor.cpp).
-    View view() const { return {camera(), size_}; }
-    // Whether a drag follows the mouse, or its end is being worked on.
-    bool has_drag() const { return sculptor_.is_dragging() || cage_points_.is_active(); }
     bool is_busy() const { return has_gesture() || is_working(); }
-    void advance_work();
-    void update_hover();
-    void begin_radius_drag();
-    void end_radius_drag(bool keeps);
     command::Symmetry symmetry_command(bool is_on) const;
-    void undo();
-    void perform_on_view(Action action);
-    void frame_all(const std::optional<Vec3>& direction = {});
-
-    // Setting the radius: F is held, and the radius follows the mouse.
-    struct RadiusDrag {
-        double start_x, start_radius, radius;
-    };
 
     Workspace workspace_;
     DocumentController document_{workspace_, *this};
     Navigation navigation_;
-    Sculptor sculptor_;
-    CagePoints cage_points_;
+    Tools tools_;
     Pins pins_;
     MirrorChoice mirror_;
     IVec2 size_{1280, 800};
-    Vec2 cursor_{0.0};
-    Modifiers modifiers_{};
-    bool cursor_in_viewport_ = false;  // over the window and not over its panels
-    bool drag_is_stale_ = false;       // the active drag must be updated in the next frame
-    std::vector<Vec2> cursor_path_;    // of the cursor since the drag was updated
-    Vec2 last_cursor_{0.0};            // the cursor at that update
+    Pointer pointer_;
     std::optional<Pick> hover_;
-    std::optional<RadiusDrag> radius_drag_;
     FrameFigures figures_;
     bool shows_hint_ = true;
 };

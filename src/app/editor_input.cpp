@@ -1,20 +1,15 @@
-// How an Editor handles input events.
+// How an Editor passes input events to tools and navigation, and what it does in each frame.
 
 #include <algorithm>
-#include <cmath>
+#include <new>
+#include <string>
+#include <utility>
 #include <variant>
 
 #include "app/editor.h"
+#include "app/execute.h"
 
 namespace pectin {
-namespace {
-
-// The radius doubles when the mouse moves by this many pixels.
-constexpr double kPixelsPerDoubling = 160.0;
-
-bool is_letter(Key key, char letter) { return key == Key{letter}; }
-
-}  // namespace
 
 void Editor::handle(const InputEvent& input, const UiClaims& claims) {
     // A dialog takes all input, even before it has been drawn.
@@ -22,73 +17,161 @@ void Editor::handle(const InputEvent& input, const UiClaims& claims) {
     std::visit([&](const auto& event) { on(event, in_force); }, input);
 }
 
+// --- Tools.
+
+// The tool whose gesture goes on, or whose drag is being ended in the background; null if there is
+// none.
+Tool* Editor::active_tool() const {
+    const auto active = std::ranges::find_if(tools_, [](const auto& t) { return t->is_active(); });
+    return active == tools_.end() ? nullptr : active->get();
+}
+
+bool Editor::is_dragging() const {
+    const Tool* const tool = active_tool();
+    return tool && tool->is_dragging();
+}
+
+// Runs something that a tool does. If it throws, the tool's gesture is cancelled. Returns whether
+// it did not throw.
+template <typename Part>
+bool Editor::run(Part part) {
+    try {
+        part();
+        if (is_dragging()) {
+            shows_hint_ = false;
+            hover_.reset();
+        }
+        return true;
+    } catch (const std::bad_alloc&) {
+        handle_out_of_memory("drag");
+    } catch (const std::exception& error) {
+        cancel_gesture();
+        workspace_.set_message(std::string("The drag was cancelled: ") + error.what());
+    }
+    return false;
+}
+
+// Offers an event to the tools, one after the other. Returns whether one has taken it.
+template <typename Offer>
+bool Editor::offer_to_tools(Offer offer) {
+    bool is_taken = false;
+    const bool is_done = run([&] {
+        is_taken = std::ranges::any_of(tools_, [&](const auto& tool) { return offer(*tool); });
+    });
+    return is_taken || !is_done;
+}
+
+void Editor::cancel_gesture() noexcept {
+    if (Tool* const tool = active_tool()) tool->cancel(*this);
+}
+
+void Editor::handle_out_of_memory(const char* what) noexcept {
+    if (workspace_.edit_task()) return;  // the session, also its history, is in use
+    cancel_gesture();
+    try {
+        workspace_.set_message(not_enough_memory(what, session().history()));
+    } catch (const std::bad_alloc&) {
+        // There is not even enough memory for the message.
+    }
+}
+
+// --- Frames.
+
+void Editor::advance() {
+    if (is_working()) {
+        advance_work();
+    } else if (Tool* const tool = active_tool()) {
+        run([&] { tool->advance(*this); });
+    }
+    update_hover();
+}
+
+bool Editor::has_unfinished_frame() const {
+    return !is_working() && session().has_unfinished_frame();
+}
+
+void Editor::advance_work() {
+    const EditTask* const edit = workspace_.edit_task();
+    const bool is_end_of_drag = edit && !edit->command();
+    if (!is_end_of_drag) return document_.advance();
+    const Workspace::Outcome outcome = workspace_.poll();
+    if (outcome == Workspace::Outcome::in_progress) return;
+    if (Tool* const tool = active_tool()) run([&] { tool->finish(*this, outcome); });
+    document_.continue_quitting();
+}
+
+void Editor::update_hover() {
+    if (active_tool()) return;
+    hover_.reset();
+    bool is_free = pointer_.is_in_viewport && !navigation_.is_active() && !has_dialog();
+    if (is_free) hover_ = pick_at_cursor();
+    for (const auto& tool : tools_) {
+        if (!tool->hover(*this, is_free)) continue;
+        is_free = false;
+        hover_.reset();
+    }
+}
+
 // --- Mouse.
 
 void Editor::on(const event::Press& press, const UiClaims& claims) {
-    cursor_ = press.at;
-    modifiers_ = press.modifiers;
-    cursor_in_viewport_ = !claims.mouse;
-    if (radius_drag_) return end_radius_drag(press.button == MouseButton::left);
-    if (claims.mouse || is_busy() || navigation_.is_active()) return;
-    const std::optional<Pick> pick = workspace_.session().pick(view().ray_through(press.at));
-    const bool drags_control_points = press.button == MouseButton::left && editable_cage();
-    if (drags_control_points &&
-        cage_points_.press(session(), view(), press.at, press.modifiers, pick)) {
-        workspace_.clear_command_message();
-    } else if (const auto mode = navigation_mode(press.button, press.modifiers, pick.has_value())) {
-        navigation_.begin(*mode, press.button, press.at);
-    } else {
-        press_on_surface(press.at, *pick);
+    pointer_ = {press.at, press.modifiers, !claims.mouse};
+    if (is_working()) return;
+    if (Tool* const tool = active_tool()) {
+        run([&] { tool->press(*this, press.button); });
+    } else if (!claims.mouse && !navigation_.is_active() &&
+               !offer_to_tools([&](Tool& t) { return t.press(*this, press.button); })) {
+        navigation_.begin(navigation_mode(press.button, press.modifiers), press.button, press.at);
     }
 }
 
 void Editor::on(const event::Release& release, const UiClaims&) {
-    cursor_ = release.at;
-    modifiers_ = release.modifiers;
+    pointer_.at = release.at;
+    pointer_.modifiers = release.modifiers;
     if (navigation_.button() == release.button) navigation_.end();
-    if (has_drag() && !is_working() && release.button == MouseButton::left) release_drag();
+    Tool* const tool = active_tool();
+    if (tool && !is_working()) run([&] { tool->release(*this, release.button); });
 }
 
 void Editor::on(const event::MouseMove& move, const UiClaims& claims) {
-    cursor_ = move.at;
-    modifiers_ = move.modifiers;
-    cursor_in_viewport_ = !claims.mouse;
+    pointer_ = {move.at, move.modifiers, !claims.mouse};
     navigation_.move_to(move.at, size_);
-    cage_points_.move_to(move.at);
-    drag_is_stale_ = has_drag();
-    if (sculptor_.is_dragging()) cursor_path_.push_back(move.at);
-    if (!radius_drag_) return;
-    const double doublings = (move.at.x - radius_drag_->start_x) / kPixelsPerDoubling;
-    radius_drag_->radius =
-        std::clamp(radius_drag_->start_radius * std::exp2(doublings), min_radius(), max_radius());
+    Tool* const tool = active_tool();
+    if (tool && !is_working()) run([&] { tool->move(*this); });
 }
 
-void Editor::on(const event::Leave&, const UiClaims&) { cursor_in_viewport_ = false; }
+void Editor::on(const event::Leave&, const UiClaims&) { pointer_.is_in_viewport = false; }
 
 void Editor::on(const event::Scroll& scroll, const UiClaims& claims) {
-    if (sculptor_.is_dragging() && !is_working()) return rotate_or_scale(scroll.amount);
-    if (!claims.mouse && !is_busy()) navigation_.scroll(scroll.amount, scroll.at, size_);
+    if (is_working()) return;
+    if (Tool* const tool = active_tool()) {
+        run([&] { tool->scroll(*this, scroll.amount); });
+    } else if (!claims.mouse &&
+               !offer_to_tools([&](Tool& t) { return t.scroll(*this, scroll.amount); })) {
+        navigation_.scroll(scroll.amount, scroll.at, size_);
+    }
 }
 
 // --- Keyboard.
 
 void Editor::on(const event::KeyDown& key, const UiClaims& claims) {
-    modifiers_ = key.modifiers;
+    pointer_.modifiers = key.modifiers;
     if (key.key == Key::escape) return escape(claims.keyboard);
     if (key.key == Key::enter && !key.is_repeat) document_.press_enter();
     const auto action = action_for(key.key, key.modifiers);
     if (is_working() && action == Action::quit) return document_.quit();
-    if (claims.keyboard) return;
-    if (is_letter(key.key, 'F') && key.modifiers == Modifiers{}) {
-        if (!key.is_repeat) begin_radius_drag();
-        return;
+    if (claims.keyboard || is_working()) return;
+    if (Tool* const tool = active_tool()) {
+        run([&] { tool->key(*this, key); });
+    } else if (navigation_.is_active() ||
+               !offer_to_tools([&](Tool& t) { return t.key(*this, key); })) {
+        if (action && (!key.is_repeat || info_of(*action).repeats)) perform(*action);
     }
-    const bool repeats = action == Action::undo || action == Action::redo;
-    if (action && (!key.is_repeat || repeats)) perform(*action);
 }
 
 void Editor::on(const event::KeyUp& key, const UiClaims&) {
-    if (is_letter(key.key, 'F') && radius_drag_) end_radius_drag(true);
+    Tool* const tool = active_tool();
+    if (tool && !is_working()) run([&] { tool->key_up(*this, key.key); });
 }
 
 void Editor::on(const event::Character& character, const UiClaims& claims) {
@@ -103,24 +186,17 @@ void Editor::escape(bool is_claimed) {
 
 // Returns whether there was a gesture to cancel.
 bool Editor::escape_gesture() {
-    if (is_working()) return false;
-    if (has_drag()) {
-        cancel_drag();
-    } else if (radius_drag_) {
-        end_radius_drag(false);
-    } else {
-        return false;
-    }
+    if (is_working() || !active_tool()) return false;
+    cancel_gesture();
     return true;
 }
 
+// The last tool is asked first. So Esc ends the setting of pins before it clears a selection of
+// control points.
 void Editor::escape_state() {
-    if (!workspace_.message().empty()) {
-        workspace_.dismiss();
-    } else if (sets_pins) {
-        sets_pins = false;
-    } else {
-        cage_points_.clear_selection();
+    if (!workspace_.message().empty()) return workspace_.dismiss();
+    for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
+        if ((*tool)->escape(*this)) return;
     }
 }
 

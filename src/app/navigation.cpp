@@ -25,19 +25,15 @@ Camera zoomed_within_limits(const Camera& camera, double factor) {
 
 }  // namespace
 
-std::optional<NavigationMode> navigation_mode(MouseButton button, const Modifiers& modifiers,
-                                              bool on_surface) {
-    switch (button) {
-        case MouseButton::left:
-            if (on_surface) return std::nullopt;
-            return modifiers.shift ? NavigationMode::pan : NavigationMode::orbit;
-        case MouseButton::middle:
-            if (modifiers.control) return NavigationMode::zoom;
-            return modifiers.shift ? NavigationMode::pan : NavigationMode::orbit;
-        case MouseButton::right:
-            return modifiers.alt || modifiers.shift ? NavigationMode::pan : NavigationMode::orbit;
-    }
-    return std::nullopt;
+NavigationMode navigation_mode(MouseButton button, const Modifiers& modifiers) {
+    if (button == MouseButton::middle && modifiers.control) return NavigationMode::zoom;
+    const bool alt_pans = button == MouseButton::right && modifiers.alt;
+    return modifiers.shift || alt_pans ? NavigationMode::pan : NavigationMode::orbit;
+}
+
+std::string_view navigation_hint(const Modifiers& modifiers) {
+    if (modifiers.shift) return "Drag to move the object across the window.";
+    return "Drag to turn the object, with Shift to move it, and turn the wheel to zoom.";
 }
 
 void Navigation::begin(NavigationMode mode, MouseButton button, const Vec2& at) {

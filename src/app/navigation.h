@@ -3,6 +3,7 @@
 
 #include <optional>
 #include <span>
+#include <string_view>
 
 #include "app/input_event.h"
 #include "geometry/camera.h"
@@ -11,9 +12,10 @@ namespace pectin {
 
 enum class NavigationMode { orbit, pan, zoom };
 
-// Returns the mode that a press begins; nothing if the press drags the surface.
-std::optional<NavigationMode> navigation_mode(MouseButton button, const Modifiers& modifiers,
-                                              bool on_surface);
+// Returns the mode that a press begins which no tool takes.
+NavigationMode navigation_mode(MouseButton button, const Modifiers& modifiers);
+// One sentence about what a drag with the left button then does.
+std::string_view navigation_hint(const Modifiers& modifiers);
 
 class Navigation {
   public:

@@ -4,9 +4,9 @@
 
 #include <algorithm>
 #include <array>
-#include <cmath>
-#include <cstdio>
 
+#include "app/action_widgets.h"
+#include "app/figure_text.h"
 #include "app/file_panel.h"
 #include "app/progress_panel.h"
 
@@ -23,82 +23,16 @@ constexpr float kSettingsWidth = 310.0f;
 
 constexpr float kMessageGap = 12.0f;  // between a message and its close button
 
-// The limits that the menu offers, in bytes.
-constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, History::kDefaultLimit,
-                                                 3'000'000'000, 10'000'000'000};
-
 const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
 const ImVec4 kWarningBorder(0.86f, 0.62f, 0.34f, 0.8f);
 
-constexpr std::array kHint{
-    "Drag a point of the surface. Its surroundings follow.",
-    "Drag beside the object to orbit, with Shift to pan. The wheel zooms.",
-    "[ and ] change the brush radius, X toggles symmetry, Ctrl+Z undoes a drag.",
-};
-
-void item(Editor& editor, const char* label, Action action, bool enabled = true) {
-    if (ImGui::MenuItem(label, shortcut_label(action).c_str(), false, enabled)) {
-        editor.perform(action);
-    }
-}
-
-void toggle(Editor& editor, const char* label, Action action, bool is_on) {
-    if (ImGui::MenuItem(label, shortcut_label(action).c_str(), is_on)) editor.perform(action);
-}
-
-void draw_new_menu(Editor& editor) {
-    using Kind = command::Shape::Kind;
-    if (!ImGui::BeginMenu("New")) return;
-    if (ImGui::MenuItem("Sphere")) editor.document().new_shape(Kind::sphere, 4);
-    if (ImGui::MenuItem("Cube")) editor.document().new_shape(Kind::cube, 16);
-    if (ImGui::MenuItem("Plane")) editor.document().new_shape(Kind::plane, 32);
-    if (ImGui::MenuItem("Torus")) editor.document().new_shape(Kind::torus, 16);
-    if (ImGui::MenuItem("Cylinder")) editor.document().new_shape(Kind::cylinder, 12);
-    ImGui::EndMenu();
-}
-
-// Formats 1234567 as 1,234,567.
-std::string grouped(std::uint64_t number) {
-    std::string digits = std::to_string(number);
-    for (std::size_t i = digits.size(); i > 3;) digits.insert(i -= 3, ",");
-    return digits;
-}
-
-std::string counted(std::uint64_t number, const char* one, const char* many) {
-    return grouped(number) + ' ' + (number == 1 ? one : many);
-}
-
-std::string formatted(const char* format, double value) {
-    std::array<char, 48> text{};
-    std::snprintf(text.data(), text.size(), format, value);
-    return text.data();
-}
-
-// Formats a number of bytes with as many digits as are useful.
-std::string megabytes(std::size_t bytes) {
-    const double number = 1e-6 * static_cast<double>(bytes);
-    if (number < 10.0) return formatted("%.1f MB", number);
-    return grouped(static_cast<std::uint64_t>(std::llround(number))) + " MB";
-}
-
-std::string undo_memory(const ObjectFigures& object) {
-    return megabytes(object.undo_bytes) +
-           (object.undo_limit ? " of " + megabytes(*object.undo_limit) : "");
-}
-
-void draw_undo_memory_menu(Editor& editor) {
-    if (!ImGui::BeginMenu("Memory for undo")) return;
-    const ObjectFigures object = editor.workspace().object_figures();
-    ImGui::TextDisabled("%s in use", undo_memory(object).c_str());
-    ImGui::Separator();
-    const auto choice = [&](const std::string& label, std::optional<std::size_t> limit) {
-        if (!ImGui::MenuItem(label.c_str(), nullptr, object.undo_limit == limit)) return;
-        const double number = 1e-6 * static_cast<double>(limit.value_or(0));
-        editor.execute(command::History{limit ? Setting::of(number) : Setting::off()});
-    };
-    for (const std::size_t limit : kUndoLimits) choice(megabytes(limit), limit);
-    choice("No limit", std::nullopt);
-    ImGui::EndMenu();
+std::array<std::string, 3> hint_lines() {
+    return {"Drag a point of the surface. Its surroundings follow.",
+            "Drag beside the object to orbit, with Shift to pan. The wheel zooms.",
+            shortcut_label(Action::smaller_radius) + " and " +
+                shortcut_label(Action::larger_radius) + " change the brush radius, " +
+                shortcut_label(Action::toggle_symmetry) + " toggles symmetry, " +
+                shortcut_label(Action::undo) + " undoes a drag."};
 }
 
 }  // namespace
@@ -140,44 +74,7 @@ void Panels::draw_menus(Editor& editor) {
     if (!ImGui::BeginMainMenuBar()) return;
     menu_height_ = ImGui::GetWindowSize().y;
     claim_window();
-    if (ImGui::BeginMenu("File")) {
-        draw_new_menu(editor);
-        item(editor, "Open…", Action::open);
-        ImGui::Separator();
-        item(editor, "Save", Action::save);
-        item(editor, "Save as…", Action::save_as);
-        item(editor, "Export OBJ…", Action::export_obj);
-        item(editor, "Save a picture…", Action::save_picture);
-        ImGui::Separator();
-        item(editor, "Quit", Action::quit);
-        ImGui::EndMenu();
-    }
-    if (ImGui::BeginMenu("Edit")) {
-        const ObjectFigures object = editor.workspace().object_figures();
-        item(editor, "Undo", Action::undo, object.undo_steps > 0);
-        item(editor, "Redo", Action::redo, object.redo_steps > 0);
-        draw_undo_memory_menu(editor);
-        ImGui::Separator();
-        toggle(editor, "Symmetry", Action::toggle_symmetry,
-               editor.session().symmetry().has_value());
-        item(editor, "Remove all pins", Action::remove_pins, !editor.pins().is_empty());
-        ImGui::Separator();
-        if (ImGui::MenuItem("Bake refinement", nullptr, false, object.is_refined)) {
-            editor.execute(command::Bake{});
-        }
-        ImGui::EndMenu();
-    }
-    if (ImGui::BeginMenu("View")) {
-        item(editor, "Frame all", Action::frame_all);
-        item(editor, "Front", Action::view_front);
-        item(editor, "Right", Action::view_right);
-        item(editor, "Top", Action::view_top);
-        ImGui::Separator();
-        toggle(editor, "Wireframe", Action::toggle_wireframe, editor.display.wireframe);
-        toggle(editor, "Lattice", Action::toggle_lattice, editor.display.lattice);
-        toggle(editor, "Levels", Action::toggle_levels, editor.display.levels);
-        ImGui::EndMenu();
-    }
+    menus_.draw(editor);
     ImGui::EndMainMenuBar();
 }
 
@@ -203,7 +100,8 @@ void Panels::draw_settings(Editor& editor) {
     claim_window();
     if (is_open) {
         if (ImGui::CollapsingHeader("Refine", ImGuiTreeNodeFlags_DefaultOpen)) refine_.draw(editor);
-        if (ImGui::CollapsingHeader("Lattice", ImGuiTreeNodeFlags_DefaultOpen)) {
+        if (editor.shown_settings().cage &&
+            ImGui::CollapsingHeader("Lattice", ImGuiTreeNodeFlags_DefaultOpen)) {
             cage_.draw(editor, scale_);
         }
         if (ImGui::CollapsingHeader("Display", ImGuiTreeNodeFlags_DefaultOpen)) {
@@ -214,10 +112,10 @@ void Panels::draw_settings(Editor& editor) {
 }
 
 void Panels::draw_display_settings(Editor& editor) {
-    ImGui::Checkbox("Wireframe", &editor.display.wireframe);
-    ImGui::Checkbox("Refinement levels", &editor.display.levels);
-    ImGui::Checkbox("Lattice between drags", &editor.display.lattice);
-    ImGui::Checkbox("Symmetry plane", &editor.display.symmetry_plane);
+    action_checkbox(editor, Action::toggle_wireframe);
+    action_checkbox(editor, Action::toggle_levels);
+    action_checkbox(editor, Action::toggle_lattice);
+    action_checkbox(editor, Action::toggle_symmetry_plane);
 }
 
 void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
@@ -296,12 +194,10 @@ void Panels::draw_drag_figures(const Editor& editor) const {
         ImGui::TextColored(colour, "%s", text.c_str());
         left += ImGui::CalcTextSize(text.c_str()).x + scaled(24.0f);
     };
-    if (editor.sculptor().is_dragging()) {
-        const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
-        if (frame.steps > 1) add_text(std::to_string(frame.steps) + " steps", plain);
-        if (frame.degrees != 0.0) add_text(formatted("twist %.0f°", frame.degrees), plain);
-        if (frame.scale != 1.0) add_text(formatted("scale %.2f", frame.scale), plain);
-    }
+    const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
+    if (frame.steps > 1) add_text(std::to_string(frame.steps) + " steps", plain);
+    if (frame.degrees != 0.0) add_text(formatted("twist %.0f°", frame.degrees), plain);
+    if (frame.scale != 1.0) add_text(formatted("scale %.2f", frame.scale), plain);
     if (frame.folded > 0) {
         add_text(counted(frame.folded, "vertex folded", "vertices folded"), kWarning);
     }
@@ -315,9 +211,9 @@ void Panels::draw_drag_figures(const Editor& editor) const {
     }
 }
 
-// Draws the box with which control points are being selected.
+// Draws the box with which a tool is selecting.
 void Panels::draw_selection(const Editor& editor) const {
-    const auto& box = editor.cage_points().box();
+    const std::optional<ScreenBox> box = editor.selection_box();
     if (!box) return;
     const auto at = [](const Vec2& v) {
         return ImVec2(static_cast<float>(v.x), static_cast<float>(v.y));
@@ -364,7 +260,7 @@ void Panels::draw_hint(const Editor& editor) {
     ImGui::SetNextWindowBgAlpha(0.72f);
     ImGui::Begin("hint", nullptr,
                  kBare | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
-    for (const char* line : kHint) ImGui::TextUnformatted(line);
+    for (const std::string& line : hint_lines()) ImGui::TextUnformatted(line.c_str());
     ImGui::End();
 }
 

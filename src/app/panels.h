@@ -2,11 +2,13 @@
 #pragma once
 
 #include <cstddef>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "app/cage_panel.h"
 #include "app/editor.h"
+#include "app/menu_bar.h"
 #include "app/refine_panel.h"
 #include "app/tool_panel.h"
 
@@ -29,6 +31,9 @@ class Panels {
 
     // Which input belongs to the panels, by their positions in the last frame. at: the cursor.
     UiClaims claims(const Vec2& at) const;
+
+    // The entry of a menu under the cursor in the last frame, also if it is disabled.
+    std::optional<Action> hovered_action() const { return menus_.hovered(); }
 
   private:
     struct Area {
@@ -59,6 +64,7 @@ class Panels {
     std::vector<Area> areas_;
     bool has_popup_ = false;       // whether a menu or a dialog is open
     bool has_text_field_ = false;  // whether a text field has the keyboard focus
+    MenuBar menus_;
     ToolPanel tools_;
     RefinePanel refine_;
     CagePanel cage_;

@@ -6,6 +6,8 @@
 #include <array>
 #include <cstdio>
 
+#include "app/action_widgets.h"
+
 namespace pectin {
 namespace {
 
@@ -14,40 +16,10 @@ constexpr float kSliderHeight = 170.0f, kMinSliderHeight = 50.0f;
 // The height of everything except the slider, in lines of buttons and of text.
 constexpr float kButtonLines = 6.0f, kTextLines = 2.0f;
 
-constexpr const char* kSymmetryHelp =
-    "Drags act on both sides of a plane at once (X).\nBelow: the axis across the plane, and the "
-    "plane's position.";
-constexpr const char* kPinHelp =
-    "While this is on, a click on the surface sets a pin. Drags leave\npinned points where they "
-    "are. A click on a pin removes it.\nThe key P does the same under the cursor at any time.";
-constexpr const char* kConnectedHelp =
-    "Only the part of the surface that is connected to the grabbed\npoint follows, and not other "
-    "parts that are near it.";
-constexpr const char* kFoldFreeHelp =
-    "A drag never turns space inside out: a long drag is divided\ninto steps along the cursor's "
-    "path.";
-
-// Draws a button that is highlighted while it is on. Returns whether it was pressed.
-bool toggle_button(const char* label, bool is_on, float width) {
-    if (is_on) {
-        ImGui::PushStyleColor(ImGuiCol_Button, ImVec4(0.62f, 0.42f, 0.18f, 1.0f));
-        ImGui::PushStyleColor(ImGuiCol_ButtonHovered, ImVec4(0.70f, 0.48f, 0.21f, 1.0f));
-        ImGui::PushStyleColor(ImGuiCol_Text, ImVec4(1.0f, 0.97f, 0.92f, 1.0f));
-    }
-    const bool is_pressed = ImGui::Button(label, ImVec2(width, 0.0f));
-    if (is_on) ImGui::PopStyleColor(3);
-    return is_pressed;
-}
-
-void help(const char* text) {
-    if (ImGui::IsItemHovered()) ImGui::SetTooltip("%s", text);
-}
-
 void draw_symmetry(Editor& editor, float width) {
     using Plane = command::Symmetry::Plane;
     const bool is_on = editor.session().symmetry().has_value();
-    if (toggle_button("Symmetry", is_on, width)) editor.set_symmetry(!is_on);
-    help(kSymmetryHelp);
+    action_button(editor, Action::toggle_symmetry, width);
     MirrorChoice choice = editor.mirror_choice();
     constexpr std::array kPlanes{Plane::x, Plane::y, Plane::z};
     constexpr std::array kNames{"x", "y", "z"};
@@ -62,24 +34,25 @@ void draw_symmetry(Editor& editor, float width) {
             editor.choose_mirror(choice);
         }
         ImGui::EndDisabled();
+        tooltip("The axis across the plane of symmetry.");
     }
     ImGui::BeginDisabled(!is_on);
     if (ImGui::Button(choice.through_centre ? "at middle" : "at origin", ImVec2(width, 0.0f))) {
         choice.through_centre = !choice.through_centre;
         editor.choose_mirror(choice);
     }
-    help("The plane's position: at the origin, or in the middle of the\nobject as it was opened.");
     ImGui::EndDisabled();
+    tooltip(
+        "The plane's position: at the origin, or in the middle of the object as it was opened.");
 }
 
 void draw_pins(Editor& editor, float width) {
     std::array<char, 32> label{};
     const std::size_t count = editor.pins().points().size();
-    std::snprintf(label.data(), label.size(), count > 0 ? "Pin  (%zu)###pin" : "Pin###pin", count);
-    if (toggle_button(label.data(), editor.sets_pins, width)) {
-        editor.sets_pins = !editor.sets_pins;
-    }
-    help(kPinHelp);
+    const char* const name = info_of(Action::toggle_pinning).name;
+    std::snprintf(label.data(), label.size(), count > 0 ? "%s  (%zu)###pin" : "%s###pin", name,
+                  count);
+    action_button(editor, Action::toggle_pinning, width, label.data());
 }
 
 }  // namespace
@@ -89,21 +62,20 @@ void ToolPanel::draw(Editor& editor, float scale, float available) {
     const float others = kButtonLines * ImGui::GetFrameHeightWithSpacing() +
                          kTextLines * ImGui::GetTextLineHeightWithSpacing() +
                          4.0f * ImGui::GetStyle().ItemSpacing.y;
-    draw_radius(editor, width,
-                std::clamp(available - others, kMinSliderHeight * scale, kSliderHeight * scale));
-    ImGui::Separator();
-    draw_symmetry(editor, width);
-    ImGui::Separator();
-    draw_pins(editor, width);
-    DragOptions& options = editor.drag_options;
-    if (toggle_button("Connected", options.connected, width)) {
-        options.connected = !options.connected;
+    const ShownSettings shown = editor.shown_settings();
+    if (shown.radius) {
+        draw_radius(
+            editor, width,
+            std::clamp(available - others, kMinSliderHeight * scale, kSliderHeight * scale));
+        ImGui::Separator();
     }
-    help(kConnectedHelp);
-    if (toggle_button("Fold-free", options.fold_free, width)) {
-        options.fold_free = !options.fold_free;
+    if (shown.mirror) {
+        draw_symmetry(editor, width);
+        ImGui::Separator();
     }
-    help(kFoldFreeHelp);
+    if (shown.pins) draw_pins(editor, width);
+    if (shown.connected) action_button(editor, Action::toggle_connected, width);
+    if (shown.fold_free) action_button(editor, Action::toggle_fold_free, width);
 }
 
 void ToolPanel::draw_radius(Editor& editor, float width, float height) {
@@ -120,7 +92,10 @@ void ToolPanel::draw_radius(Editor& editor, float width, float height) {
                         static_cast<float>(editor.min_radius()),
                         static_cast<float>(editor.max_radius()), "",
                         ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    help("The radius of the brush. [ and ] change it in steps.\nOr hold F and move the mouse.");
+    tooltip(("The radius of the brush. " + shortcut_label(Action::smaller_radius) + " and " +
+             shortcut_label(Action::larger_radius) +
+             " change it in steps. Or hold F and move the mouse.")
+                .c_str());
     if (ImGui::IsItemActive()) edited_radius_ = radius;
     if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_radius(static_cast<double>(radius));
     if (!ImGui::IsItemActive()) edited_radius_.reset();

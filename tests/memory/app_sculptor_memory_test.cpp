@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "app/editor.h"
-#include "app/sculptor.h"
+#include "app/tools/sculptor.h"
 #include "memory/failing_new.h"
 #include "session/session.h"
+#include "support/editor_tools.h"
 #include "support/expect_done.h"
 #include "support/mesh_figures.h"
 
@@ -129,7 +130,7 @@ bool release_until_memory_ends(std::size_t served, FailingNew::How how) {
     editor.handle(event::Press{MouseButton::left, from, {}});
     editor.handle(event::MouseMove{to, {}});
     editor.advance();
-    EXPECT_TRUE(editor.sculptor().is_dragging());
+    EXPECT_TRUE(test::sculptor(editor).is_dragging());
     {
         const FailingNew failing(served, how);
         try {
@@ -140,7 +141,7 @@ bool release_until_memory_ends(std::size_t served, FailingNew::How how) {
         }
         if (!failing.has_failed()) return true;
     }
-    EXPECT_FALSE(editor.sculptor().is_dragging());
+    EXPECT_FALSE(test::sculptor(editor).is_dragging());
     EXPECT_FALSE(editor.session().is_dragging());
     EXPECT_EQ(editor.session().mesh() == before, editor.session().undo_count() == 0);
     EXPECT_EQ(editor.session().mesh().validate(), std::vector<std::string>{});

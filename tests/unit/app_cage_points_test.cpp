@@ -1,5 +1,5 @@
 // Selecting and dragging a cage's control points with the mouse.
-#include "app/cage_points.h"
+#include "app/tools/cage_points.h"
 
 #include <algorithm>
 
@@ -46,16 +46,16 @@ TEST(CageBox, FittingACageToItGivesTheSameCage) {
 TEST_F(CagePointsTest, ControlPointsAreFoundOnlyWhileTheCageIsShown) {
     auto editor = caged();
     move(editor, seen(editor, kCorner) + Vec2(3, -2));
-    EXPECT_EQ(editor.cage_points().hovered(), kCorner);
+    EXPECT_EQ(test::cage_points(editor).hovered(), kCorner);
     editor.display.lattice = false;
     move(editor, seen(editor, kCorner));
-    EXPECT_FALSE(editor.cage_points().hovered());
+    EXPECT_FALSE(test::cage_points(editor).hovered());
 }
 
 TEST_F(CagePointsTest, PointsHiddenByTheObjectAreNotFound) {
     auto editor = caged();
     move(editor, seen(editor, {2, 2, 2}));
-    EXPECT_FALSE(editor.cage_points().hovered());
+    EXPECT_FALSE(test::cage_points(editor).hovered());
     EXPECT_TRUE(editor.hover()) << "the surface is";
 }
 
@@ -71,19 +71,19 @@ TEST_F(CagePointsTest, InnerPointsOfALargeCageAreSelectedOnlyByABox) {
         for (int j = 0; j < 9; ++j) {
             for (int k = 0; k < 9; ++k) {
                 move(editor, seen(editor, {i, j, k}));
-                const auto& hovered = editor.cage_points().hovered();
+                const auto& hovered = test::cage_points(editor).hovered();
                 EXPECT_TRUE(!hovered || is_drawn(hovered->x) || is_drawn(hovered->y) ||
                             is_drawn(hovered->z));
             }
         }
     }
     drag(editor, {0, 0}, Vec2(kSize), {.control = true});
-    EXPECT_EQ(editor.cage_points().selected().size(), 729u);
+    EXPECT_EQ(test::cage_points(editor).selected().size(), 729u);
 }
 
 TEST_F(CagePointsTest, ClicksSelectOnePointAndWithShiftSeveral) {
     auto editor = caged();
-    const auto& selected = editor.cage_points().selected();
+    const auto& selected = test::cage_points(editor).selected();
     click(editor, seen(editor, kCorner));
     EXPECT_EQ(selected, std::vector{kCorner});
     click(editor, seen(editor, kOther), {.shift = true});
@@ -102,14 +102,15 @@ TEST_F(CagePointsTest, ABoxSelectsAllPointsInsideIt) {
     editor.handle(event::Scroll{-8.0, kMiddle});  // so that the whole cage is in the window
     const Vec2 at = seen(editor, kCorner);
     drag(editor, at - Vec2(5, 5), at + Vec2(5, 5), {.control = true});
-    EXPECT_EQ(editor.cage_points().selected(), std::vector{kCorner});
+    EXPECT_EQ(test::cage_points(editor).selected(), std::vector{kCorner});
     drag(editor, {0, 0}, Vec2(kSize), {.control = true});
-    EXPECT_EQ(editor.cage_points().selected().size(), 125u);
+    EXPECT_EQ(test::cage_points(editor).selected().size(), 125u);
     press(editor, at - Vec2(5, 5), {.control = true});
     move(editor, at + Vec2(5, 5), {.control = true});
     key(editor, Key::escape);
-    EXPECT_FALSE(editor.cage_points().box());
-    EXPECT_EQ(editor.cage_points().selected().size(), 125u) << "a cancelled box changes nothing";
+    EXPECT_FALSE(test::cage_points(editor).box());
+    EXPECT_EQ(test::cage_points(editor).selected().size(), 125u)
+        << "a cancelled box changes nothing";
 }
 
 TEST_F(CagePointsTest, DraggedPointsFollowTheCursorAndTheRecordReplaysToTheSameMesh) {
@@ -151,7 +152,7 @@ TEST_F(CagePointsTest, WithSymmetryTheOtherSideMovesMirroredEvenIfSelected) {
     press(editor, from);
     move(editor, from + Vec2(60, 0));
     const Lattice cage = *editor.session().lattice_settings().cage;
-    const auto displacements = editor.cage_points().displacements(editor.session());
+    const auto displacements = test::cage_points(editor).displacements(editor.session());
     const Vec3 d = displacements[cage.control_index(kCorner)];
     EXPECT_GT(glm::length(d), 0.05);
     EXPECT_EQ(displacements[cage.control_index(kOther)], Vec3(-d.x, d.y, d.z));
@@ -177,7 +178,7 @@ TEST_F(CagePointsTest, AnotherCageClearsTheSelection) {
     click(editor, seen(editor, kCorner));
     editor.set_cage(cage_box(*editor.session().lattice_settings().cage), IVec3{2});
     editor.advance();
-    EXPECT_TRUE(editor.cage_points().selected().empty());
+    EXPECT_TRUE(test::cage_points(editor).selected().empty());
     EXPECT_EQ(editor.session().lattice_settings().cage->counts(), IVec3{2});
 }
 

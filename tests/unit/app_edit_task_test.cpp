@@ -142,7 +142,7 @@ TEST_F(EditTaskTest, EscapeGivesTheObjectBackWhileTheWindowIsRedrawn) {
     EXPECT_EQ(editor.session().undo_count(), 0u);
     EXPECT_FALSE(editor.workspace().is_modified());
     EXPECT_EQ(editor.workspace().message(), "");
-    EXPECT_FALSE(editor.sculptor().is_dragging());
+    EXPECT_FALSE(test::sculptor(editor).is_dragging());
     // The next drag works as ever.
     editor.execute(command::Adapt{.theta_max = Setting::of(20.0)});
     press_and_move(editor);
@@ -189,7 +189,7 @@ TEST_F(EditTaskTest, ControlPointsAreReleasedInTheBackground) {
     drag(editor, *at, *at + Vec2(80, 60));
     wait(editor);
     EXPECT_EQ(editor.session().undo_count(), 1u);
-    EXPECT_FALSE(editor.cage_points().is_dragging());
+    EXPECT_FALSE(test::cage_points(editor).is_dragging());
     EXPECT_FALSE(editor.session().mesh() == before);
 }
 

@@ -10,6 +10,7 @@
 
 #include "app/editor.h"
 #include "command/script.h"
+#include "support/editor_tools.h"
 #include "support/scratch_folder.h"
 
 namespace pectin {

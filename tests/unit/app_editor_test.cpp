@@ -26,9 +26,9 @@ TEST_F(EditorTest, ADragOnTheSurfaceIsOneUndoStepAndHidesTheHint) {
 TEST_F(EditorTest, TheGrabbedPointStaysUnderTheCursor) {
     auto editor = this->editor();
     press(editor, kMiddle);
-    ASSERT_TRUE(editor.sculptor().is_dragging());
+    ASSERT_TRUE(test::sculptor(editor).is_dragging());
     move(editor, {700, 310});
-    const auto seen = editor.camera().project(editor.sculptor().to(), kSize);
+    const auto seen = editor.camera().project(test::sculptor(editor).to(), kSize);
     ASSERT_TRUE(seen);
     EXPECT_NEAR(glm::distance(*seen, Vec2(700, 310)), 0.0, 1e-6);
 }
@@ -47,7 +47,7 @@ TEST_F(EditorTest, ClicksOnPanelsDoNotReachTheObject) {
     const Camera before = editor.camera();
     editor.handle(event::Press{MouseButton::left, kMiddle, {}}, {.mouse = true});
     move(editor, kMiddle + Vec2(50, 50));
-    EXPECT_FALSE(editor.sculptor().is_dragging());
+    EXPECT_FALSE(test::sculptor(editor).is_dragging());
     EXPECT_EQ(editor.camera(), before);
 }
 
@@ -72,7 +72,7 @@ TEST_F(EditorTest, KeysDuringADragAreIgnored) {
     key(editor, Key{'Z'}, {.control = true});
     key(editor, Key{'F'});
     editor.handle(event::Drop{{path("none.obj")}});
-    EXPECT_TRUE(editor.sculptor().is_dragging());
+    EXPECT_TRUE(test::sculptor(editor).is_dragging());
     editor.handle(event::Release{MouseButton::left, kMiddle, {}});
     EXPECT_EQ(editor.session().undo_count(), 2u);
 }
@@ -191,7 +191,7 @@ TEST_F(EditorTest, DialogsTakeAllInputAsSoonAsTheyAreRequested) {
     editor.perform(Action::open);
     editor.handle(event::Character{'['});
     editor.handle(event::Press{MouseButton::left, kMiddle, {}});
-    EXPECT_FALSE(editor.sculptor().is_dragging());
+    EXPECT_FALSE(test::sculptor(editor).is_dragging());
     EXPECT_EQ(editor.radius(), radius);
     editor.handle(event::Close{});
     EXPECT_TRUE(editor.document().question());

@@ -1,8 +1,8 @@
 // Settings of drags: pins, symmetry, twist and scale with the wheel, fold-free drags.
 #include <algorithm>
 
-#include "app/cursor_path.h"
 #include "app/rounded_numbers.h"
+#include "app/tools/cursor_path.h"
 #include "unit/app_editor_fixture.h"
 
 namespace pectin {
@@ -193,7 +193,7 @@ TEST_F(EditorToolsTest, TheWheelDuringADragTwistsAndWithShiftScales) {
     const Camera before = editor.camera();
     const Vec2 end = kMiddle + Vec2(20, -30);
     press(editor, kMiddle);
-    const Vec3 normal = editor.sculptor().normal();
+    const Vec3 normal = test::sculptor(editor).normal();
     move(editor, end);
     scroll(editor, 1.0, end);
     scroll(editor, 2.0, end);

@@ -143,6 +143,22 @@ TEST_F(InterfaceTest, ASliderFollowsADragThatEndedBeforeTheNextFrame) {
     EXPECT_NE(theta_max(), before);
 }
 
+// The section of the cage has a checkbox of its own for showing the cage.
+TEST_F(InterfaceTest, BothCheckboxesOfTheLatticeSwitchIt) {
+    editor_->set_cage(editor_->workspace().box(), IVec3{4});
+    // Whether a click between these heights switches it off. No header is there.
+    const auto switches = [this](double top, double bottom) {
+        editor_->display.lattice = true;
+        for (double y = top; y < bottom && editor_->display.lattice; y += 6.0) {
+            for (int i = 0; i < 3; ++i) interface_.lay_out(*editor_, {});
+            click({985, y});
+        }
+        return !editor_->display.lattice;
+    };
+    EXPECT_TRUE(switches(492, 520)) << "in the section Lattice";
+    EXPECT_TRUE(switches(685, 712)) << "in the section Display";
+}
+
 TEST_F(InterfaceTest, AClickBesideThePanelsReachesTheObject) {
     drag(*editor_, kMiddle, kMiddle);  // dismisses the hint
     const std::size_t steps = editor_->session().undo_count();

@@ -1,29 +1,27 @@
-// Navigation with the mouse, and shortcuts.
+// Navigation with the mouse.
 #include "app/navigation.h"
 
 #include <gtest/gtest.h>
 
 #include <array>
 
-#include "app/shortcuts.h"
-
 namespace pectin {
 namespace {
 
 constexpr IVec2 kSize{1200, 800};
 
-TEST(NavigationMode, DependsOnButtonModifiersAndWhatIsUnderTheCursor) {
+TEST(NavigationMode, DependsOnButtonAndModifiers) {
     using enum MouseButton;
     using enum NavigationMode;
-    EXPECT_EQ(navigation_mode(left, {}, true), std::nullopt);
-    EXPECT_EQ(navigation_mode(left, {.alt = true}, true), std::nullopt);
-    EXPECT_EQ(navigation_mode(left, {}, false), orbit);
-    EXPECT_EQ(navigation_mode(left, {.shift = true}, false), pan);
-    EXPECT_EQ(navigation_mode(middle, {}, true), orbit);
-    EXPECT_EQ(navigation_mode(middle, {.shift = true}, true), pan);
-    EXPECT_EQ(navigation_mode(middle, {.control = true}, false), zoom);
-    EXPECT_EQ(navigation_mode(right, {}, true), orbit);
-    EXPECT_EQ(navigation_mode(right, {.alt = true}, false), pan);
+    EXPECT_EQ(navigation_mode(left, {}), orbit);
+    EXPECT_EQ(navigation_mode(left, {.alt = true}), orbit);
+    EXPECT_EQ(navigation_mode(left, {.shift = true}), pan);
+    EXPECT_EQ(navigation_mode(middle, {}), orbit);
+    EXPECT_EQ(navigation_mode(middle, {.shift = true}), pan);
+    EXPECT_EQ(navigation_mode(middle, {.control = true}), zoom);
+    EXPECT_EQ(navigation_mode(right, {}), orbit);
+    EXPECT_EQ(navigation_mode(right, {.alt = true}), pan);
+    EXPECT_EQ(navigation_mode(right, {.shift = true}), pan);
 }
 
 TEST(Navigation, OrbitKeepsTargetAndDistance) {
@@ -94,17 +92,6 @@ TEST(Navigation, ViewsLookAlongTheAxes) {
     EXPECT_NEAR(navigation.camera().forward().y, -1.0, 1e-6);
     navigation.frame(points, 1.0, 1.0, kRightView);
     EXPECT_NEAR(navigation.camera().forward().x, -1.0, 1e-12);
-}
-
-TEST(Shortcuts, DistinguishUndoFromRedoAndPlainLettersFromControl) {
-    EXPECT_EQ(action_for(Key{'Z'}, {.control = true}), Action::undo);
-    EXPECT_EQ(action_for(Key{'Z'}, {.shift = true, .control = true}), Action::redo);
-    EXPECT_EQ(action_for(Key{'Y'}, {.control = true}), Action::redo);
-    EXPECT_EQ(action_for(Key{'W'}, {}), Action::toggle_wireframe);
-    EXPECT_EQ(action_for(Key{'W'}, {.control = true}), std::nullopt);
-    EXPECT_EQ(action_for(']'), Action::larger_radius);
-    EXPECT_EQ(shortcut_label(Action::redo), "Ctrl+Shift+Z");
-    EXPECT_EQ(shortcut_label(Action::frame_all), "Home");
 }
 
 }  // namespace

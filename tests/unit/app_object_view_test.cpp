@@ -5,6 +5,7 @@
 
 #include "app/editor.h"
 #include "app/editor_scene.h"
+#include "support/editor_tools.h"
 #include "support/offscreen.h"
 
 namespace pectin {
@@ -26,7 +27,7 @@ TEST_F(ObjectViewTest, FramesOfADragUploadOnlyWhatTheyChange) {
 
     editor.handle(event::MouseMove{{640, 400}});
     editor.handle(event::Press{MouseButton::left, {640, 400}});
-    ASSERT_TRUE(editor.sculptor().is_dragging());
+    ASSERT_TRUE(test::sculptor(editor).is_dragging());
     for (int i = 1; i <= 6; ++i) {
         editor.handle(event::MouseMove{{640 + i, 400 - i}});
         editor.advance();

@@ -1,5 +1,5 @@
 // Dragging of a point with the mouse.
-#include "app/sculptor.h"
+#include "app/tools/sculptor.h"
 
 #include <gtest/gtest.h>
 

@@ -60,6 +60,21 @@ const std::vector<Restricted>& restricted_headers() {
     return kTable;
 }
 
+// Folders within a module that may not include some headers of the same module.
+struct Separated {
+    std::string folder;
+    std::vector<std::string> others;  // beginnings of the headers that its files may not include
+};
+
+const std::vector<Separated>& separated_folders() {
+    // Tools know the editor only as ToolContext, and nobody knows a single tool except the list of
+    // tools and the table of actions.
+    static const std::vector<Separated> kTable{
+        {"app/tools/", {"app/ui/", "app/host/", "app/editor", "app/panels", "app/menu_bar"}},
+        {"app/ui/", {"app/tools/"}}};
+    return kTable;
+}
+
 // Returns what is wrong with a line of the file at `path`, relative to src/, or nothing.
 std::optional<std::string> complaint(const std::string& path, const std::string& line) {
     static const std::regex kInclude(R"(^\s*#\s*include\s*([<"])([^>"]*)[>"].*)");
@@ -87,6 +102,10 @@ std::optional<std::string> complaint(const std::string& path, const std::string&
     if (target.find("..") != target.npos) return path + ": \"" + target + "\" climbs out";
     if (other != module && !known->second.contains(other))
         return path + ": " + module + " may not include " + other + " (" + target + ")";
+    for (const Separated& separated : separated_folders())
+        for (const std::string& header : separated.others)
+            if (path.starts_with(separated.folder) && target.starts_with(header))
+                return path + ": " + separated.folder + " may not include " + target;
     return std::nullopt;
 }
 
@@ -141,7 +160,11 @@ TEST(Includes, AreReportedIfTheyBreakTheTable) {
         {"render/canvas.cpp", "#include <png.h>"},
         {"render/canvas.cpp", "#include \"io/png.h\""},
         {"session/viewport.h", "#include \"render/canvas.h\""},
-        {"render/host.cpp", "#include <GLFW/glfw3.h>"}};
+        {"render/host.cpp", "#include <GLFW/glfw3.h>"},
+        {"app/tools/pin_tool.cpp", "#include \"app/ui/interface.h\""},
+        {"app/tools/pin_tool.h", "#include \"app/editor.h\""},
+        {"app/tools/pin_tool.h", "#include \"app/editor_scene.h\""},
+        {"app/ui/interface.cpp", "#include \"app/tools/pin_tool.h\""}};
     for (const auto& [path, line] : bad) EXPECT_TRUE(complaint(path, line)) << path << ": " << line;
 }
 
@@ -158,6 +181,10 @@ TEST(Includes, AreAcceptedIfTheyFollowTheTable) {
         {"ffd/drag_solver.cpp", "#include <Eigen/Dense>"},
         {"io/png.cpp", "#include <png.h>"},
         {"command/json_values.h", "#include <nlohmann/json.hpp>"},
+        {"app/tools/pin_tool.cpp", "#include \"app/tool_context.h\""},
+        {"app/tools/pin_tool.cpp", "#include \"render/overlay.h\""},
+        {"app/actions.cpp", "#include \"app/tools/pin_tool.h\""},
+        {"app/ui/interface.cpp", "#include \"app/editor.h\""},
         {"mesh/split.cpp", "#include <vector>"},
         {"mesh/split.cpp", "// #include \"session/session.h\""},
         {"mesh/split.cpp", "split(edge);"}};

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "app/editor.h"
@@ -43,6 +44,8 @@ class Interface {
     // Precondition: lay_out() was called, and handle() was not called since.
     const ImDrawData& draw_data() const;
     CursorShape cursor_shape() const;
+    // The entry of a menu under the cursor, also if it is disabled.
+    std::optional<Action> hovered_action() const { return panels_.hovered_action(); }
 
   private:
     void begin_layout(Editor& editor);

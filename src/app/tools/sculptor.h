@@ -34,10 +34,9 @@ class Sculptor {
     Done grab(Session& session, const Pick& pick, const Ray& ray, std::span<const Vec3> pins = {},
               const DragOptions& options = {});
     // Moves the point under the ray, with the requested twist and scale. With symmetry, it stays on
-    // its side of the plane. The session's dirty elements say whether the object has changed.
-    // Returns why the move is refused, or nothing. After a refusal the object is as in the frame
-    // before, and twist and scale requested since then are discarded.
-    Done drag(Session& session, const Camera& camera, const Ray& ray, DragPath path);
+    // its side of the plane. Returns whether the object has moved. After a refusal the object is as
+    // in the frame before, and twist and scale requested since then are discarded.
+    Result<bool> drag(Session& session, const Camera& camera, const Ray& ray, DragPath path);
     // Forgets the drag, once the session has ended or cancelled it.
     void end() { grabbed_.reset(); }
     void cancel(Session& session);

@@ -1,4 +1,4 @@
-#include "app/cursor_path.h"
+#include "app/tools/cursor_path.h"
 
 #include <algorithm>
 #include <cstddef>

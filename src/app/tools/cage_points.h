@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/input_event.h"
+#include "app/tools/screen_box.h"
 #include "app/view.h"
 #include "session/session.h"
 
@@ -36,9 +37,11 @@ class CagePoints {
     Done update_drag(Session& session, const View& view);
     // Ends a click or a box. Precondition: not is_dragging().
     void release(const Session& session, const View& view);
-    // Forgets the drag, once the session has ended or cancelled it.
-    void end_drag() { grabbed_.reset(); }
-    void cancel(Session& session);
+    // Forgets the drag or the box. The session has to end or cancel its drag.
+    void end() {
+        grabbed_.reset();
+        box_.reset();
+    }
 
     // Clears the selection if the cage has other counts than in the last call.
     void reset_for(const std::optional<Lattice>& cage);
@@ -47,9 +50,6 @@ class CagePoints {
     // --- State to display.
     const std::vector<IVec3>& selected() const { return selected_; }
     const std::optional<IVec3>& hovered() const { return hovered_; }
-    struct ScreenBox {
-        Vec2 from{0.0}, to{0.0};
-    };
     const std::optional<ScreenBox>& box() const { return box_; }
     // The displacements of all control points, in the order of Lattice::control_index().
     // Precondition: is_dragging().

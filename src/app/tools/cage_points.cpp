@@ -1,10 +1,10 @@
-#include "app/cage_points.h"
+#include "app/tools/cage_points.h"
 
 #include <algorithm>
 #include <cassert>
 #include <limits>
 
-#include "app/sculptor.h"
+#include "app/tools/sculptor.h"
 #include "render/overlay.h"
 
 namespace pectin {
@@ -176,12 +176,6 @@ void CagePoints::release(const Session& session, const View& view) {
         if (grabbed_ && grabbed_->was_selected) selected_ = {grabbed_->index};
         grabbed_.reset();
     }
-}
-
-void CagePoints::cancel(Session& session) {
-    if (is_dragging()) session.cancel_drag();
-    grabbed_.reset();
-    box_.reset();
 }
 
 void CagePoints::reset_for(const std::optional<Lattice>& cage) {

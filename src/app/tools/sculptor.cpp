@@ -1,4 +1,4 @@
-#include "app/sculptor.h"
+#include "app/tools/sculptor.h"
 
 #include <algorithm>
 #include <array>
@@ -66,7 +66,7 @@ Done Sculptor::grab(Session& session, const Pick& pick, const Ray& ray, std::spa
     return {};
 }
 
-Done Sculptor::drag(Session& session, const Camera& camera, const Ray& ray, DragPath path) {
+Result<bool> Sculptor::drag(Session& session, const Camera& camera, const Ray& ray, DragPath path) {
     assert(is_dragging());
     const Pick& pick = grabbed_->pick;
     std::optional<Vec3> to = path == DragPath::normal
@@ -74,13 +74,13 @@ Done Sculptor::drag(Session& session, const Camera& camera, const Ray& ray, Drag
                                  : on_view_plane(camera, pick.point, ray);
     if (to && session.symmetry()) to = on_own_side(session, pick.point, *to);
     if (to) grabbed_->requested.to = *to;
-    if (grabbed_->requested == grabbed_->applied) return {};
+    if (grabbed_->requested == grabbed_->applied) return false;
     if (Done done = session.drag_to(std::array{move_to(grabbed_->requested)}); !done) {
         grabbed_->requested = grabbed_->applied;
-        return done;
+        return done.refusal();
     }
     grabbed_->applied = grabbed_->requested;
-    return {};
+    return true;
 }
 
 Move Sculptor::move_to(const Goal& goal) const {

@@ -1,0 +1,93 @@
+// What a key, an entry of a menu or a button can do: one table of names, menus, keys, tooltips and
+// effects. Menus, buttons, tooltips and the handling of keys read it.
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+#include <string>
+
+#include "app/input_event.h"
+
+namespace pectin {
+
+class Editor;
+
+// In the order of the table, which is also the order in the menus.
+enum class Action {
+    new_sphere,
+    new_cube,
+    new_plane,
+    new_torus,
+    new_cylinder,
+    open,
+    save,
+    save_as,
+    export_obj,
+    save_picture,
+    quit,
+    undo,
+    redo,
+    toggle_symmetry,
+    remove_pins,
+    bake,
+    frame_all,
+    view_front,
+    view_right,
+    view_top,
+    toggle_wireframe,
+    toggle_lattice,
+    toggle_levels,
+    toggle_symmetry_plane,
+    toggle_connected,
+    toggle_fold_free,
+    toggle_pinning,  // whether clicks set pins
+    toggle_pin,      // under the cursor
+    smaller_radius,
+    larger_radius,  // must stay the last one
+};
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::larger_radius) + 1;
+
+enum class Menu { file, new_object, edit, undo_memory, view, tools };
+
+// A key with modifiers, or a character wherever the keyboard layout has it. Alt is ignored, since
+// no shortcut contains it.
+struct Shortcut {
+    Key key = Key::none;
+    Modifiers modifiers{};
+    char character = 0;
+
+    bool exists() const { return key != Key::none || character != 0; }
+    bool operator==(const Shortcut&) const = default;
+};
+
+struct ActionInfo {
+    Action action{};
+    const char* name = "";  // as menus and panels show it
+    Menu menu = Menu::file;
+    // What the menu has before this entry: a submenu, and then a separator.
+    std::optional<Menu> submenu_before{};
+    bool begins_group = false;
+    std::array<Shortcut, 2> shortcuts{};  // menus show the first
+    bool repeats = false;                 // while the key is held
+    const char* tooltip = "";             // one sentence
+    bool (*is_enabled)(const Editor&) = nullptr;
+    bool (*is_on)(const Editor&) = nullptr;  // null if the action switches nothing on and off
+    // What it does. Precondition: is_enabled().
+    void (*perform)(Editor&) = nullptr;
+};
+
+std::span<const ActionInfo, kActionCount> all_actions();
+const ActionInfo& info_of(Action action);
+
+std::optional<Action> action_for(Key key, const Modifiers& modifiers);
+std::optional<Action> action_for(unsigned int character);
+
+// The shortcut as menus show it, such as "Ctrl+Shift+S"; empty if there is none.
+std::string label_of(const Shortcut& shortcut);
+std::string shortcut_label(Action action);
+// The tooltip, followed by all shortcuts in brackets.
+std::string tooltip_with_shortcuts(Action action);
+
+}  // namespace pectin

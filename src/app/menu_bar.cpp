@@ -1,0 +1,92 @@
+#include "app/menu_bar.h"
+
+#include <imgui.h>
+
+#include <array>
+#include <cstddef>
+#include <string>
+
+#include "app/action_widgets.h"
+#include "app/figure_text.h"
+
+namespace pectin {
+namespace {
+
+// The limits that the menu offers, in bytes.
+constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, History::kDefaultLimit,
+                                                 3'000'000'000, 10'000'000'000};
+
+const char* title(Menu menu) {
+    switch (menu) {
+        case Menu::file:
+            return "File";
+        case Menu::new_object:
+            return "New";
+        case Menu::edit:
+            return "Edit";
+        case Menu::undo_memory:
+            return "Memory for undo";
+        case Menu::view:
+            return "View";
+        case Menu::tools:
+            return "Tools";
+    }
+    return "";
+}
+
+void draw_undo_limits(Editor& editor) {
+    const ObjectFigures object = editor.workspace().object_figures();
+    ImGui::TextDisabled("%s in use", undo_memory(object).c_str());
+    ImGui::Separator();
+    const auto choice = [&](const std::string& label, std::optional<std::size_t> limit) {
+        if (!ImGui::MenuItem(label.c_str(), nullptr, object.undo_limit == limit)) return;
+        const double number = 1e-6 * static_cast<double>(limit.value_or(0));
+        editor.execute(command::History{limit ? Setting::of(number) : Setting::off()});
+    };
+    for (const std::size_t limit : kUndoLimits) choice(megabytes(limit), limit);
+    choice("No limit", std::nullopt);
+}
+
+}  // namespace
+
+void MenuBar::draw(Editor& editor) {
+    hovered_.reset();
+    for (const Menu menu : {Menu::file, Menu::edit, Menu::view, Menu::tools}) {
+        draw_menu(editor, menu);
+    }
+}
+
+void MenuBar::draw_menu(Editor& editor, Menu menu) {
+    if (!ImGui::BeginMenu(title(menu))) return;
+    if (menu == Menu::undo_memory) {
+        draw_undo_limits(editor);
+    } else {
+        draw_entries(editor, menu);
+    }
+    ImGui::EndMenu();
+}
+
+void MenuBar::draw_entries(Editor& editor, Menu menu) {
+    for (const ActionInfo& info : all_actions()) {
+        if (info.menu != menu) continue;
+        if (info.submenu_before) draw_menu(editor, *info.submenu_before);
+        if (info.begins_group) ImGui::Separator();
+        draw_entry(editor, info);
+    }
+}
+
+void MenuBar::draw_entry(Editor& editor, const ActionInfo& info) {
+    const bool is_chosen =
+        ImGui::MenuItem(info.name, shortcut_label(info.action).c_str(),
+                        info.is_on && info.is_on(editor), info.is_enabled(editor));
+    if (ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) {
+        hovered_ = info.action;
+        // Beside the menu, so that the tooltip hides no entry.
+        ImGui::SetNextWindowPos(
+            ImVec2(ImGui::GetWindowPos().x + ImGui::GetWindowSize().x, ImGui::GetItemRectMin().y));
+        tooltip_of(info.action);
+    }
+    if (is_chosen) editor.perform(info.action);
+}
+
+}  // namespace pectin

@@ -1,0 +1,39 @@
+// Dragging of the surface: the grabbed point follows the cursor, and its surroundings follow it.
+#pragma once
+
+#include <vector>
+
+#include "app/tools/drag_tool.h"
+#include "app/tools/sculptor.h"
+
+namespace pectin {
+
+// A press on the surface grabs the point under the cursor, or the pin whose marker is there. The
+// point moves parallel to the picture, with Alt along the normal. The wheel twists the surroundings
+// of the point, with Shift it scales them.
+class SculptTool final : public DragTool {
+  public:
+    bool scroll(ToolContext& context, double notches) override;
+    bool is_active() const override { return sculptor_.is_dragging(); }
+    bool is_dragging() const override { return sculptor_.is_dragging(); }
+
+    // Shows the lattice of the drag, or between drags that of the next one, and the brush.
+    void overlay(const ToolContext& context, Overlay& overlay) const override;
+    std::string_view status_hint(const ToolContext& context) const override;
+    ShownSettings settings() const override;
+
+    const Sculptor& sculptor() const { return sculptor_; }
+
+  private:
+    bool begin(ToolContext& context) override;
+    void follow(const ToolContext& context) override;
+    void update(ToolContext& context) override;
+    void forget() noexcept override { sculptor_.end(); }
+    std::vector<Vec2> positions_to_visit(const ToolContext& context) const;
+
+    Sculptor sculptor_;
+    std::vector<Vec2> cursor_path_;  // of the cursor since the drag was updated
+    Vec2 last_cursor_{0.0};          // the cursor at that update
+};
+
+}  // namespace pectin

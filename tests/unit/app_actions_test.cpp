@@ -1,0 +1,243 @@
+// The table of actions, and the menus and keys that read it.
+#include "app/actions.h"
+
+#include <algorithm>
+#include <cctype>
+#include <set>
+
+#include "app/ui/interface.h"
+#include "unit/app_editor_fixture.h"
+
+namespace pectin {
+namespace {
+
+// --- The table.
+
+TEST(Actions, EachStandsInTheTableOnce) {
+    std::set<Action> found;
+    for (const ActionInfo& info : all_actions()) {
+        EXPECT_TRUE(found.insert(info.action).second) << info.name;
+        EXPECT_EQ(&info_of(info.action), &info);
+    }
+    EXPECT_EQ(found.size(), kActionCount);
+}
+
+TEST(Actions, EachHasANameOfItsOwnATooltipAndAnEffect) {
+    std::set<std::string> names;
+    for (const ActionInfo& info : all_actions()) {
+        const std::string tooltip = info.tooltip;
+        EXPECT_FALSE(std::string(info.name).empty());
+        EXPECT_TRUE(names.insert(info.name).second) << info.name;
+        EXPECT_GT(tooltip.size(), 10u) << info.name;
+        EXPECT_TRUE(std::isupper(static_cast<unsigned char>(tooltip.front()))) << info.name;
+        EXPECT_EQ(tooltip.find(". "), tooltip.npos) << info.name << ": more than one sentence";
+        EXPECT_TRUE(tooltip.ends_with('.')) << info.name;
+        EXPECT_TRUE(info.is_enabled && info.perform) << info.name;
+    }
+}
+
+TEST(Actions, NoTwoShareAKey) {
+    std::vector<Shortcut> shortcuts;
+    for (const ActionInfo& info : all_actions()) {
+        for (const Shortcut& shortcut : info.shortcuts) {
+            if (!shortcut.exists()) continue;
+            EXPECT_EQ(std::ranges::count(shortcuts, shortcut), 0) << info.name;
+            shortcuts.push_back(shortcut);
+            EXPECT_NE(shortcut.key == Key::none, shortcut.character == 0)
+                << info.name << ": either a key or a character";
+            const auto found = shortcut.character == 0
+                                   ? action_for(shortcut.key, shortcut.modifiers)
+                                   : action_for(static_cast<unsigned char>(shortcut.character));
+            EXPECT_EQ(found, info.action) << info.name;
+            EXPECT_NE(tooltip_with_shortcuts(info.action).find(label_of(shortcut)),
+                      std::string::npos)
+                << info.name;
+        }
+    }
+    EXPECT_GT(shortcuts.size(), 15u);
+}
+
+TEST(Shortcuts, DistinguishUndoFromRedoAndPlainLettersFromControl) {
+    EXPECT_EQ(action_for(Key{'Z'}, {.control = true}), Action::undo);
+    EXPECT_EQ(action_for(Key{'Z'}, {.shift = true, .control = true}), Action::redo);
+    EXPECT_EQ(action_for(Key{'Y'}, {.control = true}), Action::redo);
+    EXPECT_EQ(action_for(Key{'W'}, {}), Action::toggle_wireframe);
+    EXPECT_EQ(action_for(Key{'W'}, {.control = true}), std::nullopt);
+    EXPECT_EQ(action_for(']'), Action::larger_radius);
+    EXPECT_EQ(shortcut_label(Action::redo), "Ctrl+Shift+Z");
+    EXPECT_EQ(shortcut_label(Action::frame_all), "Home");
+}
+
+// --- Keys.
+
+using ActionKeysTest = EditorTest;
+
+TEST_F(ActionKeysTest, AnActionThatIsNotEnabledDoesNothing) {
+    auto editor = this->editor();
+    const TriMesh before = editor.session().mesh();
+    editor.handle(event::Leave{});
+    for (const ActionInfo& info : all_actions()) {
+        if (info.is_enabled(editor)) continue;
+        SCOPED_TRACE(info.name);
+        editor.perform(info.action);
+        for (const Shortcut& shortcut : info.shortcuts) {
+            editor.handle(event::KeyDown{shortcut.key, shortcut.modifiers});
+        }
+        EXPECT_EQ(editor.session().mesh(), before);
+        EXPECT_EQ(editor.session().undo_count() + editor.session().redo_count(), 0u);
+        EXPECT_TRUE(editor.pins().is_empty());
+        EXPECT_EQ(editor.workspace().message(), "");
+    }
+    for (const Action refused :
+         {Action::undo, Action::redo, Action::remove_pins, Action::bake, Action::toggle_pin}) {
+        EXPECT_FALSE(info_of(refused).is_enabled(editor)) << info_of(refused).name;
+    }
+}
+
+TEST_F(ActionKeysTest, ActionsAreEnabledOnceThereIsSomethingToDo) {
+    auto editor = this->editor();
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    EXPECT_TRUE(info_of(Action::undo).is_enabled(editor));
+    EXPECT_TRUE(info_of(Action::bake).is_enabled(editor));
+    EXPECT_FALSE(info_of(Action::redo).is_enabled(editor));
+    key(editor, Key{'Z'}, {.control = true});
+    EXPECT_FALSE(info_of(Action::undo).is_enabled(editor));
+    EXPECT_TRUE(info_of(Action::redo).is_enabled(editor));
+    move(editor, kMiddle);
+    EXPECT_TRUE(info_of(Action::toggle_pin).is_enabled(editor));
+    key(editor, Key{'P'});
+    EXPECT_TRUE(info_of(Action::remove_pins).is_enabled(editor));
+}
+
+TEST_F(ActionKeysTest, SwitchesTurnWhatTheyShowOnAndOff) {
+    auto editor = this->editor();
+    int switches = 0;
+    for (const ActionInfo& info : all_actions()) {
+        if (!info.is_on) continue;
+        SCOPED_TRACE(info.name);
+        const bool before = info.is_on(editor);
+        editor.perform(info.action);
+        EXPECT_NE(info.is_on(editor), before);
+        editor.perform(info.action);
+        EXPECT_EQ(info.is_on(editor), before);
+        ++switches;
+    }
+    EXPECT_EQ(switches, 8);
+}
+
+TEST_F(ActionKeysTest, OnlyUndoAndRedoRepeatWhileTheKeyIsHeld) {
+    auto editor = this->editor();
+    for (int i = 0; i < 3; ++i) drag(editor, kMiddle, kMiddle + Vec2(30, -20 * i));
+    ASSERT_EQ(editor.session().undo_count(), 3u);
+    editor.handle(event::KeyDown{Key{'Z'}, {.control = true}, false});
+    for (int i = 0; i < 2; ++i) {
+        editor.handle(event::KeyDown{Key{'Z'}, {.control = true}, true});
+    }
+    EXPECT_EQ(editor.session().undo_count(), 0u);
+    editor.handle(event::KeyDown{Key{'W'}, {}, true});
+    EXPECT_FALSE(editor.display.wireframe);
+}
+
+// --- Menus.
+
+class MenuBarTest : public EditorTest {
+  protected:
+    static constexpr double kTop = 12.0;  // a height within the bar
+    // Positions of the titles along the bar.
+    static constexpr double kFile = 20.0, kEdit = 62.0, kView = 105.0, kTools = 150.0;
+
+    void SetUp() override {
+        interface_.set_size(kSize, kSize);
+        interface_.lay_out(editor_, {});
+    }
+    void click(const Vec2& at) {
+        interface_.handle(editor_, event::MouseMove{at});
+        interface_.handle(editor_, event::Press{MouseButton::left, at});
+        interface_.handle(editor_, event::Release{MouseButton::left, at});
+    }
+    std::optional<Action> hover(const Vec2& at) {
+        interface_.handle(editor_, event::MouseMove{at});
+        for (int i = 0; i < 3; ++i) interface_.lay_out(editor_, {});
+        return interface_.hovered_action();
+    }
+    // Opens the menu whose title is there and returns its entries, from top to bottom.
+    std::vector<Action> entries(double title) {
+        click({title, kTop});
+        return entries_at(title + 12.0);
+    }
+    std::vector<Action> entries_at(double x) {
+        std::vector<Action> found;
+        for (double y = 26.0; y < 330.0; y += 5.0) {
+            const std::optional<Action> entry = hover({x, y});
+            if (entry && (found.empty() || found.back() != *entry)) found.push_back(*entry);
+        }
+        return found;
+    }
+    void close_menus() {
+        interface_.handle(editor_, event::KeyDown{Key::escape});
+        interface_.handle(editor_, event::KeyUp{Key::escape});
+    }
+    static std::vector<std::string> names(const std::vector<Action>& actions) {
+        std::vector<std::string> found;
+        for (const Action action : actions) found.emplace_back(info_of(action).name);
+        return found;
+    }
+    static std::vector<Action> table(Menu menu) {
+        std::vector<Action> found;
+        for (const ActionInfo& info : all_actions()) {
+            if (info.menu == menu) found.push_back(info.action);
+        }
+        return found;
+    }
+
+    PreparedEditor editor_ = editor();
+    Interface interface_{1.0f};
+};
+
+TEST_F(MenuBarTest, EachMenuHasTheEntriesOfTheTableInItsOrder) {
+    const std::vector<std::pair<double, Menu>> menus{
+        {kFile, Menu::file}, {kEdit, Menu::edit}, {kView, Menu::view}, {kTools, Menu::tools}};
+    std::size_t count = 0;
+    for (const auto& [title, menu] : menus) {
+        EXPECT_EQ(names(entries(title)), names(table(menu)));
+        count += table(menu).size();
+        close_menus();
+        close_menus();
+    }
+    EXPECT_EQ(count + table(Menu::new_object).size(), kActionCount) << "actions of no menu";
+}
+
+TEST_F(MenuBarTest, TheSubmenuOfNewObjectsHasTheEntriesOfTheTable) {
+    click({kFile, kTop});
+    hover({kFile + 10.0, 36.0});  // New, which opens its submenu
+    std::vector<Action> found;
+    for (double x = 100.0; x < 400.0 && found.empty(); x += 25.0) {
+        hover({kFile + 10.0, 36.0});
+        hover({x, 36.0});
+        found = entries_at(x);
+        if (!found.empty() && info_of(found.front()).menu != Menu::new_object) found.clear();
+    }
+    EXPECT_EQ(names(found), names(table(Menu::new_object)));
+}
+
+TEST_F(MenuBarTest, AnEntryThatIsNotEnabledCannotBeChosen) {
+    const auto choose = [this](Action action) {
+        click({kEdit, kTop});
+        double y = 26.0;
+        while (y < 200.0 && hover({kEdit + 12.0, y}) != action) y += 5.0;
+        click({kEdit + 12.0, y});
+        const std::string message = editor_.workspace().message();
+        close_menus();  // if the menu is closed, Esc dismisses the message
+        return message;
+    };
+    drag(editor_, kMiddle, kMiddle + Vec2{60, -80});
+    EXPECT_EQ(choose(Action::undo), "");
+    EXPECT_EQ(editor_.session().undo_count(), 0u);
+    EXPECT_EQ(choose(Action::redo), "");
+    EXPECT_EQ(editor_.session().undo_count(), 1u);
+    EXPECT_EQ(choose(Action::redo), "") << "there was nothing to redo";
+    EXPECT_EQ(editor_.session().undo_count(), 1u);
+}
+
+}  // namespace
+}  // namespace pectin
