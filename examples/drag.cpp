@@ -39,8 +39,8 @@ int main(int argc, char** argv) {
     pectin::Session session;
     try {
         for (const pectin::Command& command : commands) {
-            if (const auto refusal = session.execute(command)) {
-                std::cerr << "drag: " << *refusal << '\n';
+            if (const pectin::Done done = session.execute(command); !done) {
+                std::cerr << "drag: " << done.refusal().reason << '\n';
                 return 1;
             }
         }

@@ -8,21 +8,16 @@
 #include <unordered_map>
 #include <utility>
 
+#include "adapt/face_pairs.h"
 #include "geometry/parallel.h"
-#include "geometry/piercing.h"
 #include "mesh/leaf_boxes.h"
-#include "mesh/sort_ids.h"
 
 namespace pectin {
+
+using namespace face_pairs;
+
 namespace {
 
-// An edge and a face closer than this at rest, as a fraction of the edge's length, touch.
-// Boundaries may lie along each other without sharing vertices, and rounding must not count as
-// distance.
-constexpr double kTouchingFraction = 1e-9;
-// The most pairs of an active and another face that are tested; this takes half a second.
-constexpr std::uint64_t kMostPairsWithOthers = 4'000'000;
-constexpr std::uint64_t kPairsBetweenQuestions = 4096;
 // If more than one in this many faces was edited, a new tree is better than an updated one.
 constexpr std::size_t kRebuildDivisor = 8;
 // If at least one in this many faces is active, a part of the mesh's tree is faster copied than
@@ -30,129 +25,11 @@ constexpr std::size_t kRebuildDivisor = 8;
 constexpr std::size_t kCopyDivisor = 8;
 constexpr std::uint32_t kLeavesAtATime = 512;  // pairs of leaves, on one thread
 
-using Corners = std::array<VertexId, 3>;
-
-Corners corners_of(const TriMesh& mesh, FaceId f) {
-    const HalfEdgeId h = TriMesh::half_edge(f, 0);
-    return {mesh.origin(h), mesh.target(h), mesh.origin(TriMesh::prev(h))};
-}
-
-bool has(const Corners& corners, VertexId v) {
-    return corners[0] == v || corners[1] == v || corners[2] == v;
-}
-
-bool is_live(const TriMesh& mesh, FaceId f) {
-    return index(f) < mesh.face_slots() && mesh.is_live(f);
-}
-
-// The live ones among the faces, sorted, each once.
-std::vector<FaceId> live(const TriMesh& mesh, std::vector<FaceId> faces) {
-    std::erase_if(faces, [&](FaceId f) { return !is_live(mesh, f); });
-    sort_ids(std::span(faces));
-    faces.erase(std::unique(faces.begin(), faces.end()), faces.end());
-    return faces;
-}
-
-Box box_of(const TriMesh& mesh, const Corners& face) {
-    Box box;
-    for (VertexId v : face) box.include(mesh.position(v));
-    return box;
-}
-
-Box box_of(const TriMesh& mesh, std::span<const FaceId> faces) {
-    Box box;
-    for (FaceId f : faces) box.include(box_of(mesh, corners_of(mesh, f)));
-    return box;
-}
-
-// The faces whose boxes meet `box`.
-std::vector<FaceId> faces_in(const TriMesh& mesh, std::vector<FaceId> faces, const Box& box) {
-    std::erase_if(faces, [&](FaceId f) { return !box_of(mesh, corners_of(mesh, f)).meets(box); });
-    return faces;
-}
-
-bool has_moved(const ActiveSet& active, FaceId f) {
-    return std::ranges::any_of(corners_of(active.mesh(), f), [&](VertexId v) {
-        return active.mesh().position(v) != active.rest_position(v);
-    });
-}
-
-std::vector<FaceId> moved_faces(const ActiveSet& active) {
-    std::vector<FaceId> faces = live(active.mesh(), {active.faces().begin(), active.faces().end()});
-    std::erase_if(faces, [&](FaceId f) { return !has_moved(active, f); });
-    return faces;
-}
-
-// The live ones of the faces, and the faces that edits have made of them or of their siblings.
-std::vector<FaceId> with_descendants(const ActiveSet& active, std::span<const FaceId> faces) {
-    const TriMesh& mesh = active.mesh();
-    std::vector<FaceId> all = live(mesh, {faces.begin(), faces.end()});
-    std::vector<FaceId> bases;
-    for (FaceId f : all) bases.push_back(mesh.base_face(f));
-    std::ranges::sort(bases);
-    for (FaceId f : active.edited_faces()) {
-        if (is_live(mesh, f) && !has_moved(active, f) &&
-            std::ranges::binary_search(bases, mesh.base_face(f))) {
-            all.push_back(f);
-        }
-    }
-    return live(mesh, std::move(all));
-}
-
-double rest_distance(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
-    return std::sqrt(squared_distance(active.rest_position(p), active.rest_position(q),
-                                      active.rest_position(face[0]), active.rest_position(face[1]),
-                                      active.rest_position(face[2])));
-}
-
-double rest_distance(const ActiveSet& active, const SelfIntersection& intersection) {
+double distance_at_rest(const ActiveSet& active, const SelfIntersection& intersection) {
     const TriMesh& mesh = active.mesh();
     const HalfEdgeId h = mesh.half_edge(intersection.edge);
     return rest_distance(active, mesh.origin(h), mesh.target(h),
                          corners_of(mesh, intersection.face));
-}
-
-bool were_disjoint(const ActiveSet& active, VertexId p, VertexId q, const Corners& face) {
-    const double length = glm::distance(active.rest_position(p), active.rest_position(q));
-    return rest_distance(active, p, q, face) > kTouchingFraction * length;
-}
-
-bool passes_through(const TriMesh& mesh, VertexId p, VertexId q, const Corners& face) {
-    return !has(face, p) && !has(face, q) &&
-           pierces(mesh.position(p), mesh.position(q), mesh.position(face[0]),
-                   mesh.position(face[1]), mesh.position(face[2]));
-}
-
-// Whether all corners of g lie on one side of the plane of f, or on it.
-bool is_on_one_side(const TriMesh& mesh, const Corners& f, const Corners& g) {
-    const Vec3& at = mesh.position(f[0]);
-    const Vec3 normal = glm::cross(mesh.position(f[1]) - at, mesh.position(f[2]) - at);
-    double least = 0.0, greatest = 0.0;
-    for (VertexId v : g) {
-        // A shared corner lies in the plane, whatever rounding says.
-        const double height = has(f, v) ? 0.0 : glm::dot(normal, mesh.position(v) - at);
-        least = std::min(least, height);
-        greatest = std::max(greatest, height);
-    }
-    return least >= 0.0 || greatest <= 0.0;
-}
-
-bool may_intersect(const TriMesh& mesh, const Corners& f, const Corners& g) {
-    return !is_on_one_side(mesh, f, g) && !is_on_one_side(mesh, g, f);
-}
-
-// Whether an edge of one face passes through the other, from which it was disjoint at rest.
-bool intersect_newly(const ActiveSet& active, const Corners& f, const Corners& g) {
-    const TriMesh& mesh = active.mesh();
-    if (has(f, g[0]) || has(f, g[1]) || has(f, g[2]) || !may_intersect(mesh, f, g)) return false;
-    const auto any_edge_passes = [&](const Corners& edges, const Corners& face) {
-        for (std::size_t corner = 0; corner < 3; ++corner) {
-            const VertexId p = edges[corner], q = edges[(corner + 1) % 3];
-            if (passes_through(mesh, p, q, face) && were_disjoint(active, p, q, face)) return true;
-        }
-        return false;
-    };
-    return any_edge_passes(f, g) || any_edge_passes(g, f);
 }
 
 template <typename Visit>
@@ -360,42 +237,6 @@ bool SelfIntersections::face_would_intersect(VertexId b, VertexId c, VertexId a,
     return false;
 }
 
-PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others,
-                              const StopToken& stop) {
-    PassedFaces passed;
-    if (others.empty()) return passed;
-    const TriMesh& mesh = active.mesh();
-    const std::vector<FaceId> moving = moved_faces(active);
-    const std::vector<FaceId> near_moving =
-        faces_in(mesh, with_descendants(active, others), box_of(mesh, moving));
-    if (near_moving.empty()) return passed;
-    const Box box_of_others = box_of(mesh, near_moving);
-    const FaceTree tree(mesh, near_moving);
-    std::vector<FaceId> near;
-    std::uint64_t pairs = 0, asked_at = kPairsBetweenQuestions;
-    for (FaceId f : moving) {
-        if (pairs >= asked_at) {
-            stop.throw_if_requested();
-            asked_at = pairs + kPairsBetweenQuestions;
-        }
-        const Corners corners = corners_of(mesh, f);
-        const Box box = box_of(mesh, corners);
-        if (!box.meets(box_of_others)) continue;
-        near.clear();
-        tree.append_near(box, mesh, near);
-        pairs += near.size();
-        passed.are_all = pairs <= kMostPairsWithOthers;
-        if (!passed.are_all) break;
-        for (FaceId g : near) {
-            if (intersect_newly(active, corners, corners_of(mesh, g))) passed.faces.push_back(g);
-        }
-    }
-    std::sort(passed.faces.begin(), passed.faces.end());
-    const auto end = std::unique(passed.faces.begin(), passed.faces.end());
-    passed.faces.erase(end, passed.faces.end());
-    return passed;
-}
-
 std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& embedding,
                                      const Criteria& criteria,
                                      std::span<const SelfIntersection> intersections) {
@@ -421,7 +262,7 @@ std::vector<EdgeId> edges_to_resolve(const ActiveSet& active, const Embedding& e
         for_each_edge(intersection.face, [&](HalfEdgeId h) {
             if (bulge(mesh.edge(h)) > bulge(farthest)) farthest = mesh.edge(h);
         });
-        if (would_resolve(farthest, rest_distance(active, intersection)))
+        if (would_resolve(farthest, distance_at_rest(active, intersection)))
             edges.push_back(mesh.representative(farthest));
     }
     std::sort(edges.begin(), edges.end());

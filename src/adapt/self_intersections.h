@@ -5,9 +5,6 @@
 // than the surface bulges over a triangle, that triangle may pass through the other sheet. This is
 // a sampling error (Gain & Dodgson 1999, section 4, point 1).
 //
-// A part of the surface that a gesture leaves alone may also be passed through by the part that it
-// moves. That is no sampling error, and it is only reported (find_passed_faces).
-//
 // An edge intersects a face if it passes through it, shares no corner with it, and was disjoint
 // from it at rest. The bulge over an edge shrinks with the square of its length, while the exact
 // sheets keep their distance, so refinement resolves every self-intersection. Faces that touched at
@@ -111,23 +108,6 @@ class SelfIntersections {
     std::uint64_t pairs_ = 0;
     std::vector<FaceId> near_;
 };
-
-// Faces that stay where they are and intersect faces that have moved.
-struct PassedFaces {
-    std::vector<FaceId> faces;  // sorted
-    bool are_all = true;        // false if the search ended before it had tested all pairs
-};
-
-// Finds those of `others`, and of the faces that splits have made of them, that intersect an active
-// face which has moved, and were disjoint from it at rest. The others were outside the active set
-// when the gesture began. Faces that share a corner do not count.
-//
-// stop: asked after each few thousand pairs; Stopped is thrown where it asks for it.
-//
-// Cost: O(1) if there are no others. Otherwise O(k log k + p) for k other and active faces and p
-// pairs of near faces, and one word per face slot.
-PassedFaces find_passed_faces(const ActiveSet& active, std::span<const FaceId> others,
-                              const StopToken& stop = {});
 
 // The edges to split so that the intersections are resolved. For each intersection, it is the one
 // among the edge and the edges of the face whose midpoint is farthest from the warp's image of its

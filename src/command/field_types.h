@@ -43,12 +43,15 @@ inline constexpr double kMostWhole = 9007199254740992.0;
 struct Whole {
     double least = 1.0, most = kMostWhole;
 };
-// A Setting: a number, "auto" or null. What else than a number is allowed differs.
+// A Setting: a number, and where or_auto() and or_null() allow it also "auto" or null.
 struct NumberOr {
     Limits limits{};
     Unit unit = Unit::none;
     bool is_whole = false;
     bool may_be_auto = false, may_be_null = false;
+
+    constexpr NumberOr or_auto() const { return {limits, unit, is_whole, true, may_be_null}; }
+    constexpr NumberOr or_null() const { return {limits, unit, is_whole, may_be_auto, true}; }
 };
 struct Flag {};
 // One of these words. An enumeration whose values are in this order.

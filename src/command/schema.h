@@ -120,54 +120,38 @@ struct Schema<command::Adapt> {
     static constexpr std::tuple fields{
         make_field("enabled", &command::Adapt::enabled, field::Flag{}, "true",
                    "Whether drags refine and decimate."),
-        make_field(
-            "theta_max", &command::Adapt::theta_max,
-            field::NumberOr{
-                .limits = field::above(0.0), .unit = field::Unit::angle, .may_be_null = true},
-            "180/7",
-            "An edge whose end normals diverge by more is refined, unless they diverged "
-            "nearly as much before the drag; null: none is."),
+        make_field("theta_max", &command::Adapt::theta_max,
+                   field::NumberOr{field::above(0.0), field::Unit::angle}.or_null(), "180/7",
+                   "An edge whose end normals diverge by more is refined, unless they diverged "
+                   "nearly as much before the drag; null: none is."),
         make_field("theta_min", &command::Adapt::theta_min,
-                   field::NumberOr{.limits = field::at_least(0.0),
-                                   .unit = field::Unit::angle,
-                                   .may_be_auto = true,
-                                   .may_be_null = true},
+                   field::NumberOr{field::at_least(0.0), field::Unit::angle}.or_auto().or_null(),
                    "\"auto\"",
                    "An edge whose end normals diverge by less may be decimated; \"auto\": 7/9 of "
                    "theta_max; null: any angle."),
         make_field("l_max", &command::Adapt::l_max,
-                   field::NumberOr{.limits = field::above(0.0),
-                                   .unit = field::Unit::length,
-                                   .may_be_auto = true,
-                                   .may_be_null = true},
+                   field::NumberOr{field::above(0.0), field::Unit::length}.or_auto().or_null(),
                    "\"auto\"",
                    "An edge in the zone of a drag that is longer is refined, with a length also by "
                    "readapt in the whole object; \"auto\": the smallest cell extent of the lattice "
                    "in use, and in a fold-free drag of several steps longer edges may stay where "
                    "the surface is straight; null: none is."),
         make_field("flatness", &command::Adapt::flatness,
-                   field::NumberOr{.limits = field::at_least(0.0),
-                                   .unit = field::Unit::ratio,
-                                   .may_be_auto = true,
-                                   .may_be_null = true},
+                   field::NumberOr{field::at_least(0.0), field::Unit::ratio}.or_auto().or_null(),
                    "\"auto\"",
                    "How far decimation may move the surface, in lengths of the edge that it "
                    "restores; \"auto\": tan(theta_max / 4) / 2; null: any distance."),
-        make_field(
-            "floor", &command::Adapt::floor,
-            field::NumberOr{
-                .limits = field::above(0.0), .unit = field::Unit::length, .may_be_auto = true},
-            "\"auto\"",
-            "An edge shorter than twice this is not split; \"auto\": 1e-4 of the box "
-            "diagonal."),
+        make_field("floor", &command::Adapt::floor,
+                   field::NumberOr{field::above(0.0), field::Unit::length}.or_auto(), "\"auto\"",
+                   "An edge shorter than twice this is not split; \"auto\": 1e-4 of the box "
+                   "diagonal."),
         make_field("budget", &command::Adapt::budget, field::Whole{}, "4000000",
                    "The most triangles that the object may get."),
         make_field(
             "drag_budget", &command::Adapt::drag_budget,
-            field::NumberOr{.limits = field::between(1.0, field::kMostWhole),
-                            .is_whole = true,
-                            .may_be_auto = true,
-                            .may_be_null = true},
+            field::NumberOr{field::between(1.0, field::kMostWhole), field::Unit::none, true}
+                .or_auto()
+                .or_null(),
             "\"auto\"",
             "The most triangles that one drag, control or readapt may add; \"auto\": 200000, "
             "or four times the faces that it works on if that is more; null: no limit."),
@@ -322,10 +306,9 @@ struct Schema<command::History> {
     static constexpr const char* meaning =
         "Limits how much memory undo and redo may take. Where it is too little the oldest steps "
         "are dropped first, which is reported; the newest step and those that can be redone stay.";
-    static constexpr std::tuple fields{
-        make_field("megabytes", &command::History::megabytes,
-                   field::NumberOr{.limits = field::above(0.0), .may_be_null = true}, "1000",
-                   "The limit in units of 10^6 bytes; null: no limit.")};
+    static constexpr std::tuple fields{make_field(
+        "megabytes", &command::History::megabytes, field::NumberOr{field::above(0.0)}.or_null(),
+        "1000", "The limit in units of 10^6 bytes; null: no limit.")};
 };
 
 template <>

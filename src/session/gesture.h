@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "adapt/adapt.h"
+#include "adapt/passed_faces.h"
 #include "adapt/self_intersections.h"
 #include "embedding/embedding.h"
 #include "ffd/warp.h"
