@@ -53,7 +53,7 @@ const std::vector<Restricted>& restricted_headers() {
         {"GLES", {"render/", "app/"}},
         {"glad/", {"render/", "app/"}},
         {"KHR/", {"render/", "app/"}},
-        {"imgui", {"render/", "app/"}},
+        {"imgui", {"render/", "app/ui/", "app/window.cpp"}},
         {"thread", {"app/", "geometry/parallel.cpp", "io/timed_calls.cpp"}},
         {"tbb/", {"geometry/parallel.cpp"}},
         {"future", {"app/"}}};
@@ -70,8 +70,7 @@ const std::vector<Separated>& separated_folders() {
     // Tools know the editor only as ToolContext, and nobody knows a single tool except the list of
     // tools and the table of actions.
     static const std::vector<Separated> kTable{
-        {"app/tools/", {"app/ui/", "app/host/", "app/editor", "app/panels", "app/menu_bar"}},
-        {"app/ui/", {"app/tools/"}}};
+        {"app/tools/", {"app/ui/", "app/host/", "app/editor"}}, {"app/ui/", {"app/tools/"}}};
     return kTable;
 }
 

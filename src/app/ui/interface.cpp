@@ -7,8 +7,8 @@
 #include <utility>
 #include <variant>
 
-#include "app/theme.h"
 #include "app/ui/imgui_input.h"
+#include "app/ui/theme.h"
 
 namespace pectin {
 namespace {

@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/editor.h"
-#include "app/panels.h"
+#include "app/ui/panels.h"
 
 struct ImDrawData;
 

@@ -1,4 +1,4 @@
-#include "app/refine_panel.h"
+#include "app/ui/refine_panel.h"
 
 #include <imgui.h>
 

@@ -6,11 +6,11 @@
 #include <string>
 #include <vector>
 
-#include "app/cage_panel.h"
 #include "app/editor.h"
-#include "app/menu_bar.h"
-#include "app/refine_panel.h"
-#include "app/tool_panel.h"
+#include "app/ui/cage_panel.h"
+#include "app/ui/menu_bar.h"
+#include "app/ui/refine_panel.h"
+#include "app/ui/tool_panel.h"
 
 namespace pectin {
 

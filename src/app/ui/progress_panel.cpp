@@ -1,4 +1,4 @@
-#include "app/progress_panel.h"
+#include "app/ui/progress_panel.h"
 
 #include <imgui.h>
 
@@ -11,7 +11,7 @@
 #include <string>
 
 #include "app/command_kind.h"
-#include "app/file_panel.h"
+#include "app/ui/file_panel.h"
 
 namespace pectin {
 namespace {

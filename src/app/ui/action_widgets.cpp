@@ -1,4 +1,4 @@
-#include "app/action_widgets.h"
+#include "app/ui/action_widgets.h"
 
 #include <imgui.h>
 

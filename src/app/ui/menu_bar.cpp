@@ -1,4 +1,4 @@
-#include "app/menu_bar.h"
+#include "app/ui/menu_bar.h"
 
 #include <imgui.h>
 
@@ -6,8 +6,8 @@
 #include <cstddef>
 #include <string>
 
-#include "app/action_widgets.h"
-#include "app/figure_text.h"
+#include "app/ui/action_widgets.h"
+#include "app/ui/figure_text.h"
 
 namespace pectin {
 namespace {

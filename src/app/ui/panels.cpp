@@ -1,14 +1,14 @@
-#include "app/panels.h"
+#include "app/ui/panels.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 #include <array>
 
-#include "app/action_widgets.h"
-#include "app/figure_text.h"
-#include "app/file_panel.h"
-#include "app/progress_panel.h"
+#include "app/ui/action_widgets.h"
+#include "app/ui/figure_text.h"
+#include "app/ui/file_panel.h"
+#include "app/ui/progress_panel.h"
 
 namespace pectin {
 namespace {

@@ -1,11 +1,11 @@
-#include "app/cage_panel.h"
+#include "app/ui/cage_panel.h"
 
 #include <imgui.h>
 
 #include <algorithm>
 
-#include "app/action_widgets.h"
 #include "app/cage_box.h"
+#include "app/ui/action_widgets.h"
 
 namespace pectin {
 namespace {

@@ -1,4 +1,4 @@
-#include "app/file_panel.h"
+#include "app/ui/file_panel.h"
 
 #include <imgui.h>
 #include <imgui_stdlib.h>

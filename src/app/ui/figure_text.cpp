@@ -1,4 +1,4 @@
-#include "app/figure_text.h"
+#include "app/ui/figure_text.h"
 
 #include <array>
 #include <cmath>

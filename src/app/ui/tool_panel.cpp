@@ -1,4 +1,4 @@
-#include "app/tool_panel.h"
+#include "app/ui/tool_panel.h"
 
 #include <imgui.h>
 
@@ -6,7 +6,7 @@
 #include <array>
 #include <cstdio>
 
-#include "app/action_widgets.h"
+#include "app/ui/action_widgets.h"
 
 namespace pectin {
 namespace {
