@@ -48,8 +48,9 @@ void add(Refinement& result, const Refinement& more) {
 IntersectionLimit limit_after(const SelfIntersections& self_intersections,
                               const std::vector<SelfIntersection>& found,
                               const Refinement& refinement, int round) {
+    if (self_intersections.is_exhausted()) return IntersectionLimit::search;  // more may be left
     if (found.empty()) return IntersectionLimit::none;
-    if (self_intersections.is_exhausted() || round == kMostRounds) return IntersectionLimit::search;
+    if (round == kMostRounds) return IntersectionLimit::search;
     return refinement.budget_hit ? IntersectionLimit::budget : IntersectionLimit::none;
 }
 
@@ -79,11 +80,12 @@ Refinement refine_without_self_intersections(ActiveSet& active, Embedding& embed
 
 // Decimation changes the number of those that refinement has left. Only edited faces are searched.
 void count_after_decimation(SelfIntersections& self_intersections, Refinement& result) {
+    if (self_intersections.is_exhausted()) return;  // what is known is the best there is
     result.self_intersections = self_intersections.find().size();
-    if (result.self_intersections == 0) {
-        result.intersection_limit = IntersectionLimit::none;
-    } else if (self_intersections.is_exhausted()) {
+    if (self_intersections.is_exhausted()) {
         result.intersection_limit = IntersectionLimit::search;
+    } else if (result.self_intersections == 0) {
+        result.intersection_limit = IntersectionLimit::none;
     } else if (result.intersection_limit == IntersectionLimit::none) {
         result.intersection_limit = IntersectionLimit::decimation;
     }

@@ -129,7 +129,7 @@ class Criteria {
     double largest_divergence(const TriMesh& mesh, EdgeId e) const;
 
   private:
-    // The only place that asks which curvature trigger is in use.
+    // Here alone a pass asks which curvature trigger is in use. Settings choose it.
     template <typename Question>
     auto ask_curvature(Question question) const {
         return std::visit(question, limits_.curvature);

@@ -9,9 +9,9 @@
 
 namespace pectin {
 
-using namespace face_pairs;
-
 namespace {
+
+using namespace face_pairs;
 
 // The most pairs of an active and another face that are tested; this takes half a second.
 constexpr std::uint64_t kMostPairsWithOthers = 4'000'000;

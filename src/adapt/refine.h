@@ -83,7 +83,7 @@ enum class IntersectionLimit : std::uint8_t {
     none,        // it has left none
     floor,       // the edges to split are as short as the floor allows
     budget,      // the mesh has as many triangles as the budget allows
-    search,      // the search was ended, as it took too long
+    search,      // the search was ended, as it took too long; there may be more, or some
     decimation,  // there is no flatness limit, so vertices were removed all the same
 };
 

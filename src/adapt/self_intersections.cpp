@@ -1,8 +1,6 @@
 #include "adapt/self_intersections.h"
 
 #include <algorithm>
-#include <array>
-#include <cmath>
 #include <mutex>
 #include <span>
 #include <unordered_map>
@@ -14,9 +12,9 @@
 
 namespace pectin {
 
-using namespace face_pairs;
-
 namespace {
+
+using namespace face_pairs;
 
 // If more than one in this many faces was edited, a new tree is better than an updated one.
 constexpr std::size_t kRebuildDivisor = 8;

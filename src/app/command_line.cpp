@@ -94,7 +94,8 @@ CommandLine read_command_line(int argc, char** argv) {
     bool as_table = false;
     help->add_option("COMMAND", command);
     help->add_flag("--table", as_table);
-    const CLI::App* schema = parser.add_subcommand("schema");
+    CLI::App* schema = parser.add_subcommand("schema");
+    for (CLI::App* subcommand : {help, schema}) subcommand->add_flag("-h,--help", wants_help);
     try {
         parser.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
@@ -102,13 +103,20 @@ CommandLine read_command_line(int argc, char** argv) {
     }
     if (wants_help) return show(overview());
     if (wants_version) return show("pectin " PECTIN_VERSION "\n");
+    const bool opens_window = !model.empty() || !record_option->empty();
+    if (opens_window && (help->parsed() || schema->parsed())) {
+        return refuse("help and schema open no window; give them no model and no --record");
+    }
+    if (help->parsed() && as_table && !command.empty()) {
+        return refuse("the table has all commands; give help either a command or --table");
+    }
     if (help->parsed()) return show_help(command, as_table);
     if (schema->parsed()) return show(json_schema());
     if (!replay->parsed()) {
         if (!record_option->empty() && record.empty()) return refuse("--record needs a file");
         return {.action = CommandLine::Action::window, .model = model, .record = record};
     }
-    if (!model.empty() || !record_option->empty()) {
+    if (opens_window) {
         return refuse("replay opens no window; give it a script and nothing else");
     }
     if (script_option->empty()) return refuse("replay needs the path of a script");

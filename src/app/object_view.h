@@ -18,6 +18,7 @@ class ObjectView {
 
   private:
     GpuMesh mesh_;
+    DirtyElements dirty_;  // of the last update
     bool is_stale_ = false;
 };
 

@@ -75,10 +75,12 @@ void Recorder::record(const Command& command) {
         return;
     }
     has_ended_ = std::holds_alternative<command::Open>(command);
-    throw FileError(path_,
-                    std::string("cannot hold this ") + name(command) +
-                        " command, because its path is not UTF-8; " +
-                        (has_ended_ ? "the record ends here" : "a replay will leave it out"));
+    const auto* error = std::get_if<CommandError>(&parsed);
+    throw FileError(
+        path_,
+        std::string("cannot hold this ") + name(command) + " command, because " +
+            (error && error->command == name(command) ? error->what : "its path is not UTF-8") +
+            "; " + (has_ended_ ? "the record ends here" : "a replay will leave it out"));
 }
 
 void Recorder::write_comment(const std::string& text) {

@@ -1,8 +1,13 @@
 #include "command/check.h"
 
+#include <algorithm>
+#include <cctype>
 #include <cmath>
+#include <cstddef>
+#include <optional>
 #include <string>
 #include <string_view>
+#include <variant>
 #include <vector>
 
 #include "command/json_values.h"
@@ -42,7 +47,9 @@ Done check_rules(const command::Cage& cage, const std::string&) {
     const std::string choice = "; give either origin, cell and deformable, or fit";
     const bool has_grid = cage.origin || cage.cell || cage.deformable || cage.margin != IVec3{0};
     if (has_grid == cage.fit.has_value()) {
-        return Refusal{(has_grid ? "has both a lattice and fit" : "has no lattice") + choice};
+        return Refusal{
+            (has_grid ? "the cage has both a lattice and fit" : "the cage has no lattice") +
+            choice};
     }
     if (!has_grid) return {};
     const char* const missing = !cage.origin       ? "origin"
@@ -65,7 +72,23 @@ Done check_rules(const Camera& camera, const std::string& where) {
                    where.substr(0, where.size() - 1)};
 }
 
+Done check_rules(const command::Shape& shape, const std::string&) {
+    const auto kind = static_cast<std::size_t>(shape.kind);
+    const field::Whole right{kind == 0 ? 0.0 : 1.0, static_cast<double>(kMostResolutions[kind])};
+    if (shape.resolution >= right.least && shape.resolution <= right.most) return {};
+    return Refusal{"resolution must be " + field::right(right) + " for this shape, not " +
+                       std::to_string(shape.resolution),
+                   "resolution"};
+}
+
 // --- One field.
+
+// Whether the path ends so, in capitals or not.
+bool has_extension(std::string_view path, std::string_view extension) {
+    if (path.size() < extension.size()) return false;
+    return std::ranges::equal(path.substr(path.size() - extension.size()), extension, {},
+                              [](unsigned char c) { return std::tolower(c); });
+}
 
 class FieldChecker {
   public:
@@ -123,9 +146,10 @@ class FieldChecker {
         if (path.find('\0') != path.npos) {
             return Refusal{where + " must be a path without a NUL character", where};
         }
-        if (type.extension && !path.ends_with(type.extension)) {
-            return Refusal{where + " must end in " + type.extension + ", not be " +
-                               command_json::in_quotes(path),
+        if (type.extension && !has_extension(path, type.extension)) {
+            return Refusal{where + " must end in " + type.extension + ", as " +
+                               command_json::in_quotes("picture" + std::string(type.extension)) +
+                               " does",
                            where};
         }
         return {};
@@ -150,7 +174,7 @@ class FieldChecker {
     static Done check(const std::vector<T>& values, const field::List<Element>& type,
                       const std::string& where) {
         if (values.empty() && !type.may_be_empty) {
-            return refuse(where, "an array of at least one element", "an empty array");
+            return refuse(where, "an array of one or more elements", "an empty array");
         }
         for (std::size_t i = 0; i < values.size(); ++i) {
             if (Done done = check(values[i], type.element, element(where, i)); !done) return done;

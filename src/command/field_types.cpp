@@ -61,7 +61,10 @@ std::string right(const NumberOr& type) {
 
 std::string right(const Flag&) { return "true or false"; }
 
-std::string right(const Path& type) { return "the path of " + std::string(type.file); }
+std::string right(const Path& type) {
+    const std::string ending = type.extension ? ", ending in " + std::string(type.extension) : "";
+    return "the path of " + std::string(type.file) + ending;
+}
 
 std::string right(const Point& type) {
     const std::string limits = in_words(type.limits);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdint>
 #include <optional>
 #include <string>
 #include <utility>
@@ -46,7 +45,7 @@ class FieldReader {
     }
     template <typename Element, typename T>
     static std::string right_of(const field::List<Element>& type, const std::vector<T>&) {
-        return std::string("an array of ") + (type.may_be_empty ? "" : "at least one of the ") +
+        return std::string("an array of ") + (type.may_be_empty ? "" : "one or more ") +
                plural_of(type.element, T{});
     }
     static std::string plural_of(const field::Point&, const Vec3&) { return "points"; }
@@ -142,9 +141,9 @@ class FieldReader {
     static void read(const json& value, const field::List<Element>& type, const std::string& where,
                      std::vector<T>& to) {
         if (!value.is_array()) wrong(where, right_of(type, to), value);
-        to.resize(value.size());
-        for (std::size_t i = 0; i < to.size(); ++i) {
-            read(value[i], type.element, element(where, i), to[i]);
+        to.clear();
+        for (std::size_t i = 0; i < value.size(); ++i) {
+            read(value[i], type.element, element(where, i), to.emplace_back());
         }
     }
     template <typename T>

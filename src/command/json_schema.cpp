@@ -2,6 +2,7 @@
 //
 // Source: A. Wright, H. Andrews, B. Hutton, G. Dennis. JSON Schema: A Media Type for Describing
 // JSON Documents. Draft 2020-12.
+#include <cctype>
 #include <string>
 #include <utility>
 #include <variant>
@@ -27,9 +28,7 @@ class SchemaWriter {
         for_each_field<Owner>([&](const auto& field) {
             Node property = value_of(field.type, field.any_value());
             property["description"] = describe(field);
-            if (field.initial && json::accept(field.initial)) {
-                property["default"] = Node::parse(field.initial);
-            }
+            if (has_default(field)) property["default"] = Node::parse(field.initial);
             properties[field.name] = std::move(property);
             if (field.is_required()) required.push_back(field.name);
         });
@@ -39,10 +38,15 @@ class SchemaWriter {
     }
 
   private:
+    // A setting that is left out does not change, so its initial value is no default.
+    template <typename Owner, typename Member, typename Type>
+    static bool has_default(const Field<Owner, Member, Type>& field) {
+        return !kIsLeftOutIfEmpty<Member, Type> && field.initial && json::accept(field.initial);
+    }
     template <typename AnyField>
     static std::string describe(const AnyField& field) {
-        if (!field.initial || json::accept(field.initial)) return field.meaning;
-        return std::string(field.meaning) + " Default: " + field.initial + ".";
+        if (!field.initial || has_default(field)) return field.meaning;
+        return std::string(field.meaning) + " At the start: " + field.initial + ".";
     }
 
     static Node number(const field::Limits& limits, bool is_whole) {
@@ -93,8 +97,17 @@ class SchemaWriter {
     template <typename T>
     static Node value_of(const field::Path& type, const T&) {
         Node node{{"type", "string"}, {"minLength", 1}};
-        if (type.extension) node["pattern"] = '\\' + std::string(type.extension) + '$';
+        if (type.extension) node["pattern"] = pattern_of(type.extension);
         return node;
+    }
+    // Of paths that end so, in capitals or not.
+    static std::string pattern_of(const std::string& extension) {
+        std::string pattern = "\\.";
+        for (const char c : extension.substr(1)) {
+            pattern +=
+                {'[', c, static_cast<char>(std::toupper(static_cast<unsigned char>(c))), ']'};
+        }
+        return pattern + '$';
     }
     template <typename T>
     static Node value_of(const field::Point& type, const T&) {
@@ -143,8 +156,27 @@ Node command_node() {
 
 // What check() demands beside the schema of the fields.
 void add_forms_of_cage(Node& cage) {
-    cage["oneOf"] = Node::array(
-        {Node{{"required", {"origin", "cell", "deformable"}}}, Node{{"required", {"fit"}}}});
+    const Node none{{"const", {0, 0, 0}}};
+    const Node any_of_grid =
+        Node::array({Node{{"required", {"origin"}}}, Node{{"required", {"cell"}}},
+                     Node{{"required", {"deformable"}}}});
+    const Node fitted{{"required", {"fit"}},
+                      {"properties", {{"margin", none}}},
+                      {"not", {{"anyOf", any_of_grid}}}};
+    const Node grid{{"required", {"origin", "cell", "deformable"}},
+                    {"not", {{"required", {"fit"}}}}};
+    cage["oneOf"] = Node::array({grid, fitted});
+}
+
+void add_resolutions_of_shape(Node& shape) {
+    const auto& words = std::get<0>(Schema<command::Shape>::fields).type.words;
+    Node rules = Node::array();
+    for (std::size_t kind = 0; kind < words.size(); ++kind) {
+        const Node limits{{"minimum", kind == 0 ? 0 : 1}, {"maximum", kMostResolutions[kind]}};
+        rules.push_back({{"if", {{"properties", {{"kind", {{"const", words[kind]}}}}}}},
+                         {"then", {{"properties", {{"resolution", limits}}}}}});
+    }
+    shape["allOf"] = std::move(rules);
 }
 
 Node header_node() {
@@ -165,6 +197,7 @@ std::string json_schema() {
     (std::make_index_sequence<std::variant_size_v<Command>>());
     for (Node& line : lines) {
         if (line["properties"].contains("fit")) add_forms_of_cage(line);
+        if (line["properties"].contains("resolution")) add_resolutions_of_shape(line);
     }
     const Node schema{{"$schema", "https://json-schema.org/draft/2020-12/schema"},
                       {"title", "A line of a pectin script"},

@@ -29,11 +29,10 @@ const json* find(const json& object, std::string_view key) {
     return found == object.end() ? nullptr : &*found;
 }
 
-const json& require(const json& object, std::string_view key, std::string_view right,
-                    std::string_view prefix) {
+const json& require(const json& object, std::string_view key, std::string_view right) {
     if (const json* value = find(object, key)) return *value;
-    std::string missing(prefix);
-    missing.append(key).append(" is missing; it must be ").append(right);
+    std::string missing(key);
+    missing.append(" is missing; it must be ").append(right);
     throw Problem(missing);
 }
 

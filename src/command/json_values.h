@@ -29,8 +29,7 @@ std::string describe(const json& value);
 
 // The field's value, or null if the object does not have the field.
 const json* find(const json& object, std::string_view key);
-// The same for a field that must be there. prefix: the object's own name and a dot, for messages.
-const json& require(const json& object, std::string_view key, std::string_view right,
-                    std::string_view prefix = "");
+// The same for a field that must be there.
+const json& require(const json& object, std::string_view key, std::string_view right);
 
 }  // namespace pectin::command_json

@@ -7,7 +7,6 @@
 #include <cmath>
 #include <concepts>
 #include <cstddef>
-#include <optional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -49,21 +48,6 @@ class JsonWriter {
         key(name);
         value(what);
     }
-    template <class T>
-    void field(std::string_view name, const std::optional<T>& what) {
-        if (what) field(name, *what);
-    }
-    template <class T>
-    void array(std::string_view name, const T& elements) {
-        key(name);
-        open('[');
-        for (const auto& element : elements) {
-            next();
-            value(element);
-        }
-        close(']');
-    }
-
     void null() { text_ += "null"; }
     void value(bool truth) { text_ += truth ? "true" : "false"; }
     void value(std::integral auto number) { append_number(number); }

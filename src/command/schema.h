@@ -1,11 +1,13 @@
 // The schema of the commands: for each command its name and meaning, and for each field its name,
-// what it may be, its default and one sentence. Nothing else repeats any of it: parsing, printing,
-// limits, help, JSON Schema and the table in the README all follow from here (command/json.h,
-// command/check.h, command/reference.h).
+// what it may be, its default and one sentence. Parsing, printing, limits, help, JSON Schema and
+// the table in the README all follow from here (command/json.h, command/check.h,
+// command/reference.h). Modules that cannot see commands have some of the limits as constants of
+// their own; tests compare them.
 //
 // To add a field, add a member to the command's struct and a line here.
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <optional>
 #include <tuple>
@@ -70,6 +72,9 @@ constexpr Field<Owner, Member, Type> make_field(const char* name, Member Owner::
 
 inline constexpr const char* kRequired = nullptr;
 
+// The finest resolution of each kind of shape, in the order of their words.
+inline constexpr std::array kMostResolutions{9, 707, 1732, 612, 500};
+
 // Schema<C> has the members
 //   name     of the command, or what a nested object is
 //   meaning  one sentence or a few
@@ -107,9 +112,11 @@ struct Schema<command::Shape> {
                    "The shape: a sphere of radius 1, a cube of side 2, a plane of side 2 in y = 0, "
                    "a torus about y with radii 1 and 0.4, or a cylinder about y of radius 1 and "
                    "height 2."),
-        make_field("resolution", &command::Shape::resolution, field::Whole{0, 1732}, kRequired,
-                   "How fine it is: the sphere has 20 * 4^resolution faces (at most 9), the others "
-                   "have about resolution * resolution quads a side (from 1).")};
+        make_field(
+            "resolution", &command::Shape::resolution, field::Whole{0, 1732}, kRequired,
+            "How fine it is. A sphere has 20 * 4^resolution faces, from 0 to 9. A cube (1 to "
+            "707) and a plane (1 to 1732) have resolution * resolution quads a side; a "
+            "torus (1 to 612) and a cylinder (1 to 500) have some more.")};
 };
 
 template <>
@@ -374,7 +381,7 @@ struct Schema<command::Screenshot::Show> {
         make_field("levels", &command::Screenshot::Show::levels, field::Flag{}, "false",
                    "How often the surface was refined, in colours."),
         make_field("ui", &command::Screenshot::Show::ui, field::Flag{}, "false",
-                   "The panels of the window, if there is one.")};
+                   "The panels of the window. No picture shows them, so this is refused.")};
 };
 
 template <>

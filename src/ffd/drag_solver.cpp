@@ -322,22 +322,35 @@ std::optional<DragRefusal> DragSolver::check(std::span<const Vec3> displacements
     return check(motions);
 }
 
+Vec3 DragSolver::prescribed(const DrivenConstraint& driven,
+                            std::span<const HandleMotion> motions) const {
+    const auto& [h, key] = driven;
+    const HandleMotion motion = on_positive_side(handles_[h], motions[h]);
+    Vec3 d = motion.displacement;
+    if (key.along >= 0) d = (motion.jacobian - Mat3{1.0})[key.along];
+    if (symmetry_) {
+        const int axis = symmetry_->plane.axis;
+        for (int i = 0; i < 3; ++i) {
+            if ((i == axis) != (key.parity < 0.0)) d[i] = 0.0;
+        }
+    }
+    return d;
+}
+
 std::vector<Vec3> DragSolver::field_displacements(std::span<const HandleMotion> motions) const {
     assert(motions.size() == handles_.size());
-    std::vector<Vec3> prescribed;
-    for (const auto& [h, key] : driven_) {
-        const HandleMotion motion = on_positive_side(handles_[h], motions[h]);
-        Vec3 d = motion.displacement;
-        if (key.along >= 0) d = (motion.jacobian - Mat3{1.0})[key.along];
-        if (symmetry_) {
-            const int axis = symmetry_->plane.axis;
-            for (int i = 0; i < 3; ++i) {
-                if ((i == axis) != (key.parity < 0.0)) d[i] = 0.0;
-            }
-        }
-        prescribed.push_back(d);
+    std::vector<Vec3> displacements;
+    for (const DrivenConstraint& driven : driven_) {
+        displacements.push_back(prescribed(driven, motions));
     }
-    return prescribed;
+    return displacements;
+}
+
+void DragSolver::set_motions(std::span<const HandleMotion> motions, DragStep& step) const {
+    assert(motions.size() == handles_.size() && step.displacements.size() == driven_.size());
+    for (std::size_t i = 0; i < driven_.size(); ++i) {
+        step.displacements[i] = prescribed(driven_[i], motions);
+    }
 }
 
 std::vector<Vec3> DragSolver::displacements(std::span<const HandleMotion> motions) const {

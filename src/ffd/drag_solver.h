@@ -71,6 +71,8 @@ class DragSolver {
 
     // The displacements d of the field's weights: field().weight_count().
     std::vector<Vec3> field_displacements(std::span<const HandleMotion> motions) const;
+    // The same for a step of this solver, which gets these displacements. Allocates nothing.
+    void set_motions(std::span<const HandleMotion> motions, DragStep& step) const;
     DragStep step(std::span<const HandleMotion> motions) const {
         return {field_, field_displacements(motions), symmetry_};
     }
@@ -106,6 +108,8 @@ class DragSolver {
 
     DragSolver(DragField field, std::optional<Symmetry> symmetry,
                std::vector<CanonicalHandle> handles, std::vector<DrivenConstraint> driven);
+    // The value that a handle prescribes for the constraint.
+    Vec3 prescribed(const DrivenConstraint& driven, std::span<const HandleMotion> motions) const;
     HandleMotion on_positive_side(const CanonicalHandle& handle, const HandleMotion& motion) const;
     std::optional<DragRefusal> check_agreement(std::size_t handle,
                                                std::span<const HandleMotion> motions) const;

@@ -77,7 +77,8 @@ double FoldGuard::limit(const DragStep& step) {
     }
     const double found = injective_limit(step, kProofMargin);
     if (next_ == proofs_.size()) proofs_.emplace_back();
-    proofs_[next_] = {step.displacements, (1.0 - kLeastStretch) / found};
+    proofs_[next_].displacements = step.displacements;  // keeps its memory
+    proofs_[next_].steepness = (1.0 - kLeastStretch) / found;
     next_ = next_ == kProofsKept ? 1 : next_ + 1;
     return std::min(1.0, found);
 }

@@ -27,7 +27,11 @@ std::string reason_of(const Frame& frame) {
 }
 
 std::string remark_on_self_intersections(const Frame& frame) {
-    if (frame.self_intersections == 0) return {};
+    if (frame.self_intersections == 0) {
+        if (frame.intersection_limit != IntersectionLimit::search) return {};
+        return "so many triangles are close to each other that some may intersect; take a larger "
+               "radius, or undo and drag less far";
+    }
     return "triangles still intersect each other in " + std::to_string(frame.self_intersections) +
            (frame.self_intersections == 1 ? " place, " : " places, ") + reason_of(frame) +
            ", or undo and drag less far";

@@ -63,13 +63,6 @@ Done Session::State::run(const command::Open& open) {
 
 Done Session::State::run(const command::Shape& shape) {
     const ShapeKind kind = shape_kind(shape.kind);
-    const int least = kind == ShapeKind::sphere ? 0 : 1, most = max_resolution(kind);
-    if (shape.resolution < least || shape.resolution > most) {
-        return Refusal{"resolution " + std::to_string(shape.resolution) + " must be from " +
-                           std::to_string(least) + " to " + std::to_string(most) +
-                           " for this shape",
-                       "resolution"};
-    }
     adopt(make_model(build_mesh(make_shape(kind, shape.resolution))));
     return {};
 }

@@ -160,7 +160,6 @@ std::optional<command::Control> Session::State::end_control() {
 }
 
 Done Session::State::run(const command::Control& control) {
-    if (control.points.empty()) return needs_points();
     if (has_object()) {
         const auto displacements = control_displacements(control);
         if (!displacements) return displacements.refusal();

@@ -25,15 +25,15 @@ bool has_no_effect(const command::Drag& drag) {
            std::ranges::all_of(drag.via, [&](const Vec3& waypoint) { return waypoint == from; });
 }
 
-// What the last step does if it is the whole last segment of the drag.
-std::vector<HandleMotion> last_motions(const command::Drag& drag) {
-    std::vector<HandleMotion> motions;
-    for (const Move& move : drag.moves) {
-        const bool is_on_waypoints = motions.empty() && !drag.via.empty();
-        const Vec3& at = is_on_waypoints ? drag.via.back() : move.from;
+// Sets what the last step does if it is the whole last segment of the drag.
+void set_last_motions(std::span<const Move> moves, std::span<const Vec3> via,
+                      std::vector<HandleMotion>& motions) {
+    motions.clear();
+    for (const Move& move : moves) {
+        const bool is_on_waypoints = motions.empty() && !via.empty();
+        const Vec3& at = is_on_waypoints ? via.back() : move.from;
         motions.push_back({move.to - at, jacobian(move)});
     }
-    return motions;
 }
 
 }  // namespace
@@ -71,7 +71,8 @@ Done Session::State::check_lattice(const Lattice& lattice) const {
     return {};
 }
 
-Done Session::State::check_targets(const command::Drag& drag, double reach) const {
+Done Session::State::check_targets(std::span<const Move> moves, std::span<const Vec3> via,
+                                   double reach) const {
     const double most = kLargestDrag * (diagonal + reach);
     const auto check = [&](const Vec3& from, const Vec3& to) -> Done {
         if (glm::length(to - from) <= most) return {};
@@ -80,11 +81,11 @@ Done Session::State::check_targets(const command::Drag& drag, double reach) cons
                            decimal(most),
                        "moves"};
     };
-    for (const Move& move : drag.moves) {
+    for (const Move& move : moves) {
         if (Done done = check(move.from, move.to); !done) return done;
     }
-    for (const Vec3& waypoint : drag.via) {
-        if (Done done = check(drag.moves.front().from, waypoint); !done) return done;
+    for (const Vec3& waypoint : via) {
+        if (Done done = check(moves.front().from, waypoint); !done) return done;
     }
     return {};
 }
@@ -107,6 +108,11 @@ Done Session::State::embed(ActiveGesture& begun) {
     }
     begun.guard = begun.drag.fold_free ? std::make_unique<FoldGuard>(planned.last) : nullptr;
     begun.solver.emplace(std::move(planned.last));
+    begun.last_step.emplace(DragStep{
+        .field = begun.solver->field(),
+        .displacements = std::vector<Vec3>(begun.solver->field().weight_count(), Vec3{0.0}),
+        .symmetry = begun.solver->symmetry()});
+    begun.plan = plan_of(begun.drag);
     begun.measured.seconds.solve = stopwatch.lap();
 
     // Faces are searched and embedded in the rest state, so the earlier gesture is taken back.
@@ -138,39 +144,48 @@ Done Session::State::begin_drag(const command::Drag& drag) {
     auto begun = std::make_unique<ActiveGesture>();
     begun->drag = drag;
     begun->reach = lattice.influenced_zone().diagonal();
-    if (Done done = check_targets(drag, begun->reach); !done) return done;
+    if (Done done = check_targets(drag.moves, drag.via, begun->reach); !done) return done;
     if (Done done = embed(*begun); !done) return done;
     active_gesture = std::move(begun);
     return {};
 }
 
 // Whether the last step alone can reach the targets. Refuses targets that cannot be reached at all.
-Result<bool> Session::State::is_single_step(const command::Drag& drag) const {
-    const command::Drag& before = active_gesture->drag;
-    if (!active_gesture->is_one_step_left) return false;
-    for (std::size_t m = 0; m < drag.moves.size(); ++m) {
-        if (rotates(drag.moves[m]) != rotates(before.moves[m])) return false;
-        if (drag.fold_free && least_steps(drag.moves[m]) > 1) return false;
+Result<bool> Session::State::is_single_step(std::span<const Move> asked) {
+    ActiveGesture& active_drag = *active_gesture;
+    const command::Drag& before = active_drag.drag;
+    if (!active_drag.is_one_step_left) return false;
+    for (std::size_t m = 0; m < asked.size(); ++m) {
+        if (rotates(asked[m]) != rotates(before.moves[m])) return false;
+        if (before.fold_free && least_steps(asked[m]) > 1) return false;
     }
-    const auto motions = last_motions(drag);
-    if (const auto refused = check_drag(plan_of(drag))) return Refusal{refused->what};
-    if (const auto refused = active_gesture->solver->check(motions)) return Refusal{refused->what};
-    return !active_gesture->guard ||
-           active_gesture->guard->limit(active_gesture->solver->step(motions)) >= 1.0;
+    active_drag.plan.moves.assign(asked.begin(), asked.end());
+    set_last_motions(asked, before.via, active_drag.motions);
+    if (const auto refused = check_drag(active_drag.plan)) return Refusal{refused->what};
+    if (const auto refused = active_drag.solver->check(active_drag.motions)) {
+        return Refusal{refused->what};
+    }
+    if (!active_drag.guard) return true;
+    active_drag.solver->set_motions(active_drag.motions, *active_drag.last_step);
+    return active_drag.guard->limit(*active_drag.last_step) >= 1.0;
 }
 
 // Whether the last step goes more than half as far as the proof allows.
-bool Session::State::is_past_half_way() const {
-    DragStep step = active_gesture->solver->step(last_motions(active_gesture->drag));
-    for (Vec3& d : step.displacements) d *= 2.0;
-    return active_gesture->is_one_step_left && active_gesture->guard->limit(step) < 1.0;
+bool Session::State::is_past_half_way() {
+    ActiveGesture& active_drag = *active_gesture;
+    set_last_motions(active_drag.drag.moves, active_drag.drag.via, active_drag.motions);
+    active_drag.solver->set_motions(active_drag.motions, *active_drag.last_step);
+    for (Vec3& d : active_drag.last_step->displacements) d *= 2.0;
+    return active_drag.is_one_step_left && active_drag.guard->limit(*active_drag.last_step) < 1.0;
 }
 
 // Plans the active drag anew, for other targets.
-Done Session::State::replan(const command::Drag& asked) {
-    ActiveGesture next{
-        .drag = asked, .reach = active_gesture->reach, .measured = active_gesture->measured};
-    if (asked.fold_free && asked.moves.size() == 1 && is_past_half_way()) {
+Done Session::State::replan(std::span<const Move> asked) {
+    ActiveGesture next{.drag = active_gesture->drag,
+                       .reach = active_gesture->reach,
+                       .measured = active_gesture->measured};
+    next.drag.moves.assign(asked.begin(), asked.end());
+    if (next.drag.fold_free && asked.size() == 1 && is_past_half_way()) {
         next.drag.via.push_back(active_gesture->drag.moves.front().to);
     }
     next.gesture = std::move(active_gesture->gesture);
@@ -183,28 +198,39 @@ Done Session::State::replan(const command::Drag& asked) {
     return done;
 }
 
-Done Session::State::drag_to(const command::Drag& asked) {
+// A frame that needs no new plan allocates nothing, and copies no more than the moves.
+Done Session::State::drag_to(std::span<const Move> asked) {
     assert(active_gesture && active_gesture->gesture && !active_gesture->is_control());
-    if (Done done = check_targets(asked, active_gesture->reach); !done) return done;
+    if (Done done = check_targets(asked, {}, active_gesture->reach); !done) return done;
     const Result<bool> is_single = is_single_step(asked);
     if (!is_single) return is_single.refusal();
-    if (!*is_single) {
-        if (Done done = replan(asked); !done) return done;
+    if (*is_single) {
+        active_gesture->drag.moves.assign(asked.begin(), asked.end());
+    } else if (Done done = replan(asked); !done) {
+        return done;
     }
-    active_gesture->drag.moves = asked.moves;
     update_frame(last_displacements());
     return {};
 }
 
 // The displacements of the last step: those that the drag asks for now if this step is the whole
-// last segment, and otherwise those that were planned.
-std::vector<Vec3> Session::State::last_displacements() const {
-    if (!active_gesture->is_one_step_left) {
-        const Deformation& last_step = active_gesture->gesture->warp().steps.back();
-        const std::span<const Vec3> planned = displacements_of(last_step);
-        return {planned.begin(), planned.end()};
+// last segment, and otherwise those that were planned. Valid until the next frame.
+std::span<const Vec3> Session::State::last_displacements() {
+    ActiveGesture& active_drag = *active_gesture;
+    if (!active_drag.is_one_step_left) {
+        const std::span<const Vec3> planned =
+            displacements_of(active_drag.gesture->warp().steps.back());
+        active_drag.displacements.assign(planned.begin(), planned.end());
+        return active_drag.displacements;
     }
-    return active_gesture->solver->displacements(last_motions(active_gesture->drag));
+    set_last_motions(active_drag.drag.moves, active_drag.drag.via, active_drag.motions);
+    const DragSolver& solver = *active_drag.solver;
+    if (solver.field().weight_count() > kMostWeights) {
+        active_drag.displacements = solver.displacements(active_drag.motions);
+        return active_drag.displacements;
+    }
+    solver.set_motions(active_drag.motions, *active_drag.last_step);
+    return active_drag.last_step->displacements;
 }
 
 std::optional<command::Drag> Session::State::end_drag() {

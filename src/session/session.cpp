@@ -151,16 +151,16 @@ Done Session::begin_drag(std::span<const Vec3> points, std::span<const Vec3> pin
 }
 
 Done Session::drag_to(std::span<const Vec3> targets) {
-    command::Drag drag = state_->active_gesture->drag;
-    for (std::size_t i = 0; i < drag.moves.size(); ++i) drag.moves[i].to = targets[i];
-    return state_->drag_to(drag);
+    std::vector<Move>& asked = state_->active_gesture->asked;
+    asked = state_->active_gesture->drag.moves;
+    for (std::size_t i = 0; i < asked.size(); ++i) asked[i].to = targets[i];
+    return state_->drag_to(asked);
 }
 
 Done Session::drag_to(std::span<const Move> moves) {
-    command::Drag drag = state_->active_gesture->drag;
-    assert(std::ranges::equal(drag.moves, moves, {}, &Move::from, &Move::from));
-    drag.moves.assign(moves.begin(), moves.end());
-    return state_->drag_to(drag);
+    assert(std::ranges::equal(state_->active_gesture->drag.moves, moves, {}, &Move::from,
+                              &Move::from));
+    return state_->drag_to(moves);
 }
 
 const command::Drag& Session::active_drag() const { return state_->active_gesture->drag; }
@@ -233,7 +233,14 @@ void Session::prepare_for_drags() noexcept {
 }
 
 DirtyElements Session::take_dirty() {
-    DirtyElements taken = std::exchange(state_->dirty, {});
+    DirtyElements taken;
+    take_dirty(taken);
+    return taken;
+}
+
+void Session::take_dirty(DirtyElements& taken) {
+    taken.clear();
+    std::swap(taken, state_->dirty);
     // Slots that no longer exist have nothing to draw.
     const auto tidy = [](auto& ids, auto end) {
         // A frame lists what it moves in order, without duplicates, and then what it has inserted.
@@ -247,7 +254,6 @@ DirtyElements Session::take_dirty() {
     };
     tidy(taken.wedges, WedgeId{state_->mesh->wedge_slots()});
     tidy(taken.faces, FaceId{state_->mesh->face_slots()});
-    return taken;
 }
 
 Statistics Session::statistics() const { return state_->statistics(); }

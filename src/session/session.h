@@ -39,6 +39,12 @@ struct DirtyElements {
     std::vector<WedgeId> wedges{};
     // Slots of faces that appeared, disappeared or have other corners. Sorted, without duplicates.
     std::vector<FaceId> faces{};
+
+    void clear() {  // keeps the memory of the lists
+        everything = false;
+        wedges.clear();
+        faces.clear();
+    }
 };
 
 // A point of the surface.
@@ -143,6 +149,8 @@ class Session {
     std::vector<LatticeField> active_lattices() const;
     // Returns and forgets what has changed since the last call. Cost: O(changed).
     DirtyElements take_dirty();
+    // The same; `taken` gets the elements, and the session its memory for the next ones.
+    void take_dirty(DirtyElements& taken);
     Statistics statistics() const;  // O(n)
     // What was found in the input of the object; see input_summary().
     const BuildReport& input_report() const;

@@ -50,6 +50,12 @@ struct Session::State {
         std::optional<DragSolver> solver{};  // of the last step
         std::unique_ptr<FoldGuard> guard{};  // for the solver; null unless the drag is fold-free
         bool is_one_step_left = true;        // the last step is the whole last segment
+        // What a frame works with. All of it is kept, so that a frame allocates nothing.
+        std::vector<Move> asked{};
+        DragPlan plan{};  // of the drag, with the moves that were asked for last
+        std::vector<HandleMotion> motions{};  // of the last step
+        std::optional<DragStep> last_step{};  // of the solver
+        std::vector<Vec3> displacements{};    // of the last step, where it is not last_step
         std::vector<FaceId> staying{};  // in the zones, but not connected to the handles; sorted
         Statistics::Last measured{};    // up to now
         std::unique_ptr<Gesture> gesture{};  // null if memory ran out; refers to the active set
@@ -145,11 +151,11 @@ struct Session::State {
 
     // --- Drags (drag.cpp, drag_faces.cpp).
     Done begin_drag(const command::Drag& drag);
-    Done drag_to(const command::Drag& asked);
-    Done replan(const command::Drag& asked);
+    Done drag_to(std::span<const Move> asked);
+    Done replan(std::span<const Move> asked);
     std::optional<command::Drag> end_drag();
     Done check_lattice(const Lattice& lattice) const;
-    Done check_targets(const command::Drag& drag, double reach) const;
+    Done check_targets(std::span<const Move> moves, std::span<const Vec3> via, double reach) const;
     DragPlan plan_of(const command::Drag& drag) const;
     Done embed(ActiveGesture& begun);
     std::vector<Box> zones_on_both_sides(const Warp& warp) const;
@@ -157,9 +163,9 @@ struct Session::State {
     std::vector<FaceId> faces_meeting(std::span<const Box> zones);
     Surroundings surroundings();
     std::vector<FaceId> staying_faces(std::span<const Vec3> displacements);
-    Result<bool> is_single_step(const command::Drag& drag) const;
-    bool is_past_half_way() const;
-    std::vector<Vec3> last_displacements() const;
+    Result<bool> is_single_step(std::span<const Move> asked);
+    bool is_past_half_way();
+    std::span<const Vec3> last_displacements();
     std::vector<VertexId> vertices_at_handles(const command::Drag& drag);
 
     // --- Control points (control.cpp).

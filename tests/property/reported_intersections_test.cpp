@@ -7,10 +7,12 @@
 #include <filesystem>
 #include <string>
 
+#include "geometry/decimal.h"
 #include "session/session.h"
 #include "support/expect_done.h"
 #include "support/intersections_by_definition.h"
 #include "support/random_mesh.h"
+#include "support/scratch_folder.h"
 #include "support/test_run.h"
 
 namespace pectin {
@@ -119,6 +121,35 @@ TEST_P(ReportedIntersections, AreAllAfterDragsThatMayNotRefine) {
     }
     EXPECT_GT(left, 0u);
     std::printf("%s: %zu left\n", GetParam().name.c_str(), left);
+}
+
+// Nine thousand triangles, each across all others, are more pairs than the search tests.
+TEST(ReportedIntersectionsOfAHeap, AreSaidToBeIncomplete) {
+    if (test::is_sanitized()) GTEST_SKIP() << "takes too long with sanitizers";
+    test::Random random(82);
+    std::string obj;
+    constexpr int kTriangles = 9000;
+    for (int i = 0; i < 3 * kTriangles; ++i) {
+        const Vec3 p = random.uniform(0.9, 1.0) * random.direction();
+        obj += "v " + decimal(p.x) + ' ' + decimal(p.y) + ' ' + decimal(p.z) + '\n';
+    }
+    for (int i = 0; i < kTriangles; ++i) {
+        obj += "f";
+        for (int k = 1; k <= 3; ++k) obj += ' ' + std::to_string(3 * i + k);
+        obj += '\n';
+    }
+    ScratchFolder folder;
+    folder.write("heap.obj", obj);
+    Session session;
+    test::expect_done(session, command::Open{.path = folder.path("heap.obj")});
+    test::expect_done(session, command::Adapt{.floor = Setting::of(10.0)});
+    test::expect_done(session, command::Brush{.radius = 4.0});
+    const Vec3 from = session.mesh().position(VertexId{0});
+    test::expect_done(session,
+                      command::Drag{.moves = {{from, from + Vec3{0.2, 0, 0}}}, .fold_free = true});
+    const std::string& remark = session.remark();
+    EXPECT_NE(remark.find("intersect"), remark.npos) << remark;
+    EXPECT_NE(remark.find("too many to find them all"), remark.npos) << remark;
 }
 
 Subject model(const std::string& name) {

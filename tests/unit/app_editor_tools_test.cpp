@@ -35,14 +35,18 @@ class EditorToolsTest : public EditorTest {
 };
 
 TEST(CursorPath, SimplifyingKeepsOnlyBendsAndTheLastPosition) {
-    EXPECT_TRUE(simplified_path({0, 0}, {}, 2.0).empty());
-    EXPECT_EQ(simplified_path({0, 0}, {{10, 1}, {20, -1}, {30, 0}}, 2.0),
-              (std::vector<Vec2>{{30, 0}}));
-    EXPECT_EQ(simplified_path({0, 0}, {{10, 0}, {20, 1}, {20, 10}, {20, 30}}, 2.0),
+    const auto simplified = [](const std::vector<Vec2>& path) {
+        std::vector<Vec2> kept{{7, 7}};
+        simplify_path(path, 2.0, kept);
+        return kept;
+    };
+    EXPECT_TRUE(simplified({}).empty());
+    EXPECT_TRUE(simplified({{0, 0}}).empty());
+    EXPECT_EQ(simplified({{0, 0}, {10, 1}, {20, -1}, {30, 0}}), (std::vector<Vec2>{{30, 0}}));
+    EXPECT_EQ(simplified({{0, 0}, {10, 0}, {20, 1}, {20, 10}, {20, 30}}),
               (std::vector<Vec2>{{20, 1}, {20, 30}}));
     // The path returns to its start.
-    EXPECT_EQ(simplified_path({0, 0}, {{10, 0}, {0, 0}}, 2.0),
-              (std::vector<Vec2>{{10, 0}, {0, 0}}));
+    EXPECT_EQ(simplified({{0, 0}, {10, 0}, {0, 0}}), (std::vector<Vec2>{{10, 0}, {0, 0}}));
 }
 
 TEST(RoundedNumbers, ShortenFractionsAndKeepWholeNumbers) {

@@ -34,7 +34,7 @@ class RandomCommand {
             case 0:
                 return command::Open{text(), from(0.0, 180.0)};
             case 1:
-                return command::Shape{static_cast<command::Shape::Kind>(below(5)), below(1733)};
+                return command::Shape{static_cast<command::Shape::Kind>(below(5)), 1 + below(9)};
             case 2:
                 return adapt();
             case 3:
@@ -346,7 +346,7 @@ TEST(CommandErrors, NameThePositionInsideLatticesAndPoints) {
                  "cage",
                  {"cell[1] must be a number above 0"}},
          BadLine{R"({"cmd": "drag"})", "drag", {"moves is missing"}},
-         BadLine{R"({"cmd": "drag", "moves": []})", "drag", {"at least one", "empty array"}},
+         BadLine{R"({"cmd": "drag", "moves": []})", "drag", {"one or more", "empty array"}},
          BadLine{R"({"cmd": "drag", "moves": [[0,0,0]]})", "drag", {"moves[0] must be an object"}},
          BadLine{
              R"({"cmd": "drag", "moves": [{"from": [0,0,0]}]})", "drag", {"moves[0].to is mis"}},
@@ -384,7 +384,7 @@ TEST(CommandErrors, NameThePositionInsideLatticesAndPoints) {
          BadLine{R"({"cmd": "symmetry", "plane": "w"})", "symmetry", {"plane must be", "\"w\""}},
          BadLine{R"({"cmd": "symmetry", "plane": null, "through": 1})", "symmetry", {"through"}},
          BadLine{R"({"cmd": "control"})", "control", {"points is missing"}},
-         BadLine{R"({"cmd": "control", "points": []})", "control", {"at least one"}},
+         BadLine{R"({"cmd": "control", "points": []})", "control", {"one or more"}},
          BadLine{R"({"cmd": "control", "points": [{"index": [0,0], "to": [0,0,0]}]})",
                  "control",
                  {"points[0].index must be an array of three"}},

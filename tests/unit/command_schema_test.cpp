@@ -19,6 +19,7 @@
 #include "command/reference.h"
 #include "ffd/handle.h"
 #include "ffd/lattice.h"
+#include "mesh/shapes.h"
 #include "session/session.h"
 #include "support/expect_done.h"
 #include "support/random_mesh.h"
@@ -165,6 +166,9 @@ TEST(Schema, HasTheLimitsOfWhatTheCommandsUse) {
     const auto& scale = std::get<3>(Schema<Move>::fields);
     EXPECT_EQ(scale.type.limits.most, kMostScale);
     EXPECT_EQ(scale.type.limits.least, 1.0 / kMostScale);
+    for (std::size_t kind = 0; kind < kMostResolutions.size(); ++kind) {
+        EXPECT_EQ(kMostResolutions[kind], max_resolution(static_cast<ShapeKind>(kind)));
+    }
     EXPECT_LE(std::get<1>(Schema<command::Brush>::fields).type.most, kMaxDeformable);
     EXPECT_EQ(std::get<2>(Schema<command::Cage>::fields).type.most, kMaxDeformable);
     EXPECT_EQ(std::get<4>(Schema<command::Cage>::fields).type.most, kMaxFitted);
@@ -324,6 +328,23 @@ TEST(Schema, HasLimitsThatScriptsAndTheSessionRefuseWithTheSameWords) {
         (std::make_index_sequence<std::variant_size_v<Command>>());
     }
     EXPECT_GT(refused, 20 * test::case_count(200));
+}
+
+TEST(Schema, HasLimitsForEachShape) {
+    using Kind = command::Shape::Kind;
+    EXPECT_TRUE(check(command::Shape{Kind::sphere, 0}));
+    EXPECT_TRUE(check(command::Shape{Kind::plane, 1732}));
+    for (const command::Shape& wrong :
+         {command::Shape{Kind::sphere, 10}, command::Shape{Kind::cube, 0},
+          command::Shape{Kind::torus, 613}, command::Shape{Kind::cylinder, 501}}) {
+        EXPECT_EQ(check(wrong).refusal().field, "resolution");
+    }
+}
+
+TEST(Schema, AcceptsExtensionsInCapitals) {
+    EXPECT_TRUE(check(command::Screenshot{.path = "Photo.PNG"}));
+    EXPECT_FALSE(check(command::Screenshot{.path = "Photo.jpg"}));
+    EXPECT_FALSE(check(command::Screenshot{.path = "png"}));
 }
 
 TEST(Schema, RefusesWhatIsNotFinite) {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <string>
+#include <tuple>
 #include <vector>
 
 #include "mesh/build_mesh.h"
@@ -60,14 +61,14 @@ TEST(StoppedSession, CancelsTheDragWhoseEndIsStopped) {
 TEST(StoppedSession, RestoresWhatACommandHasBegunToChange) {
     Session session = sphere();
     const TriMesh untouched = session.mesh();
-    EXPECT_THROW(session.execute(drag(true), from_question(2)), Stopped);
+    EXPECT_THROW(std::ignore = session.execute(drag(true), from_question(2)), Stopped);
     EXPECT_TRUE(session.mesh() == untouched);
     expect_done(session, drag(true));
     const TriMesh dragged = session.mesh();
     expect_done(session, Adapt{.theta_max = Setting::of(0.3)});
-    EXPECT_THROW(session.execute(Readapt{}, from_question(1)), Stopped);
+    EXPECT_THROW(std::ignore = session.execute(Readapt{}, from_question(1)), Stopped);
     EXPECT_TRUE(session.mesh() == dragged);
-    EXPECT_THROW(session.execute(command::Bake{}, from_question(1)), Stopped);
+    EXPECT_THROW(std::ignore = session.execute(command::Bake{}, from_question(1)), Stopped);
     EXPECT_TRUE(session.mesh() == dragged);
     EXPECT_EQ(session.undo_count(), 1u);
     EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});
@@ -88,7 +89,8 @@ TEST(StoppedSession, TakesBackTheStepsThatRedoHasDone) {
     ASSERT_GT(questions, 0);
     expect_done(session, command::Undo{1});
     for (const int first : {1, questions + 1}) {
-        EXPECT_THROW(session.execute(command::Redo{2}, from_question(first)), Stopped);
+        EXPECT_THROW(std::ignore = session.execute(command::Redo{2}, from_question(first)),
+                     Stopped);
         EXPECT_TRUE(session.mesh() == untouched) << first;
         EXPECT_EQ(session.redo_count(), 2u);
     }

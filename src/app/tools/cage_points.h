@@ -32,8 +32,8 @@ class CagePoints {
     bool is_dragging() const { return grabbed_ && grabbed_->has_begun; }
     void move_to(const Vec2& at);
     // Moves the selected control points with the cursor, once it is farther from the press than a
-    // click allows. The session's dirty elements say whether the object has changed. Returns why
-    // the move is refused; then the points stay where they were in the frame before.
+    // click allows. The session's dirty elements say whether the object has changed. After a
+    // refusal the points stay where they were in the frame before.
     Done update_drag(Session& session, const View& view);
     // Ends a click or a box. Precondition: not is_dragging().
     void release(const Session& session, const View& view);

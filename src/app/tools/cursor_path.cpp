@@ -15,7 +15,7 @@ double distance_to_segment(const Vec2& p, const Vec2& a, const Vec2& b) {
 }
 
 // Adds the points between positions[first] and positions[last] that have to be kept.
-void add_kept_points(const std::vector<Vec2>& positions, std::size_t first, std::size_t last,
+void add_kept_points(std::span<const Vec2> positions, std::size_t first, std::size_t last,
                      double tolerance, std::vector<Vec2>& kept) {
     std::size_t farthest = first;
     double distance = tolerance;
@@ -33,15 +33,11 @@ void add_kept_points(const std::vector<Vec2>& positions, std::size_t first, std:
 
 }  // namespace
 
-std::vector<Vec2> simplified_path(const Vec2& start, const std::vector<Vec2>& path,
-                                  double tolerance) {
-    if (path.empty()) return {};
-    std::vector<Vec2> positions{start};
-    positions.insert(positions.end(), path.begin(), path.end());
-    std::vector<Vec2> kept;
-    add_kept_points(positions, 0, positions.size() - 1, tolerance, kept);
+void simplify_path(std::span<const Vec2> path, double tolerance, std::vector<Vec2>& kept) {
+    kept.clear();
+    if (path.size() < 2) return;
+    add_kept_points(path, 0, path.size() - 1, tolerance, kept);
     kept.push_back(path.back());
-    return kept;
 }
 
 }  // namespace pectin

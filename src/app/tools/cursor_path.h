@@ -4,17 +4,17 @@
 // represent a digitized line or its caricature. Cartographica 10(2) (1973).
 #pragma once
 
+#include <span>
 #include <vector>
 
 #include "geometry/camera.h"
 
 namespace pectin {
 
-// Returns those points of `path` where it bends, and its last point. The polyline from `start`
-// through them stays within `tolerance` of all other points. An empty path gives an empty result.
-// Cost: O(n²) at worst, usually O(n log n).
-// Source: Douglas & Peucker 1973.
-std::vector<Vec2> simplified_path(const Vec2& start, const std::vector<Vec2>& path,
-                                  double tolerance);
+// Sets `kept` to those points of the path after its first where it bends, and its last point. The
+// polyline from the first point through them stays within `tolerance` of all other points. A path
+// of one point, or of none, keeps nothing. Cost: O(n²) at worst, usually O(n log n). Source:
+// Douglas & Peucker 1973.
+void simplify_path(std::span<const Vec2> path, double tolerance, std::vector<Vec2>& kept);
 
 }  // namespace pectin

@@ -60,8 +60,7 @@ bool SculptTool::begin(ToolContext& context) {
         return true;
     }
     workspace.clear_command_message();
-    cursor_path_.clear();
-    last_cursor_ = context.pointer().at;
+    cursor_path_.assign(1, context.pointer().at);
     context.drag_figures().reset_drag();
     return true;
 }
@@ -71,27 +70,29 @@ void SculptTool::follow(const ToolContext& context) {
 }
 
 // The steps of a fold-free drag depend on the path, so such a drag follows the cursor's path.
-std::vector<Vec2> SculptTool::positions_to_visit(const ToolContext& context) const {
-    if (!context.drag_options.fold_free || cursor_path_.empty()) return {context.pointer().at};
-    return simplified_path(last_cursor_, cursor_path_, kPathTolerance);
+void SculptTool::find_positions(const ToolContext& context) {
+    if (context.drag_options.fold_free && cursor_path_.size() > 1) {
+        simplify_path(cursor_path_, kPathTolerance, positions_);
+    } else {
+        positions_.assign(1, context.pointer().at);
+    }
+    cursor_path_.assign(1, context.pointer().at);
 }
 
 void SculptTool::update(ToolContext& context) {
     const auto start = std::chrono::steady_clock::now();
     const bool is_along_normal = context.pointer().modifiers.alt;
     const DragPath path = is_along_normal ? DragPath::normal : DragPath::view_plane;
-    const std::vector<Vec2> positions = positions_to_visit(context);
-    cursor_path_.clear();
-    last_cursor_ = context.pointer().at;
+    find_positions(context);
     Workspace& workspace = context.workspace();
     const View view = context.view();
     bool has_moved = false;
     Done last;
-    for (std::size_t i = 0; i < positions.size(); ++i) {
+    for (std::size_t i = 0; i < positions_.size(); ++i) {
         // Only the last position is shown.
-        workspace.limit_frame_time(i + 1 == positions.size());
+        workspace.limit_frame_time(i + 1 == positions_.size());
         const Result<bool> moved =
-            sculptor_.drag(workspace.session(), view.camera, view.ray_through(positions[i]), path);
+            sculptor_.drag(workspace.session(), view.camera, view.ray_through(positions_[i]), path);
         // After a refusal the next position may be within reach again.
         last = moved ? Done{} : moved.refusal();
         has_moved = has_moved || (moved && *moved);

@@ -29,11 +29,11 @@ class SculptTool final : public DragTool {
     void follow(const ToolContext& context) override;
     void update(ToolContext& context) override;
     void forget() noexcept override { sculptor_.end(); }
-    std::vector<Vec2> positions_to_visit(const ToolContext& context) const;
+    void find_positions(const ToolContext& context);
 
     Sculptor sculptor_;
-    std::vector<Vec2> cursor_path_;  // of the cursor since the drag was updated
-    Vec2 last_cursor_{0.0};          // the cursor at that update
+    std::vector<Vec2> cursor_path_;  // where the cursor was at the last update, and since then
+    std::vector<Vec2> positions_;    // that the drag visits in this update
 };
 
 }  // namespace pectin

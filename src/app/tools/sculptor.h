@@ -28,8 +28,7 @@ Vec3 on_normal(const Camera& camera, const Vec3& from, const Vec3& normal, const
 
 class Sculptor {
   public:
-    // Begins a drag of the picked point under the ray. The pins stay where they are. Returns why
-    // the drag is refused, or nothing.
+    // Begins a drag of the picked point under the ray. The pins stay where they are.
     // Precondition: the object has not changed since the pick, and there is no active drag.
     Done grab(Session& session, const Pick& pick, const Ray& ray, std::span<const Vec3> pins = {},
               const DragOptions& options = {});
