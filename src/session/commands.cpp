@@ -52,6 +52,7 @@ bool is_plain_json(const FileKind& kind, std::string_view contents) {
 
 }  // namespace
 
+template <>
 Done Session::State::run(const command::Open& open) {
     LoadedModel model = load_model(open);
     // Made first: if memory runs out here, the old object is kept.
@@ -61,12 +62,14 @@ Done Session::State::run(const command::Open& open) {
     return {};
 }
 
+template <>
 Done Session::State::run(const command::Shape& shape) {
     const ShapeKind kind = shape_kind(shape.kind);
     adopt(make_model(build_mesh(make_shape(kind, shape.resolution))));
     return {};
 }
 
+template <>
 Done Session::State::run(const command::Adapt& adapt) {
     const Result<AdaptSettings> changed = adapt_settings.with(adapt);
     if (!changed) return changed.refusal();
@@ -76,6 +79,7 @@ Done Session::State::run(const command::Adapt& adapt) {
     return {};
 }
 
+template <>
 Done Session::State::run(const command::Brush& brush) {
     if (brush.radius) lattice_settings.radius = brush.radius;
     lattice_settings.span = brush.span.value_or(lattice_settings.span);
@@ -83,6 +87,7 @@ Done Session::State::run(const command::Brush& brush) {
     return {};
 }
 
+template <>
 Done Session::State::run(const command::Cage& cage) {
     if (cage.fit && !has_object()) return no_object();
     const Lattice lattice = cage.fit
@@ -100,6 +105,7 @@ Done Session::State::run(const command::Cage& cage) {
     return {};
 }
 
+template <>
 Done Session::State::run(const command::Symmetry& symmetry_command) {
     symmetry.reset();
     if (!symmetry_command.plane) return {};
@@ -145,6 +151,7 @@ Frame Session::State::adapt_everything() {
     return frame;
 }
 
+template <>
 Done Session::State::run(const command::Readapt& readapt) {
     if (!has_object()) return no_object();
     Stopwatch stopwatch;
@@ -184,6 +191,7 @@ Done Session::State::run(const command::Readapt& readapt) {
     return {};
 }
 
+template <>
 Done Session::State::run(const command::Bake& bake) {
     if (!has_object()) return no_object();
     if (mesh->vertex_count() == mesh->base_vertex_count()) return {};
@@ -200,6 +208,7 @@ Done Session::State::run(const command::Bake& bake) {
     return {};
 }
 
+template <>
 Done Session::State::run(const command::Save& save) {
     if (!has_object()) return no_object();
     SaveReport report = save_model(*mesh, save, {}, material_folders);
@@ -209,6 +218,7 @@ Done Session::State::run(const command::Save& save) {
     return {};
 }
 
+template <>
 Done Session::State::run(const command::Stats& stats) {
     if (!has_object()) return no_object();
     check_may_replace(stats.path, is_plain_json, "stats writes JSON files");
@@ -216,6 +226,7 @@ Done Session::State::run(const command::Stats& stats) {
     return {};
 }
 
+template <>
 Done Session::State::run(const command::Screenshot& screenshot) {
     if (!has_object()) return no_object();
     if (!viewport)
@@ -224,6 +235,11 @@ Done Session::State::run(const command::Screenshot& screenshot) {
     const bool has_cage = lattice_settings.cage.has_value();
     return viewport->screenshot(*mesh, has_cage ? lattice_settings.cage : lattice_in_use,
                                 screenshot);
+}
+
+// After the specialisations, which it needs.
+Done Session::State::execute(const Command& command) {
+    return std::visit([this](const auto& c) { return run(c); }, command);
 }
 
 }  // namespace pectin

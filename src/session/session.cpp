@@ -119,9 +119,7 @@ Done Session::execute(const Command& command, const StopToken& stop) {
     state_->remark.clear();
     state_->has_failed_partly = false;
     if (Done done = check(command); !done) return done;
-    return stoppable(stop, [&] {
-        return std::visit([this](const auto& c) -> Done { return state_->run(c); }, command);
-    });
+    return stoppable(stop, [&] { return state_->execute(command); });
 }
 
 void Session::adopt(LoadedModel model) noexcept {

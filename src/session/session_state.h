@@ -117,25 +117,19 @@ struct Session::State {
     void update_everything() noexcept;
     struct UpdateOutcomeAtExit;
 
-    // --- One function for each command.
-    Done run(const command::Open& open);
-    Done run(const command::Shape& shape);
-    Done run(const command::Adapt& adapt);
-    Done run(const command::Brush& brush);
-    Done run(const command::Cage& cage);
-    Done run(const command::Symmetry& symmetry_command);
+    // --- Commands. execute() calls run() for the command. A specialisation in commands.cpp does
+    // each of those that stand there; without one execute() does not compile.
+    Done execute(const Command& command);
+    template <typename C>
+    Done run(const C& command) = delete;
+    // drag.cpp, control.cpp, undo.cpp
     Done run(const command::Drag& drag);
     Done run(const command::Control& control);
-    void undo_steps(std::size_t count);
     Done run(const command::Undo& undo);
     Done run(const command::Redo& redo);
     Done run(const command::History& limit);
-    Done run(const command::Readapt& readapt);
+    void undo_steps(std::size_t count);
     std::vector<Box> zones_of_readapt() const;
-    Done run(const command::Bake& bake);
-    Done run(const command::Save& save);
-    Done run(const command::Stats& stats);
-    Done run(const command::Screenshot& screenshot);
 
     // --- Steps of the history (undo.cpp).
     // Moves the change into the history. Throws std::bad_alloc with the change unmodified.
