@@ -351,5 +351,21 @@ TEST_F(EditorTest, SavingToAFolderThatDoesNotExistShowsAMessage) {
     EXPECT_TRUE(editor.workspace().path().empty());
 }
 
+// Widgets execute commands, so their values meet the limits of scripts.
+TEST_F(EditorTest, RefusesAValueWithTheWordsThatAScriptGets) {
+    auto editor = this->editor();
+    for (const Command& wrong :
+         {Command{command::Brush{.span = 17}}, Command{command::Brush{.radius = -1.0}},
+          Command{command::Cage{.fit = IVec3{0, 3, 3}}},
+          Command{command::Adapt{.theta_max = Setting::of(-3.0)}},
+          Command{command::Adapt{.l_max = Setting::of(0.0)}},
+          Command{command::History{Setting::of(0.0)}}}) {
+        EXPECT_FALSE(editor.execute(wrong));
+        const auto in_script = parse_command(format_command(wrong));
+        ASSERT_TRUE(std::holds_alternative<CommandError>(in_script));
+        EXPECT_EQ(editor.workspace().message(), std::get<CommandError>(in_script).what);
+    }
+}
+
 }  // namespace
 }  // namespace pectin
