@@ -77,7 +77,8 @@ TEST(Sculptor, CancelRestoresTheObject) {
     ASSERT_TRUE(
         sculptor.drag(session, camera, camera.ray_through({500, 200}, kSize), DragPath::normal));
     EXPECT_FALSE(session.mesh() == untouched.mesh());
-    sculptor.cancel(session);
+    session.cancel_drag();
+    sculptor.end();
     EXPECT_EQ(session.mesh(), untouched.mesh());
 }
 

@@ -93,10 +93,4 @@ Move Sculptor::move_to(const Goal& goal) const {
 
 double Sculptor::scale() const { return move_to(grabbed_->applied).scale; }
 
-void Sculptor::cancel(Session& session) {
-    assert(is_dragging());
-    grabbed_.reset();
-    session.cancel_drag();
-}
-
 }  // namespace pectin

@@ -38,7 +38,6 @@ class Sculptor {
     Result<bool> drag(Session& session, const Camera& camera, const Ray& ray, DragPath path);
     // Forgets the drag, once the session has ended or cancelled it.
     void end() { grabbed_.reset(); }
-    void cancel(Session& session);
 
     // --- Twist and scale of the point's surroundings, from the next drag() on. The twist follows
     // the right-hand rule about the surface normal. Each step scales by kScalePerStep.
