@@ -11,7 +11,16 @@ namespace pectin {
 
 namespace {
 
-using namespace face_pairs;
+using face_pairs::box_of;
+using face_pairs::Corners;
+using face_pairs::corners_of;
+using face_pairs::has;
+using face_pairs::has_moved;
+using face_pairs::is_live;
+using face_pairs::live;
+using face_pairs::may_intersect;
+using face_pairs::passes_through;
+using face_pairs::were_disjoint;
 
 // The most pairs of an active and another face that are tested; this takes half a second.
 constexpr std::uint64_t kMostPairsWithOthers = 4'000'000;

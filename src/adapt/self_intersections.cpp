@@ -14,7 +14,16 @@ namespace pectin {
 
 namespace {
 
-using namespace face_pairs;
+using face_pairs::box_of;
+using face_pairs::Corners;
+using face_pairs::corners_of;
+using face_pairs::has;
+using face_pairs::has_moved;
+using face_pairs::live;
+using face_pairs::may_intersect;
+using face_pairs::passes_through;
+using face_pairs::rest_distance;
+using face_pairs::were_disjoint;
 
 // If more than one in this many faces was edited, a new tree is better than an updated one.
 constexpr std::size_t kRebuildDivisor = 8;

@@ -36,7 +36,7 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     explicit Editor(std::optional<Recorder> recorder = {},
                     std::chrono::milliseconds max_blocking_time = kMaxBlockingTime,
                     Tools tools = all_tools());
-    virtual ~Editor() = default;
+    ~Editor() override = default;
     Editor(const Editor&) = delete;  // its parts refer to each other
     Editor& operator=(const Editor&) = delete;
 

@@ -153,7 +153,7 @@ class FieldReader {
         for (const auto& [key, unused] : value.items()) {
             if (!has_field<T>(key)) {
                 throw Problem(where + " has the unknown field " + in_quotes(key) +
-                              "; the fields of a " + Schema<T>::name + " are " + names_of<T>());
+                              "; the fields of a " + Schema<T>::kName + " are " + names_of<T>());
             }
         }
         read_all(value, to, where + ".");

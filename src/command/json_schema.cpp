@@ -22,7 +22,7 @@ class SchemaWriter {
     // An object with the fields of Owner, and no others.
     template <typename Owner>
     static Node object() {
-        Node node{{"type", "object"}, {"description", Schema<Owner>::meaning}};
+        Node node{{"type", "object"}, {"description", Schema<Owner>::kMeaning}};
         Node& properties = node["properties"] = Node::object();
         Node required = Node::array();
         for_each_field<Owner>([&](const auto& field) {
@@ -143,7 +143,7 @@ class SchemaWriter {
 template <typename C>
 Node command_node() {
     Node node = SchemaWriter::object<C>();
-    Node properties{{"cmd", {{"const", Schema<C>::name}}}};
+    Node properties{{"cmd", {{"const", Schema<C>::kName}}}};
     properties.update(node["properties"]);
     node["properties"] = std::move(properties);
     Node required = Node::array({"cmd"});
@@ -169,7 +169,7 @@ void add_forms_of_cage(Node& cage) {
 }
 
 void add_resolutions_of_shape(Node& shape) {
-    const auto& words = std::get<0>(Schema<command::Shape>::fields).type.words;
+    const auto& words = std::get<0>(Schema<command::Shape>::kFields).type.words;
     Node rules = Node::array();
     for (std::size_t kind = 0; kind < words.size(); ++kind) {
         const Node limits{{"minimum", kind == 0 ? 0 : 1}, {"maximum", kMostResolutions[kind]}};

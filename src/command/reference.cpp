@@ -74,7 +74,7 @@ template <std::size_t... I>
 std::vector<CommandReference> make_reference(std::index_sequence<I...>) {
     return {[] {
         using C = std::variant_alternative_t<I, Command>;
-        return CommandReference{Schema<C>::name, Schema<C>::meaning, Describer::all_fields<C>()};
+        return CommandReference{Schema<C>::kName, Schema<C>::kMeaning, Describer::all_fields<C>()};
     }()...};
 }
 

@@ -76,24 +76,24 @@ inline constexpr const char* kRequired = nullptr;
 inline constexpr std::array kMostResolutions{9, 707, 1732, 612, 500};
 
 // Schema<C> has the members
-//   name     of the command, or what a nested object is
-//   meaning  one sentence or a few
-//   fields   a tuple of Field
+//   kName     of the command, or what a nested object is
+//   kMeaning  one sentence or a few
+//   kFields   a tuple of Field
 template <typename C>
 struct Schema;
 
 // Calls visit(field) for each field, in order.
 template <typename C, typename Visit>
 constexpr void for_each_field(Visit visit) {
-    std::apply([&](const auto&... fields) { (visit(fields), ...); }, Schema<C>::fields);
+    std::apply([&](const auto&... fields) { (visit(fields), ...); }, Schema<C>::kFields);
 }
 
 template <>
 struct Schema<command::Open> {
-    static constexpr const char* name = "open";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "open";
+    static constexpr const char* kMeaning =
         "Reads a model, which becomes the object. A new history begins.";
-    static constexpr std::tuple fields{
+    static constexpr std::tuple kFields{
         make_field("path", &command::Open::path, field::Path{"an OBJ file"}, kRequired,
                    "The file to read."),
         make_field("crease_angle", &command::Open::crease_angle,
@@ -104,9 +104,9 @@ struct Schema<command::Open> {
 
 template <>
 struct Schema<command::Shape> {
-    static constexpr const char* name = "shape";
-    static constexpr const char* meaning = "Makes a new object. A new history begins.";
-    static constexpr std::tuple fields{
+    static constexpr const char* kName = "shape";
+    static constexpr const char* kMeaning = "Makes a new object. A new history begins.";
+    static constexpr std::tuple kFields{
         make_field("kind", &command::Shape::kind,
                    field::Choice<5>{{"sphere", "cube", "plane", "torus", "cylinder"}}, kRequired,
                    "The shape: a sphere of radius 1, a cube of side 2, a plane of side 2 in y = 0, "
@@ -121,10 +121,10 @@ struct Schema<command::Shape> {
 
 template <>
 struct Schema<command::Adapt> {
-    static constexpr const char* name = "adapt";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "adapt";
+    static constexpr const char* kMeaning =
         "Sets when the mesh is refined and decimated. Settings that are left out do not change.";
-    static constexpr std::tuple fields{
+    static constexpr std::tuple kFields{
         make_field("enabled", &command::Adapt::enabled, field::Flag{}, "true",
                    "Whether drags refine and decimate."),
         make_field("theta_max", &command::Adapt::theta_max,
@@ -170,10 +170,10 @@ struct Schema<command::Adapt> {
 
 template <>
 struct Schema<command::Brush> {
-    static constexpr const char* name = "brush";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "brush";
+    static constexpr const char* kMeaning =
         "From now on drags use a lattice around the point that they grab.";
-    static constexpr std::tuple fields{
+    static constexpr std::tuple kFields{
         make_field("radius", &command::Brush::radius,
                    field::Number{field::above(0.0), field::Unit::length},
                    "a quarter of the box diagonal", "How far the lattice reaches."),
@@ -183,11 +183,11 @@ struct Schema<command::Brush> {
 
 template <>
 struct Schema<command::Cage> {
-    static constexpr const char* name = "cage";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "cage";
+    static constexpr const char* kMeaning =
         "From now on drags use this lattice, until the next brush: either origin, cell and "
         "deformable, or fit.";
-    static constexpr std::tuple fields{
+    static constexpr std::tuple kFields{
         make_field("origin", &command::Cage::origin, field::Point{}, "none",
                    "The position of its control point [0, 0, 0]."),
         make_field("cell", &command::Cage::cell, field::Point{field::above(0.0)}, "none",
@@ -205,11 +205,11 @@ struct Schema<command::Cage> {
 
 template <>
 struct Schema<command::Symmetry> {
-    static constexpr const char* name = "symmetry";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "symmetry";
+    static constexpr const char* kMeaning =
         "From now on drags, pins and control points act on both sides of a plane at once. A point "
         "on the plane stays on it, and none can be dragged across.";
-    static constexpr std::tuple fields{
+    static constexpr std::tuple kFields{
         make_field("plane", &command::Symmetry::plane, field::ChoiceOrNull<3>{{"x", "y", "z"}},
                    kRequired, "The axis that the plane is perpendicular to; null: no symmetry."),
         make_field("through", &command::Symmetry::through, field::Point{}, "[0, 0, 0]",
@@ -218,9 +218,9 @@ struct Schema<command::Symmetry> {
 
 template <>
 struct Schema<Twist> {
-    static constexpr const char* name = "twist";
-    static constexpr const char* meaning = "A rotation about an axis through the point.";
-    static constexpr std::tuple fields{
+    static constexpr const char* kName = "twist";
+    static constexpr const char* kMeaning = "A rotation about an axis through the point.";
+    static constexpr std::tuple kFields{
         make_field("axis", &Twist::axis, field::Point{}, kRequired,
                    "The axis, of any length above 0."),
         make_field("degrees", &Twist::degrees,
@@ -230,9 +230,9 @@ struct Schema<Twist> {
 
 template <>
 struct Schema<Move> {
-    static constexpr const char* name = "move";
-    static constexpr const char* meaning = "A point that is moved.";
-    static constexpr std::tuple fields{
+    static constexpr const char* kName = "move";
+    static constexpr const char* kMeaning = "A point that is moved.";
+    static constexpr std::tuple kFields{
         make_field("from", &Move::from, field::Point{}, kRequired,
                    "The point, which has to lie inside the influenced zone of the lattice."),
         make_field("to", &Move::to, field::Point{}, kRequired, "Where it goes."),
@@ -245,12 +245,12 @@ struct Schema<Move> {
 
 template <>
 struct Schema<command::Drag> {
-    static constexpr const char* name = "drag";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "drag";
+    static constexpr const char* kMeaning =
         "Drags points, and the object follows. At most 1024 different points are moved and pinned; "
         "one with a twist or a scale counts as four, and with symmetry each beside the plane "
         "counts twice.";
-    static constexpr std::tuple fields{
+    static constexpr std::tuple kFields{
         make_field("moves", &command::Drag::moves,
                    field::List<field::Object>{.may_be_empty = false}, kRequired,
                    "The points to move."),
@@ -270,9 +270,9 @@ struct Schema<command::Drag> {
 
 template <>
 struct Schema<command::Control::Point> {
-    static constexpr const char* name = "control point";
-    static constexpr const char* meaning = "A control point that is moved.";
-    static constexpr std::tuple fields{
+    static constexpr const char* kName = "control point";
+    static constexpr const char* kMeaning = "A control point that is moved.";
+    static constexpr std::tuple kFields{
         make_field("index", &command::Control::Point::index, field::Counts{-2, 255}, kRequired,
                    "Which one, from [0, 0, 0]; layers beyond a fitted box have the indices -1 and "
                    "-2, and those after the last."),
@@ -282,84 +282,84 @@ struct Schema<command::Control::Point> {
 
 template <>
 struct Schema<command::Control> {
-    static constexpr const char* name = "control";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "control";
+    static constexpr const char* kMeaning =
         "Moves control points of the cage, and the object follows. Folds are counted, not "
         "prevented. The cage is regular again afterwards.";
-    static constexpr std::tuple fields{make_field(
+    static constexpr std::tuple kFields{make_field(
         "points", &command::Control::points, field::List<field::Object>{.may_be_empty = false},
         kRequired, "The control points to move, each once.")};
 };
 
 template <>
 struct Schema<command::Undo> {
-    static constexpr const char* name = "undo";
-    static constexpr const char* meaning = "Undoes edits, the latest first.";
-    static constexpr std::tuple fields{
+    static constexpr const char* kName = "undo";
+    static constexpr const char* kMeaning = "Undoes edits, the latest first.";
+    static constexpr std::tuple kFields{
         make_field("count", &command::Undo::count, field::Whole{1, 2147483647}, "1", "How many.")};
 };
 
 template <>
 struct Schema<command::Redo> {
-    static constexpr const char* name = "redo";
-    static constexpr const char* meaning = "Does undone edits again.";
-    static constexpr std::tuple fields{
+    static constexpr const char* kName = "redo";
+    static constexpr const char* kMeaning = "Does undone edits again.";
+    static constexpr std::tuple kFields{
         make_field("count", &command::Redo::count, field::Whole{1, 2147483647}, "1", "How many.")};
 };
 
 template <>
 struct Schema<command::History> {
-    static constexpr const char* name = "history";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "history";
+    static constexpr const char* kMeaning =
         "Limits how much memory undo and redo may take. Where it is too little the oldest steps "
         "are dropped first, which is reported; the newest step and those that can be redone stay.";
-    static constexpr std::tuple fields{make_field(
+    static constexpr std::tuple kFields{make_field(
         "megabytes", &command::History::megabytes, field::NumberOr{field::above(0.0)}.or_null(),
         "1000", "The limit in units of 10^6 bytes; null: no limit.")};
 };
 
 template <>
 struct Schema<command::Readapt> {
-    static constexpr const char* name = "readapt";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "readapt";
+    static constexpr const char* kMeaning =
         "Refines and decimates the whole object once by the present settings. Roughness that drags "
         "leave alone counts here.";
-    static constexpr std::tuple<> fields{};
+    static constexpr std::tuple<> kFields{};
 };
 
 template <>
 struct Schema<command::Bake> {
-    static constexpr const char* name = "bake";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "bake";
+    static constexpr const char* kMeaning =
         "Makes the refined mesh the base mesh: what drags have inserted stays, whatever is "
         "decimated later.";
-    static constexpr std::tuple<> fields{};
+    static constexpr std::tuple<> kFields{};
 };
 
 template <>
 struct Schema<command::Save> {
-    static constexpr const char* name = "save";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "save";
+    static constexpr const char* kMeaning =
         "Writes the model, whole or not at all, and copies material files that are not there yet.";
-    static constexpr std::tuple fields{make_field(
+    static constexpr std::tuple kFields{make_field(
         "path", &command::Save::path, field::Path{"an OBJ file"}, kRequired, "The file to write.")};
 };
 
 template <>
 struct Schema<command::Stats> {
-    static constexpr const char* name = "stats";
-    static constexpr const char* meaning =
+    static constexpr const char* kName = "stats";
+    static constexpr const char* kMeaning =
         "Writes figures of the object, of what was found in its input and of the last edit.";
-    static constexpr std::tuple fields{
+    static constexpr std::tuple kFields{
         make_field("path", &command::Stats::path, field::Path{"a JSON file"}, kRequired,
                    "The file to write, which may replace one but no file of another kind.")};
 };
 
 template <>
 struct Schema<Camera> {
-    static constexpr const char* name = "camera";
-    static constexpr const char* meaning = "Where the picture is taken from.";
-    static constexpr std::tuple fields{
+    static constexpr const char* kName = "camera";
+    static constexpr const char* kMeaning = "Where the picture is taken from.";
+    static constexpr std::tuple kFields{
         make_field("eye", &Camera::eye, field::Point{}, kRequired, "Where it is."),
         make_field("target", &Camera::target, field::Point{}, kRequired, "What it looks at."),
         make_field("up", &Camera::up, field::Point{}, "[0, 1, 0]",
@@ -371,9 +371,9 @@ struct Schema<Camera> {
 
 template <>
 struct Schema<command::Screenshot::Show> {
-    static constexpr const char* name = "picture";
-    static constexpr const char* meaning = "What is drawn beside the surface.";
-    static constexpr std::tuple fields{
+    static constexpr const char* kName = "picture";
+    static constexpr const char* kMeaning = "What is drawn beside the surface.";
+    static constexpr std::tuple kFields{
         make_field("wireframe", &command::Screenshot::Show::wireframe, field::Flag{}, "false",
                    "The edges of the mesh."),
         make_field("lattice", &command::Screenshot::Show::lattice, field::Flag{}, "false",
@@ -386,9 +386,9 @@ struct Schema<command::Screenshot::Show> {
 
 template <>
 struct Schema<command::Screenshot> {
-    static constexpr const char* name = "screenshot";
-    static constexpr const char* meaning = "Draws the object. It needs no display.";
-    static constexpr std::tuple fields{
+    static constexpr const char* kName = "screenshot";
+    static constexpr const char* kMeaning = "Draws the object. It needs no display.";
+    static constexpr std::tuple kFields{
         make_field("path", &command::Screenshot::path, field::Path{"a PNG file", ".png"}, kRequired,
                    "The file to write, which may replace one but no file of another kind."),
         make_field("size", &command::Screenshot::size, field::Counts{16, 8192}, "[1280, 960]",

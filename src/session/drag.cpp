@@ -4,6 +4,7 @@
 #include <cmath>
 #include <string>
 
+#include "command/check.h"
 #include "geometry/decimal.h"
 #include "session/session_state.h"
 
@@ -34,6 +35,12 @@ void set_last_motions(std::span<const Move> moves, std::span<const Vec3> via,
         const Vec3& at = is_on_waypoints ? via.back() : move.from;
         motions.push_back({move.to - at, jacobian(move)});
     }
+}
+
+// The refusal that a script gets for these moves, if it gets one, and else the one that was found.
+Refusal in_words_of_scripts(std::span<const Move> moves, const Refusal& found) {
+    const Done done = check(command::Drag{.moves = {moves.begin(), moves.end()}});
+    return done ? found : done.refusal();
 }
 
 }  // namespace
@@ -203,11 +210,11 @@ Done Session::State::drag_to(std::span<const Move> asked) {
     assert(active_gesture && active_gesture->gesture && !active_gesture->is_control());
     if (Done done = check_targets(asked, {}, active_gesture->reach); !done) return done;
     const Result<bool> is_single = is_single_step(asked);
-    if (!is_single) return is_single.refusal();
+    if (!is_single) return in_words_of_scripts(asked, is_single.refusal());
     if (*is_single) {
         active_gesture->drag.moves.assign(asked.begin(), asked.end());
-    } else if (Done done = replan(asked); !done) {
-        return done;
+    } else if (const Done done = replan(asked); !done) {
+        return in_words_of_scripts(asked, done.refusal());
     }
     update_frame(last_displacements());
     return {};

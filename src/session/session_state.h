@@ -121,7 +121,7 @@ struct Session::State {
     // each of those that stand there; without one execute() does not compile.
     Done execute(const Command& command);
     template <typename C>
-    Done run(const C& command) = delete;
+    Done run(const C&) = delete;
     // drag.cpp, control.cpp, undo.cpp
     Done run(const command::Drag& drag);
     Done run(const command::Control& control);

@@ -112,7 +112,8 @@ bool drag_until_memory_ends(std::size_t served, FailingNew::How how) {
     }
     // A step that was done is never reported as failed.
     EXPECT_EQ(session.history().step_number(), steps + (has_ended ? 1 : 0));
-    if (session.is_dragging()) hand.cancel(session);
+    if (session.is_dragging()) session.cancel_drag();
+    hand.end();
     picture.update(session);
     EXPECT_TRUE(picture.shows(session.mesh()));
     EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});

@@ -153,25 +153,25 @@ TEST(Schema, HasTheDefaultsOfSettings) {
         EXPECT_EQ(changed.lattice_settings().span, fresh.lattice_settings().span);
         EXPECT_EQ(changed.history().limit(), fresh.history().limit());
     }
-    EXPECT_STREQ(std::get<1>(Schema<command::Adapt>::fields).initial, "180/7");
+    EXPECT_STREQ(std::get<1>(Schema<command::Adapt>::kFields).initial, "180/7");
     EXPECT_EQ(Session().adapt_settings().theta_max, Setting::of(180.0 / 7.0));
 }
 
 // --- Limits.
 
 TEST(Schema, HasTheLimitsOfWhatTheCommandsUse) {
-    const auto& twist = std::get<1>(Schema<Twist>::fields);
+    const auto& twist = std::get<1>(Schema<Twist>::kFields);
     EXPECT_EQ(twist.type.limits.most, kMostDegrees);
     EXPECT_EQ(twist.type.limits.least, -kMostDegrees);
-    const auto& scale = std::get<3>(Schema<Move>::fields);
+    const auto& scale = std::get<3>(Schema<Move>::kFields);
     EXPECT_EQ(scale.type.limits.most, kMostScale);
     EXPECT_EQ(scale.type.limits.least, 1.0 / kMostScale);
     for (std::size_t kind = 0; kind < kMostResolutions.size(); ++kind) {
         EXPECT_EQ(kMostResolutions[kind], max_resolution(static_cast<ShapeKind>(kind)));
     }
-    EXPECT_LE(std::get<1>(Schema<command::Brush>::fields).type.most, kMaxDeformable);
-    EXPECT_EQ(std::get<2>(Schema<command::Cage>::fields).type.most, kMaxDeformable);
-    EXPECT_EQ(std::get<4>(Schema<command::Cage>::fields).type.most, kMaxFitted);
+    EXPECT_LE(std::get<1>(Schema<command::Brush>::kFields).type.most, kMaxDeformable);
+    EXPECT_EQ(std::get<2>(Schema<command::Cage>::kFields).type.most, kMaxDeformable);
+    EXPECT_EQ(std::get<4>(Schema<command::Cage>::kFields).type.most, kMaxFitted);
 }
 
 // Values beyond the limits of a field, and on the wrong side of an excluded one.
@@ -223,7 +223,7 @@ class WrongValues {
     }
     template <typename Owner>
     void spoil_some_field(Owner& owner) {
-        constexpr int kFields = std::tuple_size_v<decltype(Schema<Owner>::fields)>;
+        constexpr int kFields = std::tuple_size_v<decltype(Schema<Owner>::kFields)>;
         if constexpr (kFields > 0) spoil_field(owner, random_.integer(0, kFields - 1));
     }
 
@@ -288,7 +288,7 @@ command::Screenshot complete() {
 template <typename C>
 int expect_same_refusals(test::Random& random) {
     int refused = 0;
-    constexpr int kFields = std::tuple_size_v<decltype(Schema<C>::fields)>;
+    constexpr int kFields = std::tuple_size_v<decltype(Schema<C>::kFields)>;
     for (int number = 0; number < kFields; ++number) {
         C command = complete<C>();
         WrongValues(random).spoil_field(command, number);
@@ -302,7 +302,7 @@ int expect_same_refusals(test::Random& random) {
             continue;
         }
         const CommandError& error = std::get<CommandError>(read);
-        EXPECT_EQ(error.command, Schema<C>::name);
+        EXPECT_EQ(error.command, Schema<C>::kName);
         Session session;
         const std::string reason = test::refusal_of(session, command);
         EXPECT_EQ(error.what, reason) << line;

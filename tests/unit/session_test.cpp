@@ -204,6 +204,18 @@ TEST(Session, RefusesCommandsThatNeedAnObjectWithoutOne) {
                               .deformable = IVec3{2, 2, 2}});  // needs no object
 }
 
+TEST(Session, RefusesMovesOfTheHandWithTheWordsThatScriptsGet) {
+    for (const Move& wrong : {Move{.from = kTop, .to = kTop, .scale = 2000.0},
+                              Move{.from = kTop, .to = kTop, .twist = Twist{{0, 1, 0}, 4000.0}}}) {
+        Session session = sphere();
+        ASSERT_TRUE(session.begin_drag(std::vector{kTop}, {}));
+        const Done by_hand = session.drag_to(std::span(&wrong, 1));
+        ASSERT_FALSE(by_hand);
+        session.cancel_drag();
+        EXPECT_EQ(by_hand.refusal().reason, refusal_of(session, Drag{.moves = {wrong}}));
+    }
+}
+
 TEST(Session, RefusesADragWithoutMoves) {
     Session session = sphere();
     EXPECT_TRUE(contains(refusal_of(session, Drag{}), "one or more"));

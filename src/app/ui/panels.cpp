@@ -143,9 +143,27 @@ void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
     ImGui::SameLine(scaled(420.0f));
     ImGui::Text("%.0f MB", 1e-6 * static_cast<double>(figures.memory_bytes));
     if (ImGui::IsItemHovered()) draw_memory_tooltip(object, figures);
-    draw_drag_figures(editor);
+    draw_status_text(editor, draw_drag_figures(editor));
     ImGui::End();
     ImGui::PopStyleVar(3);
+}
+
+// Draws on the right of the status line what was just confirmed, or else what the mouse does here.
+// A text that does not fit beside the figures, which end at `left`, is left out; draw_message()
+// shows the confirmation then.
+void Panels::draw_status_text(const Editor& editor, float left) {
+    const bool is_confirmation = editor.workspace().message_is_confirmation();
+    const std::string text =
+        is_confirmation ? editor.workspace().message() : std::string(editor.status_hint());
+    const float width = ImGui::CalcTextSize(text.c_str()).x;
+    const float begin =
+        ImGui::GetIO().DisplaySize.x - width - ImGui::GetStyle().WindowPadding.x - scaled(2.0f);
+    const bool fits = !text.empty() && text.find('\n') == text.npos && begin >= left;
+    status_confirms_ = is_confirmation && fits;
+    if (!fits) return;
+    ImGui::SameLine(begin);
+    const ImGuiCol colour = is_confirmation ? ImGuiCol_Text : ImGuiCol_TextDisabled;
+    ImGui::TextColored(ImGui::GetStyleColorVec4(colour), "%s", text.c_str());
 }
 
 // Begins a tooltip above the status bar, so that the bar stays visible.
@@ -185,8 +203,9 @@ void Panels::draw_memory_tooltip(const ObjectFigures& object, const PictureFigur
     ImGui::EndTooltip();
 }
 
-// Draws those figures of the drag that are worth showing, one beside the other.
-void Panels::draw_drag_figures(const Editor& editor) const {
+// Draws those figures of the drag that are worth showing, one beside the other. Returns where the
+// next would begin.
+float Panels::draw_drag_figures(const Editor& editor) const {
     const FrameFigures frame = editor.figures();
     float left = scaled(520.0f);
     const auto add_text = [&](const std::string& text, const ImVec4& colour) {
@@ -209,6 +228,7 @@ void Panels::draw_drag_figures(const Editor& editor) const {
     if (frame.floor_hit && !frame.budget_hit) {
         add_text("edges have reached the least length", kWarning);
     }
+    return left;
 }
 
 // Draws the box with which a tool is selecting.
@@ -226,7 +246,7 @@ void Panels::draw_selection(const Editor& editor) const {
 
 void Panels::draw_message(Editor& editor) {
     const std::string message = editor.workspace().message();
-    if (message.empty()) return;
+    if (message.empty() || status_confirms_) return;
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     const float close = ImGui::GetFrameHeight();
     // The message is between the panels. In a narrow window it covers them.

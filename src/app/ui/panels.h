@@ -51,7 +51,8 @@ class Panels {
     void tooltip_row(const char* what, const std::string& figure) const;
     void draw_frame_tooltip(const FrameFigures& frame, const PictureFigures& figures) const;
     void draw_memory_tooltip(const ObjectFigures& object, const PictureFigures& figures) const;
-    void draw_drag_figures(const Editor& editor) const;
+    float draw_drag_figures(const Editor& editor) const;
+    void draw_status_text(const Editor& editor, float left);
     void draw_selection(const Editor& editor) const;
     void draw_message(Editor& editor);
     void draw_hint(const Editor& editor);
@@ -61,6 +62,7 @@ class Panels {
 
     float scale_;
     float menu_height_ = 0.0f, status_height_ = 0.0f;
+    bool status_confirms_ = false;  // the status line shows the confirmation, and no box
     std::vector<Area> areas_;
     bool has_popup_ = false;       // whether a menu or a dialog is open
     bool has_text_field_ = false;  // whether a text field has the keyboard focus
