@@ -200,6 +200,7 @@ Done Session::State::replan(std::span<const Move> asked) {
     if (!done && next.gesture) {  // the present gesture stays
         active_gesture->gesture = std::move(next.gesture);
     } else {
+        next.asked = std::move(active_gesture->asked);  // `asked` may refer to it
         *active_gesture = std::move(next);
     }
     return done;
