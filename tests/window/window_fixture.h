@@ -40,6 +40,7 @@ class WindowTest : public testing::Test {
         arguments.insert(arguments.begin(), {PECTIN_BINARY, "--record", path("record.jsonl")});
         Environment environment = desktop_->environment();
         environment.emplace_back("XDG_STATE_HOME", path("state"));
+        environment.emplace_back("XDG_CONFIG_HOME", path("config"));
         start(arguments, environment);
     }
     void start(const std::vector<std::string>& words, const Environment& environment) {

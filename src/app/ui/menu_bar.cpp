@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "app/ui/action_widgets.h"
 #include "app/ui/figure_text.h"
@@ -51,6 +52,8 @@ void draw_undo_limits(Editor& editor) {
 
 void MenuBar::draw(Editor& editor) {
     hovered_.reset();
+    // The first menu is opened, and the arrow keys lead to the others.
+    if (std::exchange(editor.menus_requested, false)) ImGui::OpenPopup(title(Menu::file));
     for (const Menu menu : {Menu::file, Menu::edit, Menu::view, Menu::tools}) {
         draw_menu(editor, menu);
     }
