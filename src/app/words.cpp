@@ -68,7 +68,7 @@ constexpr std::array kLabels{
     Label{"drag_budget", "The budget per drag"},
     Label{"span", "Points per axis"},
     Label{"fit", "Points"},
-    Label{"cell", "The size of cells"},
+    Label{"cell", "Size"},
 };
 // Values that a field may have in scripts, and which the panels offer as modes.
 constexpr std::array kScriptValues{", \"auto\" or null", " or \"auto\"", " or null"};
@@ -76,9 +76,17 @@ constexpr std::array kScriptValues{", \"auto\" or null", " or \"auto\"", " or nu
 // Names a field of a command as the panels do.
 std::string with_label(const Refusal& refusal) {
     std::string text = refusal.reason;
-    const auto* const label = std::ranges::find(kLabels, refusal.field, &Label::field);
+    // One of several numbers, as in "fit[1]", is that of an axis.
+    const std::size_t bracket = refusal.field.find('[');
+    const std::string field = refusal.field.substr(0, bracket);
+    const auto* const label = std::ranges::find(kLabels, std::string_view(field), &Label::field);
     if (label != kLabels.end() && text.starts_with(refusal.field)) {
-        text.replace(0, refusal.field.size(), label->label);
+        std::string name = label->label;
+        if (bracket != std::string::npos) {
+            const int axis = refusal.field[bracket + 1] - '0';
+            name += std::string(" ") + "XYZ"[std::clamp(axis, 0, 2)];
+        }
+        text.replace(0, refusal.field.size(), name);
     }
     if (refusal.field.empty()) return text;
     for (const std::string_view value : kScriptValues) {

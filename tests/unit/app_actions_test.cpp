@@ -173,7 +173,7 @@ class MenuBarTest : public EditorTest {
     }
     std::vector<Action> entries_at(double x) {
         std::vector<Action> found;
-        for (double y = 26.0; y < 330.0; y += 5.0) {
+        for (double y = 26.0; y < 430.0; y += 5.0) {
             const std::optional<Action> entry = hover({x, y});
             if (entry && (found.empty() || found.back() != *entry)) found.push_back(*entry);
         }
@@ -235,15 +235,14 @@ TEST_F(MenuBarTest, TheSubmenuOfNewObjectsHasTheEntriesOfTheTable) {
     EXPECT_EQ(names(found), names(table(Menu::new_object)));
 }
 
-TEST_F(MenuBarTest, EscapeClosesMenusOneAfterTheOther) {
+TEST_F(MenuBarTest, EscapeClosesAMenuWithItsSubmenu) {
     click({kView, kTop});
     EXPECT_TRUE(has_open_menu());
     press(Key::escape);
     EXPECT_FALSE(has_open_menu());
     click({kFile, kTop});
     hover({kFile + 10.0, 36.0});  // New, which opens its submenu
-    press(Key::escape);
-    EXPECT_TRUE(has_open_menu()) << "only the submenu is closed";
+    EXPECT_TRUE(has_open_menu());
     press(Key::escape);
     EXPECT_FALSE(has_open_menu());
 }

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <cctype>
+#include <chrono>
 #include <memory>
 #include <string>
+#include <thread>
 
 #include "app/ui/interface.h"
 #include "unit/app_editor_fixture.h"
@@ -77,6 +79,8 @@ class PanelsTest : public EditorTest {
     void click(const std::string& name) { click(reach(name)); }
     void drag_control(const std::string& name, double by) {
         const Vec2 from = reach(name);
+        // A press soon after another one would be a double click.
+        std::this_thread::sleep_for(std::chrono::milliseconds(320));
         give(event::MouseMove{from});
         give(event::Press{MouseButton::left, from});
         give(event::MouseMove{from + Vec2{by, 0.0}});

@@ -203,7 +203,7 @@ TEST_F(PanelsTest, NumbersBeyondTheLimitsAreRefusedInTheWordsOfTheSchema) {
         {"L max", "-1", "L max must be a length above 0, not -1."},
         {"Floor", "0", "Floor must be a length above 0, not 0."},
         {"Points per axis", "17", "Points per axis must be a whole number from 1 to 16, not 17."},
-        {"Points X", "255", "Points must be an array of three whole numbers from 1 to 254, not "},
+        {"Points X", "255", "Points X must be a whole number from 1 to 254, not 255."},
         {"Radius", "-2", "Radius must be a length above 0, not -2."},
     };
     for (const auto& [name, text, message] : refused) {
@@ -216,6 +216,12 @@ TEST_F(PanelsTest, NumbersBeyondTheLimitsAreRefusedInTheWordsOfTheSchema) {
     }
     EXPECT_EQ(editor_->session().adapt_settings(), before);
     EXPECT_EQ(editor_->session().lattice_settings().span, 3);
+    editor_->use_cage();
+    const auto cage = editor_->session().lattice_settings().cage;
+    type_into("Size Z", "-2");
+    EXPECT_TRUE(editor_->workspace().message().starts_with("Size"))
+        << editor_->workspace().message();
+    EXPECT_EQ(editor_->session().lattice_settings().cage, cage);
 }
 
 TEST_F(PanelsTest, EscapeLeavesATypedNumberAsItWas) {

@@ -17,6 +17,13 @@ bool is_on(const Editor& editor, const ActionInfo& info) {
     return info.is_on && info.is_on(editor);
 }
 
+// Whether to show a tooltip of the last item: not while something is dragged or typed, which the
+// tooltip could hide.
+bool wants_tooltip() {
+    return ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled) && !ImGui::IsAnyItemActive() &&
+           !ImGui::IsMouseDown(ImGuiMouseButton_Left);
+}
+
 void wrapped(const char* text) {
     ImGui::PushTextWrapPos(kTooltipWidth * ImGui::GetFontSize());
     ImGui::TextUnformatted(text);
@@ -26,7 +33,7 @@ void wrapped(const char* text) {
 void icon_tooltip(Action action) {
     const ActionInfo& info = info_of(action);
     ControlList::add_last_item(info.name, info.tooltip);
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (!wants_tooltip()) return;
     ImGui::SetNextWindowPos(
         ImVec2(ImGui::GetItemRectMax().x + kTooltipGap, ImGui::GetItemRectMin().y));
     ImGui::BeginTooltip();
@@ -45,7 +52,7 @@ void icon_tooltip(Action action) {
 
 void tooltip(const char* name, const char* text) {
     ControlList::add_last_item(name, text);
-    if (!ImGui::IsItemHovered(ImGuiHoveredFlags_AllowWhenDisabled)) return;
+    if (!wants_tooltip()) return;
     ImGui::BeginTooltip();
     wrapped(text);
     ImGui::EndTooltip();

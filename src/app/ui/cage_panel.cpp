@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <string>
 
 #include "app/cage_box.h"
@@ -22,6 +23,14 @@ constexpr std::array kAxes{"X", "Y", "Z"};
 constexpr const char* kPointsHelp = "How many control points the cage has along this axis.";
 constexpr const char* kMiddleHelp = "Where the middle of the cage is along this axis.";
 constexpr const char* kSizeHelp = "How long the cage is along this axis.";
+
+// A format for lengths of the object with about a thousandth of its size as the last digit.
+const char* length_format(double diagonal) {
+    constexpr std::array kFormats{"%.0f", "%.1f", "%.2f", "%.3f", "%.4f", "%.5f"};
+    const double digits = 2.0 - std::floor(std::log10(std::max(diagonal, 1e-300)));
+    const auto most = static_cast<double>(kFormats.size() - 1);
+    return digits > most ? "%.3g" : kFormats[static_cast<std::size_t>(std::max(digits, 0.0))];
+}
 
 }  // namespace
 
@@ -90,7 +99,8 @@ void CagePanel::draw_box(Editor& editor, const Box& box, const IVec3& counts) {
     begin_row("Middle");
     for (int axis = 0; axis < 3; ++axis) {
         const double centre = editor.workspace().box().centre()[axis];
-        const NumberStyle style{.left = centre - kMostDistance * diagonal,
+        const NumberStyle style{.format = length_format(diagonal),
+                                .left = centre - kMostDistance * diagonal,
                                 .right = centre + kMostDistance * diagonal};
         Vec3 changed = middle;
         const auto set = draw_third("Middle", axis, middle[axis], style, kMiddleHelp);
@@ -100,8 +110,10 @@ void CagePanel::draw_box(Editor& editor, const Box& box, const IVec3& counts) {
     }
     begin_row("Size");
     for (int axis = 0; axis < 3; ++axis) {
-        const NumberStyle style{
-            .left = kLeastSize * diagonal, .right = kMostSize * diagonal, .is_logarithmic = true};
+        const NumberStyle style{.format = length_format(diagonal),
+                                .left = kLeastSize * diagonal,
+                                .right = kMostSize * diagonal,
+                                .is_logarithmic = true};
         Vec3 changed = size;
         const auto set = draw_third("Size", axis, size[axis], style, kSizeHelp);
         if (!set) continue;

@@ -89,7 +89,8 @@ void Interface::handle(Editor& editor, const InputEvent& input) {
     if (const auto* resize = std::get_if<event::Resize>(&input)) {
         ImGui::GetIO().DisplaySize = to_imgui(Vec2(resize->size));
     }
-    feed_imgui(input);
+    const auto* const key = std::get_if<event::KeyDown>(&input);
+    if (!key || !panels_.take_key(key->key)) feed_imgui(input);
     editor.handle(input, panels_.claims(cursor_));
     if (moves) {
         has_moved_ = true;

@@ -1,9 +1,11 @@
 #include "app/ui/panels.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/ui/action_widgets.h"
 #include "app/ui/file_panel.h"
@@ -61,6 +63,7 @@ void Panels::draw(Editor& editor, const PictureFigures& figures, float scale) {
     areas_.clear();
     const ImVec2 display = ImGui::GetIO().DisplaySize;
     free_ = {{0.0, 0.0}, {display.x, display.y}};
+    close_menu_if_wanted(editor);
     draw_selection(editor);
     draw_menus(editor);
     draw_status(editor, figures);
@@ -78,6 +81,7 @@ void Panels::draw(Editor& editor, const PictureFigures& figures, float scale) {
     has_popup_ = editor.has_dialog() ||
                  (!had_dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
                                                             ImGuiPopupFlags_AnyPopupLevel));
+    has_menu_ = has_popup_ && !editor.has_dialog();
     has_text_field_ = !had_dialog && ImGui::IsAnyItemActive() && ImGui::GetIO().WantTextInput;
 }
 
@@ -86,6 +90,21 @@ UiClaims Panels::claims(const Vec2& at) const {
         return area.min.x <= at.x && at.x < area.max.x && area.min.y <= at.y && at.y < area.max.y;
     });
     return {.mouse = has_popup_ || is_inside, .keyboard = has_popup_ || has_text_field_};
+}
+
+bool Panels::take_key(Key key) {
+    if (key != Key::escape || !has_menu_) return menus_.take_key(key);
+    closes_menu_ = true;
+    return true;
+}
+
+// Closes the open menu with its submenus, or the open list. Only closing a submenu would be no use,
+// since the cursor over its entry opens it again.
+void Panels::close_menu_if_wanted(const Editor& editor) {
+    const bool is_open = !ImGui::GetCurrentContext()->OpenPopupStack.empty();
+    if (std::exchange(closes_menu_, false) && is_open && !editor.has_dialog()) {
+        ImGui::ClosePopupToLevel(0, true);
+    }
 }
 
 void Panels::claim_window() {

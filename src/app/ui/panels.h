@@ -28,6 +28,9 @@ class Panels {
     // Which input belongs to the panels, by their positions in the last frame. at: the cursor.
     UiClaims claims(const Vec2& at) const;
 
+    // Whether an open menu uses the key in place of Dear ImGui.
+    bool take_key(Key key);
+
     // The part of the window that no panel covered in the last frame.
     const Area& free_area() const { return free_; }
 
@@ -38,6 +41,7 @@ class Panels {
     // Claims the mouse over the ImGui window that is being drawn.
     void claim_window();
 
+    void close_menu_if_wanted(const Editor& editor);
     void draw_menus(Editor& editor);
     void draw_status(const Editor& editor, const PictureFigures& figures);
     void draw_strip(Editor& editor);
@@ -51,6 +55,8 @@ class Panels {
     Area free_;
     std::vector<Area> areas_;
     bool has_popup_ = false;       // whether a menu or a dialog is open
+    bool has_menu_ = false;        // whether a menu or a list is open
+    bool closes_menu_ = false;     // whether Esc was pressed there
     bool has_text_field_ = false;  // whether a text field has the keyboard focus
     MenuBar menus_;
     SidePanel side_;

@@ -1,5 +1,7 @@
 #include "app/ui/side_panel.h"
 
+#include <string>
+
 #include "app/ui/action_widgets.h"
 #include "app/ui/theme.h"
 
@@ -11,7 +13,7 @@ bool begin_section(const char* name, const char* help) {
     ImGui::PushFont(heading_font());
     const bool is_open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopFont();
-    tooltip(name, help);
+    tooltip((std::string(name) + " section").c_str(), help);
     return is_open;
 }
 
