@@ -1,7 +1,5 @@
 #include "app/actions.h"
 
-#include <algorithm>
-
 #include "app/editor.h"
 #include "app/tools/pin_tool.h"
 
@@ -18,6 +16,7 @@ constexpr Shortcut plain(Key key) { return {.key = key}; }
 constexpr Shortcut control(char letter) {
     return {.key = Key{letter}, .modifiers = {.control = true}};
 }
+constexpr Shortcut shift(char letter) { return {.key = Key{letter}, .modifiers = {.shift = true}}; }
 constexpr Shortcut control_shift(char letter) {
     return {.key = Key{letter}, .modifiers = {.shift = true, .control = true}};
 }
@@ -38,6 +37,8 @@ bool can_redo(const Editor& editor) { return editor.workspace().object_figures()
 bool is_refined(const Editor& editor) { return editor.workspace().object_figures().is_refined; }
 bool has_pins(const Editor& editor) { return !editor.pins().is_empty(); }
 bool has_cursor(const Editor& editor) { return editor.pointer().is_in_viewport; }
+bool has_cage(const Editor& editor) { return editor.session().lattice_settings().cage.has_value(); }
+bool has_brush(const Editor& editor) { return !has_cage(editor); }
 
 bool has_symmetry(const Editor& editor) { return editor.session().symmetry().has_value(); }
 
@@ -51,6 +52,17 @@ void perform_on_file(Editor& editor) {
 template <Kind kKind, int kResolution>
 void new_shape(Editor& editor) {
     editor.document().new_shape(kKind, kResolution);
+}
+
+void set_scale(Editor& editor, double scale) { editor.preferences.scale = scale; }
+
+void toggle_panels(Editor& editor) {
+    editor.preferences.hides_panels = !editor.preferences.hides_panels;
+}
+
+void toggle_theme(Editor& editor) {
+    Theme& theme = editor.preferences.theme;
+    theme = theme == Theme::light ? Theme::dark : Theme::light;
 }
 
 template <bool Display::*kSetting>
@@ -78,31 +90,31 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
     {.action = Action::new_sphere,
      .name = "Sphere",
      .menu = Menu::new_object,
-     .tooltip = "Begins with a new sphere.",
+     .tooltip = "Begin with a new sphere.",
      .is_enabled = always,
      .perform = new_shape<Kind::sphere, 4>},
     {.action = Action::new_cube,
      .name = "Cube",
      .menu = Menu::new_object,
-     .tooltip = "Begins with a new cube.",
+     .tooltip = "Begin with a new cube.",
      .is_enabled = always,
      .perform = new_shape<Kind::cube, 16>},
     {.action = Action::new_plane,
      .name = "Plane",
      .menu = Menu::new_object,
-     .tooltip = "Begins with a new square in a plane.",
+     .tooltip = "Begin with a new square plane.",
      .is_enabled = always,
      .perform = new_shape<Kind::plane, 32>},
     {.action = Action::new_torus,
      .name = "Torus",
      .menu = Menu::new_object,
-     .tooltip = "Begins with a new torus.",
+     .tooltip = "Begin with a new torus.",
      .is_enabled = always,
      .perform = new_shape<Kind::torus, 16>},
     {.action = Action::new_cylinder,
      .name = "Cylinder",
      .menu = Menu::new_object,
-     .tooltip = "Begins with a new cylinder.",
+     .tooltip = "Begin with a new cylinder.",
      .is_enabled = always,
      .perform = new_shape<Kind::cylinder, 12>},
 
@@ -112,7 +124,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .menu = Menu::file,
      .submenu_before = Menu::new_object,
      .shortcuts = {control('O')},
-     .tooltip = "Opens a model in place of the object.",
+     .tooltip = "Open a model in place of the object.",
      .is_enabled = always,
      .perform = perform_on_file<Action::open>},
     {.action = Action::save,
@@ -120,27 +132,20 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .menu = Menu::file,
      .begins_group = true,
      .shortcuts = {control('S')},
-     .tooltip = "Saves the object to its file, or asks for one.",
+     .tooltip = "Save the object to its file, or choose a file for it.",
      .is_enabled = always,
      .perform = perform_on_file<Action::save>},
     {.action = Action::save_as,
      .name = "Save as…",
      .menu = Menu::file,
      .shortcuts = {control_shift('S')},
-     .tooltip = "Saves the object to another file.",
+     .tooltip = "Save the object to another OBJ file, and go on with that one.",
      .is_enabled = always,
      .perform = perform_on_file<Action::save_as>},
-    {.action = Action::export_obj,
-     .name = "Export OBJ…",
-     .menu = Menu::file,
-     .shortcuts = {control('E')},
-     .tooltip = "Saves the object as an OBJ file.",
-     .is_enabled = always,
-     .perform = perform_on_file<Action::export_obj>},
     {.action = Action::save_picture,
      .name = "Save a picture…",
      .menu = Menu::file,
-     .tooltip = "Saves what the window shows of the object as a PNG picture.",
+     .tooltip = "Save the present view of the object as a PNG picture.",
      .is_enabled = always,
      .perform = perform_on_file<Action::save_picture>},
     {.action = Action::quit,
@@ -148,7 +153,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .menu = Menu::file,
      .begins_group = true,
      .shortcuts = {control('Q')},
-     .tooltip = "Closes the window, and asks first if changes would be lost.",
+     .tooltip = "Close the window, after a question if changes would be lost.",
      .is_enabled = always,
      .perform = perform_on_file<Action::quit>},
 
@@ -158,7 +163,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .menu = Menu::edit,
      .shortcuts = {control('Z')},
      .repeats = true,
-     .tooltip = "Takes back the last change of the object.",
+     .tooltip = "Take back the last change of the object.",
      .is_enabled = can_undo,
      .perform = [](Editor& editor) { editor.undo(); }},
     {.action = Action::redo,
@@ -166,7 +171,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .menu = Menu::edit,
      .shortcuts = {control_shift('Z'), control('Y')},
      .repeats = true,
-     .tooltip = "Does again what was undone last.",
+     .tooltip = "Do again what was undone last.",
      .is_enabled = can_redo,
      .perform = [](Editor& editor) { editor.execute(command::Redo{}); }},
     {.action = Action::toggle_symmetry,
@@ -175,21 +180,28 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .submenu_before = Menu::undo_memory,
      .begins_group = true,
      .shortcuts = {plain('X')},
-     .tooltip = "While this is on, drags act on both sides of a plane at once.",
+     .tooltip = "Mirror every drag across a plane.",
      .is_enabled = always,
      .is_on = has_symmetry,
      .perform = [](Editor& editor) { editor.set_symmetry(!has_symmetry(editor)); }},
     {.action = Action::remove_pins,
      .name = "Remove all pins",
      .menu = Menu::edit,
-     .tooltip = "Removes all pins, so that drags move all of the surface again.",
+     .tooltip = "Remove all pins, so that drags move the whole surface again.",
      .is_enabled = has_pins,
      .perform = [](Editor& editor) { editor.remove_pins(); }},
-    {.action = Action::bake,
-     .name = "Bake refinement",
+    {.action = Action::readapt,
+     .name = "Apply detail to the whole object",
      .menu = Menu::edit,
      .begins_group = true,
-     .tooltip = "Makes all triangles part of the base mesh, so that none of them is merged again.",
+     .tooltip = "Split and merge triangles by the present detail wherever drags have moved the "
+                "surface.",
+     .is_enabled = always,
+     .perform = [](Editor& editor) { editor.execute(command::Readapt{}); }},
+    {.action = Action::bake,
+     .name = "Keep the triangles",
+     .menu = Menu::edit,
+     .tooltip = "Keep the present triangles for good: none of them is merged again.",
      .is_enabled = is_refined,
      .perform = [](Editor& editor) { editor.execute(command::Bake{}); }},
 
@@ -198,28 +210,28 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .name = "Frame all",
      .menu = Menu::view,
      .shortcuts = {plain(Key::home), typed('.')},
-     .tooltip = "Shows the whole object from the present direction.",
+     .tooltip = "Show the whole object from the present direction.",
      .is_enabled = always,
      .perform = [](Editor& editor) { editor.frame_all(); }},
     {.action = Action::view_front,
      .name = "Front",
      .menu = Menu::view,
      .shortcuts = {plain(Key::keypad_1)},
-     .tooltip = "Shows the whole object from the front.",
+     .tooltip = "Show the whole object from the front.",
      .is_enabled = always,
      .perform = [](Editor& editor) { editor.frame_all(kFrontView); }},
     {.action = Action::view_right,
      .name = "Right",
      .menu = Menu::view,
      .shortcuts = {plain(Key::keypad_3)},
-     .tooltip = "Shows the whole object from the right.",
+     .tooltip = "Show the whole object from the right.",
      .is_enabled = always,
      .perform = [](Editor& editor) { editor.frame_all(kRightView); }},
     {.action = Action::view_top,
      .name = "Top",
      .menu = Menu::view,
      .shortcuts = {plain(Key::keypad_7)},
-     .tooltip = "Shows the whole object from above.",
+     .tooltip = "Show the whole object from above.",
      .is_enabled = always,
      .perform = [](Editor& editor) { editor.frame_all(kTopView); }},
     {.action = Action::toggle_wireframe,
@@ -227,15 +239,16 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .menu = Menu::view,
      .begins_group = true,
      .shortcuts = {plain('W')},
-     .tooltip = "Shows the edges of the triangles.",
+     .tooltip = "Show the edges of the triangles.",
      .is_enabled = always,
      .is_on = shows<&Display::wireframe>,
      .perform = toggle<&Display::wireframe>},
     {.action = Action::toggle_lattice,
-     .name = "Lattice between drags",
+     .name = "Lattice",
      .menu = Menu::view,
      .shortcuts = {plain('L')},
-     .tooltip = "Shows the lattice of the next drag, or the cage with control points to drag.",
+     .tooltip =
+         "Show the lattice: that of the next drag, or the cage, whose points can then be dragged.",
      .is_enabled = always,
      .is_on = shows<&Display::lattice>,
      .perform = toggle<&Display::lattice>},
@@ -243,41 +256,89 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .name = "Refinement levels",
      .menu = Menu::view,
      .shortcuts = {plain('V')},
-     .tooltip = "Colours the surface by how often its triangles were split.",
+     .tooltip = "Colour the surface by how often its triangles were split.",
      .is_enabled = always,
      .is_on = shows<&Display::levels>,
      .perform = toggle<&Display::levels>},
     {.action = Action::toggle_symmetry_plane,
      .name = "Symmetry plane",
      .menu = Menu::view,
-     .tooltip = "Shows the plane of symmetry while symmetry is on.",
+     .tooltip = "Show the plane of symmetry while symmetry is on.",
      .is_enabled = always,
      .is_on = shows<&Display::symmetry_plane>,
      .perform = toggle<&Display::symmetry_plane>},
 
+    {.action = Action::toggle_panels,
+     .name = "Panels",
+     .menu = Menu::view,
+     .begins_group = true,
+     .shortcuts = {plain(Key::tab)},
+     .tooltip = "Show the tools on the left and the settings on the right.",
+     .is_enabled = always,
+     .is_on = [](const Editor& editor) { return !editor.preferences.hides_panels; },
+     .perform = toggle_panels},
+    {.action = Action::toggle_light_theme,
+     .name = "Light theme",
+     .menu = Menu::view,
+     .tooltip = "Dark text on light panels, for bright surroundings.",
+     .is_enabled = always,
+     .is_on = [](const Editor& editor) { return editor.preferences.theme == Theme::light; },
+     .perform = toggle_theme},
+    {.action = Action::larger_text,
+     .name = "Larger text",
+     .menu = Menu::view,
+     .shortcuts = {control('+'), control('='), control_shift('=')},
+     .repeats = true,
+     .tooltip = "Make text and controls larger.",
+     .is_enabled = [](const Editor& editor) { return editor.preferences.scale < kMostScale; },
+     .perform = [](Editor& editor) { set_scale(editor, larger_scale(editor.preferences.scale)); }},
+    {.action = Action::smaller_text,
+     .name = "Smaller text",
+     .menu = Menu::view,
+     .shortcuts = {control('-')},
+     .repeats = true,
+     .tooltip = "Make text and controls smaller.",
+     .is_enabled = [](const Editor& editor) { return editor.preferences.scale > kLeastScale; },
+     .perform = [](Editor& editor) { set_scale(editor, smaller_scale(editor.preferences.scale)); }},
+    {.action = Action::normal_text,
+     .name = "Text of normal size",
+     .menu = Menu::view,
+     .shortcuts = {control('0')},
+     .tooltip = "Give text and controls the size that fits the screen.",
+     .is_enabled = [](const Editor& editor) { return editor.preferences.scale != 1.0; },
+     .perform = [](Editor& editor) { set_scale(editor, 1.0); }},
+    {.action = Action::open_menus,
+     .name = "Menus by keyboard",
+     .menu = Menu::view,
+     .shortcuts = {plain(Key::f10)},
+     .tooltip = "Go to the menus, where the arrow keys move, Enter chooses and Esc closes.",
+     .is_enabled = always,
+     .perform = [](Editor& editor) { editor.menus_requested = true; }},
+
     // --- Tools.
-    {.action = Action::toggle_connected,
-     .name = "Connected",
+    {.action = Action::use_brush,
+     .name = "Sculpt",
      .menu = Menu::tools,
-     .tooltip = "Only the part of the surface that is connected to the grabbed point follows a "
-                "drag, and not other parts that are near it.",
+     .shortcuts = {plain('S')},
+     .tooltip = "Drag the surface to pull it; the area around it follows.",
      .is_enabled = always,
-     .is_on = drags<&DragOptions::connected>,
-     .perform = toggle<&DragOptions::connected>},
-    {.action = Action::toggle_fold_free,
-     .name = "Fold-free",
+     .is_on = [](const Editor& editor) { return has_brush(editor) && !editor.sets_pins; },
+     .perform = [](Editor& editor) { editor.use_brush(); }},
+    {.action = Action::use_cage,
+     .name = "Cage",
      .menu = Menu::tools,
-     .tooltip = "A drag never turns space inside out, because a long drag is divided into steps "
-                "along the cursor's path.",
+     .shortcuts = {plain('C')},
+     .tooltip = "Deform the object with the control points of a box around it.",
      .is_enabled = always,
-     .is_on = drags<&DragOptions::fold_free>,
-     .perform = toggle<&DragOptions::fold_free>},
+     .is_on = [](const Editor& editor) { return has_cage(editor) && !editor.sets_pins; },
+     .perform = [](Editor& editor) { editor.use_cage(); }},
     {.action = Action::toggle_pinning,
      .name = "Pin",
      .menu = Menu::tools,
-     .begins_group = true,
-     .tooltip = "While this is on, a click on the surface sets a pin, which drags leave where it "
-                "is, and a click on a pin removes it.",
+     .shortcuts = {shift('P')},
+     .tooltip =
+         "Click the surface to set pins, which drags leave where they are, and click a pin to "
+         "remove it.",
      .is_enabled = always,
      .is_on = [](const Editor& editor) { return editor.sets_pins; },
      .perform = [](Editor& editor) { editor.sets_pins = !editor.sets_pins; }},
@@ -285,24 +346,47 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .name = "Pin under the cursor",
      .menu = Menu::tools,
      .shortcuts = {plain('P')},
-     .tooltip = "The key sets a pin where the cursor is on the surface, or removes the one there.",
+     .tooltip = "Set a pin under the cursor, or remove the one that is there.",
      .is_enabled = has_cursor,
      .perform = [](Editor& editor) { toggle_pin_at_cursor(editor); }},
+    {.action = Action::fit_cage,
+     .name = "Fit the cage to the object",
+     .menu = Menu::tools,
+     .tooltip = "Put the cage around the object as it is now.",
+     .is_enabled = has_cage,
+     .perform = [](Editor& editor) { editor.fit_cage(); }},
+    {.action = Action::toggle_connected,
+     .name = "Connected",
+     .menu = Menu::tools,
+     .begins_group = true,
+     .tooltip = "Move only the surface connected to the point you grab, not parts that are merely "
+                "close.",
+     .is_enabled = always,
+     .is_on = drags<&DragOptions::connected>,
+     .perform = toggle<&DragOptions::connected>},
+    {.action = Action::toggle_fold_free,
+     .name = "Fold-free",
+     .menu = Menu::tools,
+     .tooltip = "Prevents self-intersections: long drags are split into steps along the cursor's "
+                "path.",
+     .is_enabled = always,
+     .is_on = drags<&DragOptions::fold_free>,
+     .perform = toggle<&DragOptions::fold_free>},
     {.action = Action::smaller_radius,
      .name = "Smaller radius",
      .menu = Menu::tools,
      .begins_group = true,
      .shortcuts = {typed('[')},
-     .tooltip = "Makes the radius of the brush smaller by one step.",
-     .is_enabled = always,
+     .tooltip = "Make the radius of the brush smaller by one step.",
+     .is_enabled = has_brush,
      .perform =
          [](Editor& editor) { editor.set_radius(editor.workspace().radius() / kRadiusStep); }},
     {.action = Action::larger_radius,
      .name = "Larger radius",
      .menu = Menu::tools,
      .shortcuts = {typed(']')},
-     .tooltip = "Makes the radius of the brush larger by one step.",
-     .is_enabled = always,
+     .tooltip = "Make the radius of the brush larger by one step.",
+     .is_enabled = has_brush,
      .perform =
          [](Editor& editor) { editor.set_radius(editor.workspace().radius() * kRadiusStep); }},
 }};
@@ -315,66 +399,10 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order(), "each row stands at the place of its action in the enumeration");
 
-template <typename Matches>
-std::optional<Action> find_action(const Matches& matches) {
-    for (const ActionInfo& info : kActions) {
-        if (std::ranges::any_of(info.shortcuts, matches)) return info.action;
-    }
-    return std::nullopt;
-}
-
-std::string key_name(const Shortcut& shortcut) {
-    if (shortcut.character != 0) return std::string(1, shortcut.character);
-    switch (shortcut.key) {
-        case Key::home:
-            return "Home";
-        case Key::keypad_1:
-            return "Keypad 1";
-        case Key::keypad_3:
-            return "Keypad 3";
-        case Key::keypad_7:
-            return "Keypad 7";
-        default:
-            return std::string(1, static_cast<char>(shortcut.key));
-    }
-}
-
 }  // namespace
 
 std::span<const ActionInfo, kActionCount> all_actions() { return kActions; }
 
 const ActionInfo& info_of(Action action) { return kActions[static_cast<std::size_t>(action)]; }
-
-std::optional<Action> action_for(Key key, const Modifiers& modifiers) {
-    if (key == Key::none) return std::nullopt;
-    return find_action([&](const Shortcut& shortcut) {
-        return shortcut.key == key && shortcut.modifiers.shift == modifiers.shift &&
-               shortcut.modifiers.control == modifiers.control;
-    });
-}
-
-std::optional<Action> action_for(unsigned int character) {
-    if (character == 0) return std::nullopt;
-    return find_action([&](const Shortcut& shortcut) {
-        return static_cast<unsigned char>(shortcut.character) == character;
-    });
-}
-
-std::string label_of(const Shortcut& shortcut) {
-    if (!shortcut.exists()) return {};
-    return std::string(shortcut.modifiers.control ? "Ctrl+" : "") +
-           (shortcut.modifiers.shift ? "Shift+" : "") + key_name(shortcut);
-}
-
-std::string shortcut_label(Action action) { return label_of(info_of(action).shortcuts.front()); }
-
-std::string tooltip_with_shortcuts(Action action) {
-    const ActionInfo& info = info_of(action);
-    std::string labels;
-    for (const Shortcut& shortcut : info.shortcuts) {
-        if (shortcut.exists()) labels += (labels.empty() ? "" : ", ") + label_of(shortcut);
-    }
-    return info.tooltip + (labels.empty() ? "" : " (" + labels + ")");
-}
 
 }  // namespace pectin

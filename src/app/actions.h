@@ -24,13 +24,13 @@ enum class Action {
     open,
     save,
     save_as,
-    export_obj,
     save_picture,
     quit,
     undo,
     redo,
     toggle_symmetry,
     remove_pins,
+    readapt,
     bake,
     frame_all,
     view_front,
@@ -40,10 +40,19 @@ enum class Action {
     toggle_lattice,
     toggle_levels,
     toggle_symmetry_plane,
-    toggle_connected,
-    toggle_fold_free,
+    toggle_panels,
+    toggle_light_theme,
+    larger_text,
+    smaller_text,
+    normal_text,
+    open_menus,
+    use_brush,
+    use_cage,
     toggle_pinning,  // whether clicks set pins
     toggle_pin,      // under the cursor
+    fit_cage,
+    toggle_connected,
+    toggle_fold_free,
     smaller_radius,
     larger_radius,  // must stay the last one
 };
@@ -69,7 +78,7 @@ struct ActionInfo {
     // What the menu has before this entry: a submenu, and then a separator.
     std::optional<Menu> submenu_before{};
     bool begins_group = false;
-    std::array<Shortcut, 2> shortcuts{};  // menus show the first
+    std::array<Shortcut, 3> shortcuts{};  // menus show the first
     bool repeats = false;                 // while the key is held
     const char* tooltip = "";             // one sentence
     bool (*is_enabled)(const Editor&) = nullptr;
@@ -87,7 +96,9 @@ std::optional<Action> action_for(unsigned int character);
 // The shortcut as menus show it, such as "Ctrl+Shift+S"; empty if there is none.
 std::string label_of(const Shortcut& shortcut);
 std::string shortcut_label(Action action);
-// The tooltip, followed by all shortcuts in brackets.
+// All shortcuts of the action, separated by commas.
+std::string shortcut_labels(Action action);
+// The tooltip, with all shortcuts in brackets before its full stop.
 std::string tooltip_with_shortcuts(Action action);
 
 }  // namespace pectin

@@ -44,8 +44,9 @@ bool DocumentController::finish_command(const Command& command, Workspace::Outco
 
 void DocumentController::execute_keeping_message(const Command& command) {
     const std::string message = workspace_.command_message();
+    const Messages::Kind kind = workspace_.command_message_kind();
     execute(command);
-    workspace_.set_message(message);
+    workspace_.set_message(message, kind);
 }
 
 void DocumentController::make_first_object() { execute(kFirstObject); }
@@ -62,7 +63,6 @@ void DocumentController::perform(Action action) {
             begin_save(std::nullopt);
             break;
         case Action::save_as:
-        case Action::export_obj:
             show_browser(FileBrowser::Purpose::save, path_to_propose());
             break;
         case Action::save_picture:
@@ -250,7 +250,8 @@ void DocumentController::continue_restoring() {
     restoration_.reset();
     const std::string message = end_restoring(ended, state);
     delegate_.restoration_ended();
-    workspace_.set_message(message);
+    workspace_.set_message(message, state == Restoration::State::done ? Messages::Kind::information
+                                                                      : Messages::Kind::warning);
     continue_quitting();
 }
 
@@ -266,13 +267,13 @@ std::string DocumentController::end_restoring(const Restoration& ended, Restorat
     if (has_failed && has_object()) {
         // The next save must not replace the model's file by a part of the session.
         workspace_.clear_path();
-        return "Restored up to command " + std::to_string(ended.commands_done()) + " of " +
-               std::to_string(ended.command_count()) + ": " + error +
-               ". All commands are kept as a script in " + set_aside(ended.session().path) + ".";
+        return "Restored up to step " + std::to_string(ended.commands_done()) + " of " +
+               std::to_string(ended.command_count()) + ". " + error +
+               " All steps are kept as a script in " + set_aside(ended.session().path) + ".";
     }
     make_first_object();
-    return "The session was not restored" + (has_failed ? ": " + error : "") +
-           ". It is offered again at the next start.";
+    return "The session was not restored. " + (has_failed ? error + " " : "") +
+           "It is offered again at the next start.";
 }
 
 }  // namespace pectin

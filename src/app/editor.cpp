@@ -5,6 +5,8 @@
 
 #include "app/command_kind.h"
 #include "app/picture.h"
+#include "app/words.h"
+#include "command/check.h"
 
 namespace pectin {
 namespace {
@@ -21,9 +23,10 @@ Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_b
 }
 
 void Editor::begin(const std::string& model) {
+    // Work on a file may go on in the background, so the setting comes first.
+    set_symmetry(true);
     if (!model.empty()) return document_.open(model);
     document_.make_first_object();
-    set_symmetry(true);
 }
 
 // --- What the tools show.
@@ -70,7 +73,7 @@ FrameFigures Editor::figures() const {
 void Editor::command_done(const Command& command) {
     hover_.reset();
     if (makes_object(command)) reset_for_new_object();
-    if (is_any_of<command::Undo, command::Redo>(command)) figures_.folded = 0;
+    if (is_any_of<command::Undo, command::Redo>(command)) figures_ = {};
 }
 
 // Discards what belonged to the object before.
@@ -145,6 +148,31 @@ void Editor::set_cage(const Box& box, const IVec3& counts) {
                           .margin = cage.margin});
 }
 
+void Editor::use_brush() {
+    if (is_busy()) return;
+    sets_pins = false;
+    if (!session().lattice_settings().cage) return;
+    set_radius(workspace_.radius());
+    if (!session().lattice_settings().cage) display.lattice = false;
+}
+
+void Editor::use_cage() {
+    if (is_busy()) return;
+    sets_pins = false;
+    if (!session().lattice_settings().cage) fit_cage();
+}
+
+void Editor::fit_cage() {
+    if (execute(command::Cage{.fit = cage_counts})) display.lattice = true;
+}
+
+void Editor::choose_cage_counts(const Box& box, const IVec3& counts) {
+    const Done allowed = check(command::Cage{.fit = counts});
+    if (!allowed) return workspace_.set_message(words_of(allowed.refusal()));
+    cage_counts = counts;
+    if (session().lattice_settings().cage) set_cage(box, counts);
+}
+
 // --- Actions.
 
 void Editor::perform(Action action) {
@@ -157,8 +185,8 @@ void Editor::undo() {
         execute(command::Undo{});
     } else if (session().history().lost_undo_count() > 0) {
         workspace_.set_message(
-            "There is nothing left to undo: older steps were dropped to limit memory. The limit is "
-            "in the menu Edit, Memory for undo.");
+            "Nothing is left to undo. Older steps were dropped to save memory; Edit, Memory for "
+            "undo sets the limit.");
     }
 }
 

@@ -10,9 +10,11 @@
 #include <vector>
 
 #include "app/actions.h"
+#include "app/detail_preview.h"
 #include "app/document_controller.h"
 #include "app/input_event.h"
 #include "app/navigation.h"
+#include "app/preferences.h"
 #include "app/tool_context.h"
 #include "app/tools/tool.h"
 
@@ -47,7 +49,8 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     // To be called once per frame, after the frame's events.
     void advance();
 
-    // Whether advance() has more to do for the active drag, although there is no further input.
+    // Whether advance() has more to do for the active drag or the preview of the detail, although
+    // there is no further input.
     bool has_unfinished_frame() const;
 
     // Cancels what a tool is doing and shows a message; does nothing during an edit in the
@@ -71,6 +74,14 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     void choose_mirror(const MirrorChoice& choice);  // also changes the plane of active symmetry
     // Sets a cage that is fitted to this box. counts: control points per axis.
     void set_cage(const Box& box, const IVec3& counts);
+    // Chooses the brush or the cage as the lattice of drags, and ends the setting of pins. A new
+    // cage is fitted to the object.
+    void use_brush();
+    void use_cage();
+    void fit_cage();
+    // Gives the cage, which has this box, or else the next one other counts of control points.
+    // Counts that the command does not allow are refused with a message.
+    void choose_cage_counts(const Box& box, const IVec3& counts);
 
     // --- Files, dialogs about them, work in the background, and quitting.
     DocumentController& document() { return document_; }
@@ -92,13 +103,20 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     const IVec2& size() const { return size_; }
     bool shows_hint() const { return shows_hint_; }
 
+    // --- State that panels and actions change.
+    Preferences preferences{};
+    IVec3 cage_counts{4};          // control points per axis of the next cage that is fitted
+    bool menus_requested = false;  // to open the menus, so that the keyboard can be used there
+    // What another detail would split; active while the user is choosing one.
+    DetailPreview detail_preview{};
+
     // --- The tools.
     const Tools& tools() const { return tools_; }
     bool is_dragging() const override;
     // Adds what the tools show in the viewport.
     void add_overlays(Overlay& overlay) const;
     std::optional<ScreenBox> selection_box() const;
-    // One sentence about what the mouse does here and now.
+    // What the mouse does here and now; see Tool::status_hint().
     std::string_view status_hint() const;
     // The settings that matter to any of the tools.
     ShownSettings shown_settings() const;

@@ -8,6 +8,7 @@
 
 #include "app/editor.h"
 #include "app/execute.h"
+#include "app/words.h"
 
 namespace pectin {
 
@@ -46,7 +47,7 @@ bool Editor::run(Part part) {
         handle_out_of_memory("drag");
     } catch (const std::exception& error) {
         cancel_gesture();
-        workspace_.set_message(std::string("The drag was cancelled: ") + error.what());
+        workspace_.set_message("The drag was cancelled. " + sentences(error.what()));
     }
     return false;
 }
@@ -69,7 +70,7 @@ void Editor::handle_out_of_memory(const char* what) noexcept {
     if (workspace_.edit_task()) return;  // the session, also its history, is in use
     cancel_gesture();
     try {
-        workspace_.set_message(not_enough_memory(what, session().history()));
+        workspace_.set_message(sentences(not_enough_memory(what, session().history())));
     } catch (const std::bad_alloc&) {
         // There is not even enough memory for the message.
     }
@@ -82,12 +83,14 @@ void Editor::advance() {
         advance_work();
     } else if (Tool* const tool = active_tool()) {
         run([&] { tool->advance(*this); });
+    } else {
+        detail_preview.advance(session());
     }
     update_hover();
 }
 
 bool Editor::has_unfinished_frame() const {
-    return !is_working() && session().has_unfinished_frame();
+    return !is_working() && (session().has_unfinished_frame() || detail_preview.has_more());
 }
 
 void Editor::advance_work() {

@@ -40,7 +40,8 @@ enum class Key : int {
     page_down,
     keypad_1,
     keypad_3,
-    keypad_7
+    keypad_7,
+    f10
 };
 
 // The shape of the mouse cursor.

@@ -1,7 +1,5 @@
 #include "app/messages.h"
 
-#include <cctype>
-
 #include "io/printable.h"
 
 namespace pectin {
@@ -24,14 +22,13 @@ bool Messages::is_confirmation() const {
     return notices_.empty() && !command_message_.empty() && command_kind_ == Kind::confirmation;
 }
 
+bool Messages::has_warning() const {
+    return !notices_.empty() || (!command_message_.empty() && command_kind_ == Kind::warning);
+}
+
 void Messages::dismiss() {
     command_message_.clear();
     notices_.clear();
-}
-
-std::string sentence(std::string remark) {
-    remark.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(remark.front())));
-    return remark + ".";
 }
 
 }  // namespace pectin

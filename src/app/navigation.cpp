@@ -32,8 +32,8 @@ NavigationMode navigation_mode(MouseButton button, const Modifiers& modifiers) {
 }
 
 std::string_view navigation_hint(const Modifiers& modifiers) {
-    if (modifiers.shift) return "Drag to move the object across the window.";
-    return "Drag to turn the object, with Shift to move it, and turn the wheel to zoom.";
+    if (modifiers.shift) return "Drag to pan the view.";
+    return "Drag the background to rotate the view, Shift+drag to pan; wheel to zoom.";
 }
 
 void Navigation::begin(NavigationMode mode, MouseButton button, const Vec2& at) {

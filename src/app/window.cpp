@@ -61,6 +61,7 @@ class Window {
                       .write = [this](const std::string& t) { host_.set_clipboard_text(t); }}),
           renderer_(host_.gl()),
           panel_renderer_(host_.gl(), *ImGui::GetIO().Fonts),
+          font_version_(interface_.font_version()),
           object_(host_.gl()),
           viewport_(host_.gl(), renderer_, object_) {
         editor_.workspace().set_viewport(&viewport_);
@@ -68,6 +69,7 @@ class Window {
         editor_.workspace().set_max_edit_time(kEditTime);
         interface_.set_size(host_.size(), host_.framebuffer_size());
         editor_.handle(event::Resize{host_.size()});
+        load_preferences();
         std::vector<LostSession> lost_sessions = begin_recovery();
         set_exit_message(termination);
         report_record_path(options.record);
@@ -78,6 +80,7 @@ class Window {
     void run() {
         while (!editor_.document().wants_to_end()) {
             attempt([this] { take_input(); });
+            attempt([this] { save_preferences(); });
             *is_kept_ = editor_.workspace().has_recovery();
             if (frames_to_draw_ == 0) continue;
             --frames_to_draw_;
@@ -100,6 +103,23 @@ class Window {
         } catch (const std::bad_alloc&) {
             editor_.handle_out_of_memory("frame");
             return false;
+        }
+    }
+
+    void load_preferences() {
+        const PreferencesFile::Loaded loaded = preferences_file_.load();
+        editor_.preferences = loaded.preferences;
+        if (!loaded.notice.empty()) editor_.workspace().add_notice(loaded.notice);
+    }
+
+    // Keeps what the user has changed for the next session.
+    void save_preferences() {
+        try {
+            preferences_file_.save(editor_.preferences);
+        } catch (const std::exception& error) {
+            editor_.workspace().add_notice(
+                std::string("The preferences are not kept for the next session: ") + error.what() +
+                ".");
         }
     }
 
@@ -185,6 +205,9 @@ class Window {
             canvas_ = std::make_unique<Canvas>(host_.gl(), size);
         }
         renderer_.draw(object_.mesh(), editor_scene(editor_, pixel_scale()), *canvas_);
+        if (std::exchange(font_version_, interface_.font_version()) != interface_.font_version()) {
+            panel_renderer_.upload_font(*ImGui::GetIO().Fonts);
+        }
         panel_renderer_.draw(interface_.draw_data(), *canvas_);
         canvas_->resolve();
         canvas_->blit_to(0);
@@ -196,12 +219,14 @@ class Window {
         return ratio * host_.content_scale();
     }
 
+    PreferencesFile preferences_file_{preferences_path()};
     // Declared before the host, so that no window opens if the record cannot be written.
     Editor editor_;
     WindowHost host_;
     Interface interface_;
     Renderer renderer_;
     ImGuiRenderer panel_renderer_;
+    int font_version_;  // of the texture that the renderer has
     ObjectView object_;
     WindowViewport viewport_;
     std::unique_ptr<Canvas> canvas_;  // has the window's size in pixels

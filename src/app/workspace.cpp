@@ -6,6 +6,7 @@
 
 #include "app/default_settings.h"
 #include "app/execute.h"
+#include "app/words.h"
 #include "session/input_summary.h"
 #include "session/settings.h"
 
@@ -18,6 +19,16 @@ void tell_if_possible(Tell tell) {
     try {
         tell();
     } catch (const std::bad_alloc&) {
+    }
+}
+
+// Does the work. If it throws a FileError, the refusal is in the words of the window.
+template <typename Work>
+Done in_words(Work work) {
+    try {
+        return work();
+    } catch (const FileError& error) {
+        return Refusal{.reason = words_of(error), .kind = kInWords};
     }
 }
 
@@ -70,25 +81,28 @@ FileWork Workspace::file_work(const Command& command) const {
 template <typename MakeWork>
 Workspace::Outcome Workspace::run(const Command& command, MakeWork make_work) {
     if (is_working()) {
-        return fail(file_task_ ? "a file is still being read or written; wait until that is done, "
-                                 "or cancel it"
-                               : "an edit is still in progress; wait until it is done, or cancel "
-                                 "it");
+        return fail({file_task_
+                         ? "a file is still being read or written; wait until that is done, or "
+                           "cancel it"
+                         : "an edit is still in progress; wait until it is done, or cancel "
+                           "it"});
     }
     if (is_edit(command)) return begin_edit(command);
     const Done done = try_command(command, session_, [&]() -> Done {
-        FileWork work = make_work();
-        if (!work) return session_.execute(command);
-        file_task_ = std::make_unique<FileTask>(command, std::move(work));
-        return {};
+        return in_words([&]() -> Done {
+            FileWork work = make_work();
+            if (!work) return session_.execute(command);
+            file_task_ = std::make_unique<FileTask>(command, std::move(work));
+            return {};
+        });
     });
-    if (!done) return fail(done.refusal().reason);
+    if (!done) return fail(done.refusal());
     if (file_task_) {
         return max_blocking_time_.count() > 0 ? poll(max_blocking_time_) : Outcome::in_progress;
     }
     finish(command);
     tell_if_possible([&] {
-        if (!session_.remark().empty()) set_message(sentence(session_.remark()));
+        if (!session_.remark().empty()) set_message(sentences(session_.remark()));
         if (const auto* picture = std::get_if<command::Screenshot>(&command)) {
             confirm_save(picture->path);
         }
@@ -106,7 +120,7 @@ Workspace::Outcome Workspace::begin_edit(const Arguments&... arguments) {
         edit_task_ = std::make_unique<EditTask>(session_, arguments...);
         return {};
     });
-    return done ? poll(max_edit_time_) : fail(done.refusal().reason);
+    return done ? poll(max_edit_time_) : fail(done.refusal());
 }
 
 Workspace::Outcome Workspace::poll(std::chrono::milliseconds longest_wait) {
@@ -124,18 +138,20 @@ Workspace::Outcome Workspace::poll_file(std::chrono::milliseconds longest_wait) 
     const bool is_cancelled = task->work.is_cancelled();
     FileResult result;
     const Done done = try_command(task->command, session_, [&]() -> Done {
-        result = task->work.take();
-        if (result.model && is_cancelled) throw Cancelled();
-        if (result.model) session_.adopt(std::move(*result.model));
-        return {};
+        return in_words([&]() -> Done {
+            result = task->work.take();
+            if (result.model && is_cancelled) throw Cancelled();
+            if (result.model) session_.adopt(std::move(*result.model));
+            return {};
+        });
     });
-    if (!done) return is_cancelled ? Outcome::failed : fail(done.refusal().reason);
+    if (!done) return is_cancelled ? Outcome::failed : fail(done.refusal());
     finish(task->command, result.fingerprint);
     if (!result.is_in_file) set_saved_state(std::nullopt);
     tell_if_possible([&] {
         const auto* save = std::get_if<command::Save>(&task->command);
         if (save) confirm_save(save->path, result.report);
-        if (!result.warning.empty()) add_notice(sentence(result.warning));
+        if (!result.warning.empty()) add_notice(sentences(result.warning));
     });
     return Outcome::done;
 }
@@ -156,7 +172,7 @@ Workspace::Outcome Workspace::poll_edit(std::chrono::milliseconds longest_wait) 
     });
     update_modified();
     has_moved_ = result.drag.has_value();
-    if (!done) return fail(done.refusal().reason);
+    if (!done) return fail(done.refusal());
     if (is_stopped) return Outcome::failed;
     finish_edit(*task, result);
     return Outcome::done;
@@ -167,7 +183,7 @@ void Workspace::finish_edit(const EditTask& task, const EditResult& result) {
     if (!task.command()) return;
     finish(*task.command());
     tell_if_possible([&] {
-        if (!session_.remark().empty()) set_message(sentence(session_.remark()));
+        if (!session_.remark().empty()) set_message(sentences(session_.remark()));
     });
 }
 
@@ -180,8 +196,8 @@ void Workspace::confirm_save(const std::string& path, const SaveReport& report) 
                   report.has_failed ? Messages::Kind::warning : Messages::Kind::confirmation);
 }
 
-Workspace::Outcome Workspace::fail(const std::string& error) {
-    set_message(error);
+Workspace::Outcome Workspace::fail(const Refusal& refusal) {
+    set_message(words_of(refusal));
     return Outcome::failed;
 }
 
@@ -191,11 +207,23 @@ void Workspace::finish(const Command& command, const std::string& fingerprint) {
     record(command, fingerprint);  // first, since memory may run out for the rest
     update_file_state(command);
     session_.prepare_for_drags();
-    if (const auto* open = std::get_if<command::Open>(&command)) {
-        tell_if_possible([&] {
-            set_message(input_summary(open->path, session_.input_report(), session_.read_report()));
-        });
+    if (std::holds_alternative<command::Open>(command)) {
+        tell_if_possible(
+            [&] { report_input(input_findings(session_.input_report(), session_.read_report())); });
     }
+}
+
+// Tells what was found in a model that was opened.
+void Workspace::report_input(const InputFindings& findings) {
+    std::string text = sentences(findings.dropped);
+    const auto add = [&text](const std::string& more) {
+        if (!more.empty()) text += (text.empty() ? "" : " ") + more + ".";
+    };
+    if (!findings.repairs.empty()) add("Opened with repairs: " + findings.repairs);
+    add(findings.kept);
+    const bool is_changed = !findings.dropped.empty() || !findings.repairs.empty();
+    if (text.empty()) return;
+    messages_.set(text, is_changed ? Messages::Kind::warning : Messages::Kind::information);
 }
 
 // --- Session.

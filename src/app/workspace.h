@@ -15,6 +15,7 @@
 #include "app/lost_sessions.h"
 #include "app/messages.h"
 #include "geometry/box.h"
+#include "session/input_summary.h"
 #include "session/session.h"
 
 namespace pectin {
@@ -99,12 +100,16 @@ class Workspace {
     const Session& session() const { return session_; }
 
     // --- Messages to the user; see Messages.
-    void set_message(const std::string& message) { messages_.set(message); }
+    void set_message(const std::string& message, Messages::Kind kind = Messages::Kind::warning) {
+        messages_.set(message, kind);
+    }
     const std::string& command_message() const { return messages_.command_message(); }
+    Messages::Kind command_message_kind() const { return messages_.command_kind(); }
     void clear_command_message() { messages_.clear_command_message(); }
     void add_notice(const std::string& message) { messages_.add_notice(message); }
     std::string message() const { return messages_.text(); }
     bool message_is_confirmation() const { return messages_.is_confirmation(); }
+    bool message_warns() const { return messages_.has_warning(); }
     void dismiss() { messages_.dismiss(); }
 
     // --- The object.
@@ -132,9 +137,10 @@ class Workspace {
     Outcome poll_edit(std::chrono::milliseconds longest_wait);
     void finish_edit(const EditTask& task, const EditResult& result);
     void confirm_save(const std::string& path, const SaveReport& report = {});
+    void report_input(const InputFindings& findings);
     ObjectFigures figures_now() const;
     FileWork file_work(const Command& command) const;
-    Outcome fail(const std::string& error);
+    Outcome fail(const Refusal& refusal);
     void finish(const Command& command, const std::string& fingerprint = {});
     void begin_object(std::string path);
     void update_file_state(const Command& command);

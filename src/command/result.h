@@ -13,6 +13,9 @@ struct Refusal {
     // The field of the command that the reason is about, such as "moves[0].to"; empty if it is
     // about none or about several.
     std::string field{};
+    // A word for what is wrong, such as "pinned", for callers that have words of their own for it;
+    // empty if there is none.
+    std::string kind{};
 
     bool operator==(const Refusal&) const = default;
 };

@@ -13,6 +13,7 @@ namespace pectin {
 
 // Says what is wrong and what the user can do about it.
 struct DragRefusal {
+    const char* kind;  // which of the refusals below it is, for callers that have other words
     std::string what;
 };
 
@@ -29,6 +30,7 @@ DragRefusal invalid_pin(const Vec3& pin);
 DragRefusal outside_zone(const Vec3& point, const Box& zone);
 // max_gain: how many times as far as the handle a control point may move.
 DragRefusal near_border(const Vec3& point, const Box& zone, double max_gain);
+// Its kind is too_many_for_lattice if there are more constraints than controls.
 // a, b: the points of the two constraints that are most nearly dependent.
 DragRefusal dependent(const Vec3& a, const Vec3& b, std::size_t constraints, std::size_t controls);
 DragRefusal too_coarse_to_rotate(const Vec3& point);

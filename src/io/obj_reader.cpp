@@ -353,7 +353,10 @@ void refuse_other_kind(std::string_view text, const std::string& name) {
     if (text.empty()) throw FileError(name, "holds no faces; it is empty");
     const FileKind kind = recognise_file(text.substr(0, kSignatureBytes), text.size());
     if (!kind.is_known()) return;
-    throw FileError(name, std::string(kind.is) + ", not an OBJ model" +
+    // A picture is called a model only by mistake, and its name says what it is.
+    const bool is_plain_picture = kind.is_image() && !name.ends_with(".obj");
+    throw FileError(name, (is_plain_picture ? "is" : std::string(kind.is) + ",") +
+                              std::string(" not an OBJ model") +
                               (kind.advice.empty() ? "" : "; " + std::string(kind.advice)));
 }
 

@@ -18,12 +18,14 @@ class ImGuiRenderer {
     // Uploads the font texture and compiles the shaders. Throws ShaderError.
     ImGuiRenderer(const Gl& gl, ImFontAtlas& fonts);
 
+    // Uploads the font texture again, after the fonts have changed.
+    void upload_font(ImFontAtlas& fonts);
+
     // Draws over the contents of the canvas. Leaves blending, scissor test and program off.
     // Precondition: the canvas has the display size of the data in framebuffer pixels.
     void draw(const ImDrawData& data, const Canvas& canvas);
 
   private:
-    void upload_font(ImFontAtlas& fonts);
     void begin(const ImDrawData& data) const;
     void draw_command(const ImDrawCmd& command, const ImDrawData& data, int height) const;
 

@@ -50,7 +50,7 @@ void Renderer::draw(const GpuMesh& mesh, const Scene& scene, const Canvas& canva
     gl_->Disable(GL_SCISSOR_TEST);
     gl_->Disable(GL_CULL_FACE);
     gl_->Disable(GL_BLEND);
-    draw_background();
+    draw_background(scene.background);
     draw_object(mesh, scene, the_view);
     if (!scene.overlay.is_empty()) {
         upload_overlay(scene.overlay, mesh.centre(), scene.pixel_scale);
@@ -73,11 +73,13 @@ Renderer::View Renderer::view(const GpuMesh& mesh, const Scene& scene, const Can
                                         canvas.size().y)};
 }
 
-void Renderer::draw_background() const {
+void Renderer::draw_background(const Background& background) const {
     gl_->Disable(GL_DEPTH_TEST);
     gl_->DepthMask(GL_TRUE);
     gl_->Clear(GL_DEPTH_BUFFER_BIT);
     background_.use();
+    background_.set("bottom", background.bottom);
+    background_.set("top", background.top);
     gl_->BindVertexArray(no_attributes_.name());
     gl_->DrawArrays(GL_TRIANGLES, 0, 3);
 }

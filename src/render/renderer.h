@@ -9,9 +9,15 @@
 
 namespace pectin {
 
+// The colours at the lower and the upper border of a picture, from 0 to 1 as on screen.
+struct Background {
+    Vec3f bottom{0.170f, 0.178f, 0.192f}, top{0.335f, 0.352f, 0.378f};
+};
+
 // What a picture shows besides the mesh.
 struct Scene {
     Camera camera{};
+    Background background{};
     bool wireframe = false;
     bool levels = false;       // colours by refinement level
     Overlay overlay{};         // world space
@@ -45,7 +51,7 @@ class Renderer {
     static_assert(sizeof(OverlayVertex) == 24);
 
     static View view(const GpuMesh& mesh, const Scene& scene, const Canvas& canvas);
-    void draw_background() const;
+    void draw_background(const Background& background) const;
     void draw_object(const GpuMesh& mesh, const Scene& scene, const View& view) const;
     void upload_overlay(const Overlay& overlay, const Vec3& centre, float pixel_scale);
     void draw_overlay(const Overlay& overlay, const View& view, const Canvas& canvas) const;

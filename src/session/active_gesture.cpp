@@ -8,39 +8,37 @@
 namespace pectin {
 namespace {
 
-// Why intersections remain, and what the user can do about it.
+// Why intersections remain, where it is not the drag itself.
 std::string reason_of(const Frame& frame) {
     switch (frame.intersection_limit) {
-        case IntersectionLimit::floor:
-            return "since the floor keeps the edges there from being split; lower the floor";
         case IntersectionLimit::budget:
-            return frame.drag_budget_hit
-                       ? "since the budget of triangles for one drag is used up; raise drag_budget"
-                       : "since the triangle budget is used up; raise the budget";
+            return frame.drag_budget_hit ? ", since the triangle budget of the drag is used up"
+                                         : ", since the triangle budget is used up";
         case IntersectionLimit::decimation:
-            return "since without a flatness limit vertices there were removed; set flatness";
+            return ", since without a flatness limit vertices there were removed";
+        case IntersectionLimit::floor:
         case IntersectionLimit::search:
         case IntersectionLimit::none:
             break;
     }
-    return "since there are too many to find them all; take a larger radius";
+    return "";
 }
 
 std::string remark_on_self_intersections(const Frame& frame) {
     if (frame.self_intersections == 0) {
         if (frame.intersection_limit != IntersectionLimit::search) return {};
-        return "so many triangles are close to each other that some may intersect; take a larger "
-               "radius, or undo and drag less far";
+        return "so many triangles are close to each other that some may intersect; undo, or use a "
+               "larger radius or a shorter drag";
     }
-    return "triangles still intersect each other in " + std::to_string(frame.self_intersections) +
-           (frame.self_intersections == 1 ? " place, " : " places, ") + reason_of(frame) +
-           ", or undo and drag less far";
+    return "the surface intersects itself in " + std::to_string(frame.self_intersections) +
+           (frame.self_intersections == 1 ? " place" : " places") + reason_of(frame) +
+           "; undo, or use a larger radius or a shorter drag";
 }
 
 std::string remark_on_drag_budget(const Frame& frame) {
     if (!frame.drag_budget_hit) return {};
-    return "the surface is coarser than the settings ask for, since the budget of triangles for "
-           "one drag is used up; undo and drag less far, or raise theta_max, l_max or drag_budget";
+    return "the surface is coarser than the detail asks for, since the triangle budget of the drag "
+           "is used up; undo and drag less far, or choose a coarser detail or a larger budget";
 }
 
 // are_in_zones: without `connected` the drag would move the faces, too.
@@ -55,7 +53,7 @@ std::string remark_on_passed_faces(const PassedFaces& passed, bool are_in_zones)
            (passed.are_all ? "" : "at least ") +
            (count == 1 ? "a triangle" : std::to_string(count) + " triangles") +
            " of a part that stays; undo and drag less far" +
-           (are_in_zones ? ", or drag without connected" : "");
+           (are_in_zones ? ", or switch connected off" : "");
 }
 
 std::string joined(std::string first, const std::string& second) {

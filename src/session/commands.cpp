@@ -117,8 +117,8 @@ Done Session::State::run(const command::Symmetry& symmetry_command) {
 // The zones in which readapt refines edges longer than l_max. A length that the user has set has
 // nothing to do with a lattice and applies everywhere. Otherwise it comes from a lattice and
 // applies in the zones of that lattice.
-std::vector<Box> Session::State::zones_of_readapt() const {
-    if (adapt_settings.l_max.kind != Setting::Kind::value) return zones_in_use;
+std::vector<Box> Session::State::zones_of_readapt(const AdaptSettings& settings) const {
+    if (settings.l_max.kind != Setting::Kind::value) return zones_in_use;
     constexpr double kFar = std::numeric_limits<double>::max();
     return {Box{.min = Vec3{-kFar}, .max = Vec3{kFar}}};
 }
@@ -135,7 +135,7 @@ Frame Session::State::adapt_everything() {
     // Once a budget is used up, refinement rests: until the settings change, or that of the object
     // until the next drag.
     if (outcome.has_ended_at_budget()) adapt_limits.budget = 0;
-    const Criteria criteria(adapt_limits, zones_of_readapt(), {});
+    const Criteria criteria(adapt_limits, zones_of_readapt(adapt_settings), {});
     Adaptation adaptation =
         adapt_without_self_intersections(*active, embedding, criteria, {}, stop);
     Frame frame;

@@ -43,6 +43,10 @@ Refusal in_words_of_scripts(std::span<const Move> moves, const Refusal& found) {
     return done ? found : done.refusal();
 }
 
+Refusal refusal_of(const DragRefusal& refused) {
+    return {.reason = refused.what, .kind = refused.kind};
+}
+
 }  // namespace
 
 DragPlan Session::State::plan_of(const command::Drag& drag) const {
@@ -86,7 +90,7 @@ Done Session::State::check_targets(std::span<const Move> moves, std::span<const 
         return Refusal{"the drag from " + decimal(from) + " to " + decimal(to) +
                            " goes more than a million times the size of the object; the most is " +
                            decimal(most),
-                       "moves"};
+                       "moves", "too_far"};
     };
     for (const Move& move : moves) {
         if (Done done = check(move.from, move.to); !done) return done;
@@ -101,7 +105,7 @@ Done Session::State::check_targets(std::span<const Move> moves, std::span<const 
 Done Session::State::embed(ActiveGesture& begun) {
     Stopwatch stopwatch;
     auto result = plan_drag(plan_of(begun.drag));
-    if (auto* refusal = std::get_if<DragRefusal>(&result)) return Refusal{std::move(refusal->what)};
+    if (const auto* refused = std::get_if<DragRefusal>(&result)) return refusal_of(*refused);
     PlannedDrag planned = std::move(std::get<PlannedDrag>(result));
     const std::size_t steps_left = planned.warp.steps.size() - planned.last_segment;
     const bool is_alone = begun.drag.moves.size() == 1 && !rotates(begun.drag.moves.front());
@@ -168,9 +172,9 @@ Result<bool> Session::State::is_single_step(std::span<const Move> asked) {
     }
     active_drag.plan.moves.assign(asked.begin(), asked.end());
     set_last_motions(asked, before.via, active_drag.motions);
-    if (const auto refused = check_drag(active_drag.plan)) return Refusal{refused->what};
+    if (const auto refused = check_drag(active_drag.plan)) return refusal_of(*refused);
     if (const auto refused = active_drag.solver->check(active_drag.motions)) {
-        return Refusal{refused->what};
+        return refusal_of(*refused);
     }
     if (!active_drag.guard) return true;
     active_drag.solver->set_motions(active_drag.motions, *active_drag.last_step);

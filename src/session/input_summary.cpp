@@ -9,6 +9,9 @@
 namespace pectin {
 namespace {
 
+// Whether a finding has changed how the object is made, or is only worth knowing.
+enum class Kind { repair, kept };
+
 // A count of the report. `one` and `many` are the words after the number; null if it is not
 // reported.
 struct Finding {
@@ -16,39 +19,40 @@ struct Finding {
     std::uint32_t BuildReport::*count;
     const char* one = nullptr;
     const char* many = nullptr;
+    Kind kind = Kind::repair;
 };
 
 // In the order in which they are reported.
 constexpr std::array kFindings{
     Finding{"triangulated_polygons", &BuildReport::triangulated_polygons},
-    Finding{
-        "crossing_polygons", &BuildReport::crossing_polygons,
-        "polygon could not be triangulated exactly: it crosses itself or is far from flat",
-        "polygons could not be triangulated exactly: they cross themselves or are far from flat"},
+    Finding{"crossing_polygons", &BuildReport::crossing_polygons,
+            "polygon triangulated roughly (it crosses itself or is far from flat)",
+            "polygons triangulated roughly (they cross themselves or are far from flat)"},
     Finding{"boundary_edges", &BuildReport::boundary_edges},
-    Finding{"seams", &BuildReport::seams, "seam of unshared vertices is moved together",
-            "seams of unshared vertices are moved together"},
+    Finding{"seams", &BuildReport::seams, "seam of unshared vertices moved together",
+            "seams of unshared vertices moved together"},
     Finding{"seam_edges", &BuildReport::seam_edges},
-    Finding{"nonmanifold_edges", &BuildReport::nonmanifold_edges,
-            "edge cut where more than two faces meet", "edges cut where more than two faces meet"},
+    Finding{"nonmanifold_edges", &BuildReport::nonmanifold_edges, "non-manifold edge split",
+            "non-manifold edges split"},
     Finding{"misoriented_edges", &BuildReport::misoriented_edges,
-            "edge cut between faces that face opposite ways",
-            "edges cut between faces that face opposite ways"},
-    Finding{"nonmanifold_vertices", &BuildReport::nonmanifold_vertices,
-            "vertex shared by several sheets", "vertices shared by several sheets"},
-    Finding{"duplicate_faces", &BuildReport::duplicate_faces, "duplicate face", "duplicate faces"},
+            "edge between opposite faces split", "edges between opposite faces split"},
+    Finding{"nonmanifold_vertices", &BuildReport::nonmanifold_vertices, "shared vertex",
+            "shared vertices"},
+    Finding{"duplicate_faces", &BuildReport::duplicate_faces, "duplicate face kept",
+            "duplicate faces kept", Kind::kept},
     Finding{"zero_area_faces", &BuildReport::zero_area_faces, "face without area kept",
-            "faces without area kept"},
+            "faces without area kept", Kind::kept},
     Finding{"degenerate_polygons", &BuildReport::degenerate_polygons,
             "polygon of fewer than three different vertices kept unseen",
-            "polygons of fewer than three different vertices kept unseen"},
+            "polygons of fewer than three different vertices kept unseen", Kind::kept},
     Finding{"repeated_corners", &BuildReport::repeated_corners,
-            "polygon that names a vertex more than once",
-            "polygons that name a vertex more than once"},
-    Finding{"isolated_vertices", &BuildReport::isolated_vertices, "isolated vertex",
-            "isolated vertices"},
-    Finding{"lines", &BuildReport::lines, "line kept", "lines kept"},
-    Finding{"points", &BuildReport::points, "group of points kept", "groups of points kept"},
+            "polygon that names a vertex more than once kept",
+            "polygons that name a vertex more than once kept", Kind::kept},
+    Finding{"isolated_vertices", &BuildReport::isolated_vertices, "unused vertex kept",
+            "unused vertices kept", Kind::kept},
+    Finding{"lines", &BuildReport::lines, "line kept", "lines kept", Kind::kept},
+    Finding{"points", &BuildReport::points, "group of points kept", "groups of points kept",
+            Kind::kept},
 };
 
 static_assert(kFindings.size() * sizeof(std::uint32_t) == sizeof(BuildReport),
@@ -98,6 +102,13 @@ constexpr std::array kDropped{
             "statements with unknown keywords dropped"},
 };
 
+// Formats 1234567 as 1,234,567.
+std::string grouped(std::uint32_t number) {
+    std::string digits = std::to_string(number);
+    for (std::size_t i = digits.size(); i > 3;) digits.insert(i -= 3, ",");
+    return digits;
+}
+
 // The first line of the finding, with the keyword if that is unknown.
 std::string first_of(const ReadFinding& found, const ReadReport& read) {
     const std::string line = "line " + std::to_string(found.line);
@@ -122,25 +133,41 @@ std::vector<Statistics::Count> input_counts(const BuildReport& report, const Rea
     return counts;
 }
 
-std::string input_summary(const std::string& path, const BuildReport& report,
-                          const ReadReport& read) {
-    std::string summary;
-    const auto tell = [&](std::uint32_t count, const char* one, const char* many) {
-        summary += summary.empty()
-                       ? printable(std::filesystem::path(path).filename().string()) + ": "
-                       : "; ";
-        summary += std::to_string(count) + " " + (count == 1 ? one : many);
+InputFindings input_findings(const BuildReport& report, const ReadReport& read) {
+    InputFindings findings;
+    const auto add = [](std::string& to, const char* separator, std::uint32_t count,
+                        const char* one, const char* many) {
+        to += (to.empty() ? "" : separator) + grouped(count) + " " + (count == 1 ? one : many);
     };
     for (const Dropped& dropped : kDropped) {
         const ReadFinding& found = read.*dropped.found;
         if (found.count == 0) continue;
-        tell(found.count, dropped.one, dropped.many);
-        summary += first_of(found, read);
+        add(findings.dropped, "; ", found.count, dropped.one, dropped.many);
+        findings.dropped += first_of(found, read);
     }
     for (const Finding& finding : kFindings) {
         const std::uint32_t count = report.*finding.count;
-        if (count != 0 && finding.one) tell(count, finding.one, finding.many);
+        if (count == 0 || !finding.one) continue;
+        std::string& list = finding.kind == Kind::repair ? findings.repairs : findings.kept;
+        add(list, ", ", count, finding.one, finding.many);
     }
+    return findings;
+}
+
+std::string input_summary(const std::string& path, const BuildReport& report,
+                          const ReadReport& read) {
+    const InputFindings findings = input_findings(report, read);
+    std::string summary;
+    const auto tell = [&](const char* before, const std::string& what) {
+        if (what.empty()) return;
+        summary += summary.empty()
+                       ? printable(std::filesystem::path(path).filename().string()) + ": "
+                       : "; ";
+        summary += before + what;
+    };
+    tell("", findings.dropped);
+    tell("opened with repairs: ", findings.repairs);
+    tell("", findings.kept);
     return summary;
 }
 

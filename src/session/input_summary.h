@@ -13,9 +13,16 @@ namespace pectin {
 // All counts of the reports with their names in `stats`.
 std::vector<Statistics::Count> input_counts(const BuildReport& report, const ReadReport& read = {});
 
-// Returns one sentence with the findings that the user should know, such as "beetle.obj: 47 edges
-// cut ...; 2 isolated vertices". It begins with the name of the file and with what was dropped,
-// each with the line where it occurs first. Empty if there are no such findings.
+// The findings that the user should know, each with its count; texts without findings are empty.
+struct InputFindings {
+    std::string dropped;  // each with the line where it occurs first; separated by semicolons
+    std::string repairs;  // such as "2 non-manifold edges split, 4 shared vertices"
+    std::string kept;     // nothing is wrong with it, such as "1,113 unused vertices kept"
+};
+InputFindings input_findings(const BuildReport& report, const ReadReport& read = {});
+
+// Returns one sentence with these findings, such as "beetle.obj: opened with repairs: 47
+// non-manifold edges split; 2 unused vertices kept". Empty if there are none.
 std::string input_summary(const std::string& path, const BuildReport& report,
                           const ReadReport& read = {});
 

@@ -152,6 +152,11 @@ class Session {
     // The same; `taken` gets the elements, and the session its memory for the next ones.
     void take_dirty(DirtyElements& taken);
     Statistics statistics() const;  // O(n)
+    // The edges that readapt would split first if the settings were changed so: of the `count`
+    // edges from the slot `first` on, those that need refinement and that the floor does not hold
+    // back. None during a gesture, and none if the change would be refused. Cost: O(count).
+    std::vector<EdgeId> edges_to_refine(const command::Adapt& change, std::uint32_t first,
+                                        std::uint32_t count) const;
     // What was found in the input of the object; see input_summary().
     const BuildReport& input_report() const;
     const ReadReport& read_report() const;

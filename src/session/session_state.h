@@ -98,10 +98,11 @@ struct Session::State {
         limits.symmetry = symmetry;
         return limits;
     }
-    // The limits for readapt.
-    AdaptLimits limits_in_use() const {
+    // The limits for readapt, with the present settings or others.
+    AdaptLimits limits_in_use() const { return limits_of(adapt_settings); }
+    AdaptLimits limits_of(const AdaptSettings& settings) const {
         const double cell = lattice_in_use ? lattice_in_use->smallest_cell_extent() : kOff;
-        AdaptLimits limits = adapt_settings.limits(cell, diagonal, largest_coordinate);
+        AdaptLimits limits = settings.limits(cell, diagonal, largest_coordinate);
         limits.symmetry = symmetry;
         return limits;
     }
@@ -129,7 +130,9 @@ struct Session::State {
     Done run(const command::Redo& redo);
     Done run(const command::History& limit);
     void undo_steps(std::size_t count);
-    std::vector<Box> zones_of_readapt() const;
+    std::vector<Box> zones_of_readapt(const AdaptSettings& settings) const;
+    std::vector<EdgeId> edges_to_refine(const command::Adapt& change, std::uint32_t first,
+                                        std::uint32_t count) const;
 
     // --- Steps of the history (undo.cpp).
     // Moves the change into the history. Throws std::bad_alloc with the change unmodified.

@@ -26,9 +26,9 @@ struct Subject {
 
 void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.name; }
 
-// The number in the remark "triangles still intersect each other in 5 places, …", or 0.
+// The number in the remark "the surface intersects itself in 5 places; …", or 0.
 std::size_t reported_intersections(const std::string& remark) {
-    static const std::string kBefore = "intersect each other in ";
+    static const std::string kBefore = "the surface intersects itself in ";
     const std::size_t at = remark.find(kBefore);
     std::size_t count = 0;
     if (at != std::string::npos) {

@@ -132,8 +132,10 @@ TEST(Replay, ReportsFindingsInTheInputAndContinues) {
          R"({"cmd": "stats", "path": "fan.json"})"});
     const Outcome outcome = run_program({"replay", script});
     EXPECT_EQ(outcome.exit_status, 0);
-    EXPECT_TRUE(outcome.err.starts_with(script + ":3: open: fan.obj: 1 edge cut ")) << outcome.err;
-    EXPECT_NE(outcome.err.find("; 1 isolated vertex\n"), std::string::npos) << outcome.err;
+    EXPECT_TRUE(outcome.err.starts_with(
+        script + ":3: open: fan.obj: opened with repairs: 1 non-manifold edge split"))
+        << outcome.err;
+    EXPECT_NE(outcome.err.find("; 1 unused vertex kept\n"), std::string::npos) << outcome.err;
     EXPECT_EQ(std::count(outcome.err.begin(), outcome.err.end(), '\n'), 1) << outcome.err;
     const std::string figures = folder.read("fan.json");
     EXPECT_NE(figures.find("\"nonmanifold_edges\": 1"), std::string::npos) << figures;

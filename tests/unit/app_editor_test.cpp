@@ -4,6 +4,8 @@
 #include <cmath>
 #include <sstream>
 
+#include "app/words.h"
+#include "command/check.h"
 #include "command/script.h"
 #include "unit/app_editor_fixture.h"
 
@@ -363,7 +365,9 @@ TEST_F(EditorTest, RefusesAValueWithTheWordsThatAScriptGets) {
         EXPECT_FALSE(editor.execute(wrong));
         const auto in_script = parse_command(format_command(wrong));
         ASSERT_TRUE(std::holds_alternative<CommandError>(in_script));
-        EXPECT_EQ(editor.workspace().message(), std::get<CommandError>(in_script).what);
+        const Refusal refusal = check(wrong).refusal();
+        EXPECT_EQ(refusal.reason, std::get<CommandError>(in_script).what);
+        EXPECT_EQ(editor.workspace().message(), words_of(refusal));
     }
 }
 

@@ -186,7 +186,8 @@ TEST_F(FileTaskTest, ErrorsInAFileAreReported) {
     const TriMesh sphere = editor.session().mesh();
     editor.document().open(path("letter.obj"));
     wait(editor);
-    EXPECT_NE(editor.workspace().message().find("letter.obj:2: "), std::string::npos)
+    EXPECT_NE(editor.workspace().message().find("letter.obj cannot be opened: line 2: "),
+              std::string::npos)
         << editor.workspace().message();
     EXPECT_EQ(editor.session().mesh(), sphere);
     editor.execute(command::Save{path("no such folder/ball.obj")});
@@ -200,7 +201,7 @@ TEST_F(FileTaskTest, FindingsInTheInputAreReported) {
     auto editor = this->editor();
     editor.document().open(path("loose.obj"));
     wait(editor);
-    EXPECT_EQ(editor.workspace().message(), "loose.obj: 2 isolated vertices");
+    EXPECT_EQ(editor.workspace().message(), "2 unused vertices kept.");
 }
 
 TEST_F(FileTaskTest, TheRecordHoldsCommandsThatAreDoneAndNotCancelledOnes) {

@@ -71,7 +71,7 @@ TEST_F(RestoringTest, ASessionIsNotRestoredFromAModelThatHasChanged) {
     auto editor = this->editor();
     restore(editor);
     const std::string message = editor.workspace().message();
-    EXPECT_NE(message.find("a.obj: was changed after the session had opened it"), std::string::npos)
+    EXPECT_NE(message.find("a.obj was changed after the session had opened it"), std::string::npos)
         << message;
     EXPECT_EQ(editor.workspace().object_name(), "sphere");
     EXPECT_FALSE(editor.workspace().is_modified());
@@ -217,7 +217,7 @@ TEST_F(RestoringTest, IfRestoringFailsTheCommandsStayInAFileThatTheMessageNames)
     auto editor = this->editor();
     restore(editor);
     const std::string message = editor.workspace().message();
-    EXPECT_NE(message.find("Restored up to command 2 of 4"), std::string::npos) << message;
+    EXPECT_NE(message.find("Restored up to step 2 of 4"), std::string::npos) << message;
     EXPECT_NE(message.find(".incomplete"), std::string::npos) << message;
     EXPECT_EQ(editor.workspace().path(), "") << "a part does not replace the whole";
     EXPECT_EQ(file_count(), 1u);

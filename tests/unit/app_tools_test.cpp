@@ -213,7 +213,7 @@ TEST_F(ToolRoutingTest, AToolThatThrowsIsCancelledWithAMessage) {
     first_->throws = true;
     editor_.advance();
     EXPECT_TRUE(first_->is_cancelled);
-    EXPECT_EQ(editor_.workspace().message(), "The drag was cancelled: it is broken");
+    EXPECT_EQ(editor_.workspace().message(), "The drag was cancelled. It is broken.");
     first_->throws = false;
     first_->throws_bad_alloc = true;
     const Camera before = editor_.camera();
@@ -224,7 +224,7 @@ TEST_F(ToolRoutingTest, AToolThatThrowsIsCancelledWithAMessage) {
 }
 
 TEST_F(ToolRoutingTest, TheHintIsThatOfTheActiveToolOrOfTheFirstThatHasOne) {
-    EXPECT_NE(editor_.status_hint().find("turn the object"), std::string::npos);
+    EXPECT_NE(editor_.status_hint().find("rotate the view"), std::string::npos);
     second_->hint = "The second.";
     EXPECT_EQ(editor_.status_hint(), "The second.");
     first_->hint = "The first.";
@@ -271,8 +271,8 @@ TEST_F(ToolsTest, HintsDependOnTheModifiersAndOnWhatIsUnderTheCursor) {
     press(editor, kBeside, {.control = true});
     hints.push_back(hint(kMiddle, {.control = true}));
     for (const std::string& text : hints) {
-        EXPECT_TRUE(text.ends_with('.')) << text;
-        EXPECT_EQ(std::ranges::count(text, '.'), 1) << text;
+        EXPECT_FALSE(text.empty());
+        EXPECT_LE(text.size(), 125u) << text << ": too long for the status line";
         EXPECT_EQ(std::ranges::count(hints, text), 1) << text;
     }
     EXPECT_EQ(hints.size(), 13u);

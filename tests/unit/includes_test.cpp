@@ -43,7 +43,7 @@ const std::vector<Restricted>& restricted_headers() {
     static const std::vector<Restricted> kTable{
         {"tiny_obj_loader", {"io/material_library.cpp"}},
         {"png.h", {"io/png.cpp"}},
-        {"nlohmann/", {"command/json_values.h"}},
+        {"nlohmann/", {"command/json_values.h", "app/preferences.cpp"}},
         {"CLI/", {"app/"}},
         {"Eigen/", {"ffd/"}},
         {"eigen3/", {"ffd/"}},

@@ -64,7 +64,8 @@ TEST(BeyondTheZone, FoldFreeDragsLeaveNoIntersectionsOrReportThem) {
                                                             random.direction()));
             ++drags;
             const bool intersects = test::crossings(session.mesh()) > 0;
-            const bool is_reported = session.remark().find("still intersect") != std::string::npos;
+            const bool is_reported =
+                session.remark().find("intersects itself") != std::string::npos;
             EXPECT_EQ(intersects, is_reported) << "seed " << seed << ", drag " << i;
             wrong += intersects != is_reported ? 1 : 0;
             if (intersects) break;

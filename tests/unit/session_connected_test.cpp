@@ -86,7 +86,7 @@ TEST_F(ConnectedSession, SaysSoAlsoBeyondTheZoneOfADragThatFolds) {
     EXPECT_GT(test::crossings(session.mesh()), 0u);
     EXPECT_NE(session.remark().find(kPasses), std::string::npos) << session.remark();
     // The sheet would stay in any case.
-    EXPECT_EQ(session.remark().find("without connected"), std::string::npos) << session.remark();
+    EXPECT_EQ(session.remark().find("switch connected off"), std::string::npos) << session.remark();
 }
 
 TEST_F(ConnectedSession, SaysSoIfAnEarlierStepWentFarther) {

@@ -41,7 +41,7 @@ TEST(DragBudget, EndsTheRefinementOfADragAndSaysSo) {
     EXPECT_GE(s.faces, faces + 498u);
     EXPECT_EQ(s.needing_refinement, 0u);
     EXPECT_GT(s.held_back, 0u);
-    EXPECT_NE(session.remark().find("budget of triangles for one drag"), std::string::npos)
+    EXPECT_NE(session.remark().find("triangle budget of the drag"), std::string::npos)
         << session.remark();
     EXPECT_NE(session.remark().find("drag_budget"), std::string::npos) << session.remark();
     EXPECT_EQ(session.mesh().validate(), std::vector<std::string>{});

@@ -23,8 +23,16 @@ TEST(InputSummary, IsOneSentenceThatBeginsWithTheFilesName) {
     EXPECT_EQ(
         input_summary("/models/my beetle.obj",
                       {.zero_area_faces = 3, .nonmanifold_edges = 47, .isolated_vertices = 1}),
-        "my beetle.obj: 47 edges cut where more than two faces meet; 3 faces without area "
-        "kept; 1 isolated vertex");
+        "my beetle.obj: opened with repairs: 47 non-manifold edges split; 3 faces without area "
+        "kept, 1 unused vertex kept");
+}
+
+TEST(InputSummary, GroupsTheDigitsOfLargeCountsAndTellsRepairsFromWhatIsKept) {
+    const InputFindings found = input_findings(
+        {.nonmanifold_edges = 2, .nonmanifold_vertices = 4, .isolated_vertices = 1113});
+    EXPECT_EQ(found.dropped, "");
+    EXPECT_EQ(found.repairs, "2 non-manifold edges split, 4 shared vertices");
+    EXPECT_EQ(found.kept, "1,113 unused vertices kept");
 }
 
 TEST(InputSummary, BeginsWithWhatWasDroppedAndItsLine) {
@@ -39,23 +47,21 @@ TEST(InputSummary, BeginsWithWhatWasDroppedAndItsLine) {
         "a.obj: 3 corners name texture coordinates that the file does not have and get none "
         "(first in line 7); 1 vertex has a colour that is no number and gets none (line 2); 2 "
         "statements with unknown keywords dropped ('F' in line 5, perhaps meant as 'f'); 1 "
-        "isolated vertex");
+        "unused vertex kept");
 }
 
 TEST(InputSummary, ShowsControlCharactersOfTheFilesNameEscaped) {
     EXPECT_EQ(input_summary("/models/\x1b[2J\n.obj", {.isolated_vertices = 1}),
-              "\\x1B[2J\\x0A.obj: 1 isolated vertex");
+              "\\x1B[2J\\x0A.obj: 1 unused vertex kept");
 }
 
 TEST(InputSummary, ReportsSeamsAndCrossingPolygonsInSingularAndPlural) {
     EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 1, .seams = 1, .seam_edges = 4}),
-              "a.obj: 1 polygon could not be triangulated exactly: it crosses itself or is far "
-              "from flat; "
-              "1 seam of unshared vertices is moved together");
+              "a.obj: opened with repairs: 1 polygon triangulated roughly (it crosses itself or is "
+              "far from flat), 1 seam of unshared vertices moved together");
     EXPECT_EQ(input_summary("a.obj", {.crossing_polygons = 2, .seams = 12}),
-              "a.obj: 2 polygons could not be triangulated exactly: they cross themselves or are "
-              "far from flat; "
-              "12 seams of unshared vertices are moved together");
+              "a.obj: opened with repairs: 2 polygons triangulated roughly (they cross themselves "
+              "or are far from flat), 12 seams of unshared vertices moved together");
 }
 
 TEST(InputSummary, CountsAreTheReportsAndEachHasAName) {

@@ -61,7 +61,7 @@ TEST(SessionSeams, AHingeDoesNotCrackAndIsSavedUnshared) {
     Session session;
     open_text(session, kHinge);
     EXPECT_EQ(input_summary("hinge.obj", session.input_report()),
-              "hinge.obj: 1 seam of unshared vertices is moved together");
+              "hinge.obj: opened with repairs: 1 seam of unshared vertices moved together");
     expect_done(session, command::Brush{.radius = 1.2});
     expect_done(session, Drag{.moves = {{{0, 0, 0}, {0, 0, 0.5}}}});
     const IndexedFaceSet set = saved(session);
@@ -84,7 +84,7 @@ TEST(SessionSeams, AWallOnAnInnerEdgeDoesNotCrackOff) {
               "v 0 -1 0\nv 0 1 0\nv 1 0 -1\nv -1 0 -1\nv 0 -1 0\nv 0 1 0\nv 0 0 1\n"
               "f 1 3 2\nf 1 2 4\nf 5 6 7\n");
     EXPECT_EQ(input_summary("wall.obj", session.input_report()),
-              "wall.obj: 1 seam of unshared vertices is moved together");
+              "wall.obj: opened with repairs: 1 seam of unshared vertices moved together");
     expect_done(session, command::Brush{.radius = 1.2});
     expect_done(session, Drag{.moves = {{{0, 0, 0}, {0.5, 0, 0}}}, .connected = true});
     EXPECT_GT(session.mesh().face_count(), 50u);

@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/ui/interface.h"
 #include "replay/program.h"
 #include "window/desktop.h"
 
@@ -40,6 +41,7 @@ class WindowTest : public testing::Test {
         arguments.insert(arguments.begin(), {PECTIN_BINARY, "--record", path("record.jsonl")});
         Environment environment = desktop_->environment();
         environment.emplace_back("XDG_STATE_HOME", path("state"));
+        environment.emplace_back("XDG_CONFIG_HOME", path("config"));
         start(arguments, environment);
     }
     void start(const std::vector<std::string>& words, const Environment& environment) {
@@ -55,6 +57,29 @@ class WindowTest : public testing::Test {
         desktop_->key("Return");
         ASSERT_TRUE(eventually([&] { return folder_.holds(name); })) << record();
         ASSERT_TRUE(records(name));
+    }
+    // Where a control of the panels is in a new window, as the panels lay it out here.
+    static Vec2 place_of(const std::string& name) {
+        constexpr IVec2 kWindow{1280, 800};
+        Editor editor;
+        editor.handle(event::Resize{kWindow});
+        editor.begin("");
+        Interface interface(1.0f);
+        interface.set_size(kWindow, kWindow);
+        for (int i = 0; i < 3; ++i) interface.lay_out(editor, {});
+        const Control* const control = interface.controls().find(name);
+        EXPECT_TRUE(control) << name;
+        return control ? 0.5 * (control->min + control->max) : Vec2{0.0};
+    }
+    void click(const Vec2& at) const {
+        desktop_->move(static_cast<int>(at.x), static_cast<int>(at.y));
+        desktop_->press();
+        desktop_->release();
+    }
+    void double_click(const Vec2& at) const {
+        click(at);
+        desktop_->press();
+        desktop_->release();
     }
     void quit() {
         desktop_->key("ctrl+q");

@@ -105,33 +105,64 @@ TEST_F(WindowTest, AltDragsAlongTheNormal) {
     EXPECT_GT(z, 1.1);
 }
 
-TEST_F(WindowTest, ASliderAndTheButtonBelowItReadaptTheObject) {
+TEST_F(WindowTest, ANumberIsTypedAfterADoubleClickAndAButtonReadaptsTheObject) {
     open_window();
     desktop().drag(kMiddleX, kMiddleY, 760, 290);
     ASSERT_TRUE(records("\"drag\""));
-    int y = 145;
-    for (; y < 260 && recorded("\"theta_max\"") == 0; y += 10) {
-        desktop().move(1110, y);
-        desktop().press();
-        desktop().move(1085, y);
-        desktop().release();
-        wait_until_handled();
-    }
-    ASSERT_EQ(recorded("\"theta_max\""), 1u);
-    EXPECT_EQ(recorded("\"theta_max\": null"), 0u) << "its toggle, not the slider";
+    double_click(place_of("Detail"));
+    desktop().type("9");
+    desktop().key("Return");
+    ASSERT_TRUE(records("\"theta_max\": 9")) << record();
     EXPECT_EQ(recorded("\"readapt\""), 0u);
-    // Two rows below there is a button as wide as the panel.
-    for (int below = 50; below < 110 && recorded("\"readapt\"") == 0; below += 6) {
-        desktop().move(1110, y + below);
-        desktop().press();
-        desktop().release();
-        wait_until_handled();
-    }
-    ASSERT_TRUE(records("\"readapt\""));
+    click(place_of(info_of(Action::readapt).name));
+    ASSERT_TRUE(records("\"readapt\"")) << record();
     desktop().move(kMiddleX, kMiddleY);
     save_as("window.obj");
     quit();
     EXPECT_TRUE(folder().read("window.obj") == replayed());
+}
+
+TEST_F(WindowTest, ANumberFollowsADragSideways) {
+    open_window();
+    const Vec2 at = place_of("Radius");
+    const auto x = static_cast<int>(at.x), y = static_cast<int>(at.y);
+    desktop().drag(x, y, x - 30, y);
+    ASSERT_TRUE(records("\"brush\"")) << record();
+    EXPECT_EQ(recorded("\"radius\""), 1u) << "set once, when the button was released";
+    quit();
+}
+
+TEST_F(WindowTest, MenusAreUsedWithoutTheMouse) {
+    open_window();
+    desktop().key("F10");
+    for (int i = 0; i < 6; ++i) desktop().key("Down");  // to the last entry, Quit
+    desktop().key("Return");
+    EXPECT_EQ(program().wait(), 0);
+}
+
+TEST_F(WindowTest, PreferencesAreKeptForTheNextWindowAndOnlyIfTheyHaveChanged) {
+    const std::string file = "config/pectin/preferences.json";
+    const auto keeps = [&](const char* what) {
+        return eventually([&] {
+            return folder().holds(file) && folder().read(file).find(what) != std::string::npos;
+        });
+    };
+    open_window();
+    desktop().key("w");
+    quit();
+    EXPECT_FALSE(folder().holds(file));
+    open_window();
+    desktop().key("ctrl+equal");
+    EXPECT_TRUE(keeps("\"scale\": 1.1"));
+    desktop().key("Tab");
+    EXPECT_TRUE(keeps("\"hides_panels\": true"));
+    quit();
+    open_window();
+    click(place_of("Y"));  // where the panel was
+    desktop().key("bracketleft");
+    ASSERT_TRUE(records("\"brush\""));
+    EXPECT_EQ(recorded("\"plane\": \"y\""), 0u) << record();
+    quit();
 }
 
 TEST_F(WindowTest, NothingThatIsTypedDuringASlowFrameIsLost) {

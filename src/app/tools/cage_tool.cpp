@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "app/rounded_numbers.h"
+#include "app/words.h"
 
 namespace pectin {
 
@@ -35,7 +35,7 @@ void CageTool::update(ToolContext& context) {
     Workspace& workspace = context.workspace();
     workspace.limit_frame_time(true);  // a drag of a point may have ended in between
     const Done done = points_.update_drag(workspace.session(), context.view());
-    if (!done) return workspace.set_message(rounded_numbers(done.refusal().reason));
+    if (!done) return workspace.set_message(words_of(done.refusal()));
     if (!points_.is_dragging()) return;
     if (!had_begun) context.drag_figures().reset_drag();
     workspace.clear_command_message();
@@ -77,7 +77,9 @@ std::string_view CageTool::status_hint(const ToolContext& context) const {
     if (modifiers.control) return "Drag a box around control points to select them.";
     if (!points_.hovered()) return {};
     if (modifiers.shift) return "Click to add the control point to the selection or to remove it.";
-    return "Drag the control point, and all that are selected follow.";
+    return "Drag the control point; all that are selected follow. · Shift+click: select more · "
+           "Ctrl+drag: "
+           "select in a box";
 }
 
 std::unique_ptr<Tool> make_cage_tool() { return std::make_unique<CageTool>(); }

@@ -4,6 +4,8 @@
 #include <string>
 #include <utility>
 
+#include "app/words.h"
+
 namespace pectin {
 namespace {
 
@@ -26,13 +28,12 @@ void report_drag(ToolContext& context) {
     context.drag_figures().folded = folded;
     std::string message;
     if (folded > 0) {
-        message = "This drag turned space inside out at " + std::to_string(folded) +
+        message = "The surface is turned inside out at " + std::to_string(folded) +
                   (folded == 1 ? " vertex" : " vertices") +
-                  ". Undo it, or switch on Fold-free, which prevents this when the surface is "
-                  "dragged.";
+                  ". Undo, or drag less far; Fold-free prevents this when the surface is dragged.";
     }
     if (const std::string& remark = session.remark(); !remark.empty()) {
-        message += (message.empty() ? "After this drag " : " After it ") + remark + ".";
+        message += (message.empty() ? "" : " ") + sentences(remark);
     }
     if (!message.empty()) context.workspace().set_message(message);
 }

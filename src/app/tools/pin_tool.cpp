@@ -37,7 +37,8 @@ void PinTool::overlay(const ToolContext& context, Overlay& overlay) const {
 
 std::string_view PinTool::status_hint(const ToolContext& context) const {
     if (!context.sets_pins || !context.hover()) return {};
-    return "Click to set a pin here, or to remove the one under the cursor.";
+    return "Click to set a pin, which drags leave where it is; click a pin to remove it. · Esc: "
+           "done";
 }
 
 std::unique_ptr<Tool> make_pin_tool() { return std::make_unique<PinTool>(); }

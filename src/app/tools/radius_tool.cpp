@@ -84,7 +84,7 @@ void RadiusTool::overlay(const ToolContext& context, Overlay& overlay) const {
 
 std::string_view RadiusTool::status_hint(const ToolContext&) const {
     if (!is_active()) return {};
-    return "Move the mouse to set the radius, release F to keep it, or press Esc to restore it.";
+    return "Move the mouse to set the radius. · Release F: keep it · Esc: as before";
 }
 
 }  // namespace

@@ -2,9 +2,9 @@
 
 #include <chrono>
 
-#include "app/rounded_numbers.h"
 #include "app/tools/brush_circle.h"
 #include "app/tools/cursor_path.h"
+#include "app/words.h"
 
 namespace pectin {
 namespace {
@@ -56,7 +56,7 @@ bool SculptTool::begin(ToolContext& context) {
     const Done done = sculptor_.grab(workspace.session(), handle, context.ray_through_cursor(),
                                      context.pins().points(), context.drag_options);
     if (!done) {
-        workspace.set_message(rounded_numbers(done.refusal().reason));
+        workspace.set_message(words_of(done.refusal()));
         return true;
     }
     workspace.clear_command_message();
@@ -97,7 +97,7 @@ void SculptTool::update(ToolContext& context) {
         last = moved ? Done{} : moved.refusal();
         has_moved = has_moved || (moved && *moved);
     }
-    if (!last) return workspace.set_message(rounded_numbers(last.refusal().reason));
+    if (!last) return workspace.set_message(words_of(last.refusal()));
     workspace.clear_command_message();
     if (!has_moved) return;
     FrameFigures& figures = context.drag_figures();
@@ -131,13 +131,13 @@ std::string_view SculptTool::status_hint(const ToolContext& context) const {
     const Modifiers& modifiers = context.pointer().modifiers;
     if (is_active()) {
         if (modifiers.alt) return "The point moves along the normal of the surface.";
-        if (modifiers.shift) return "The wheel scales the surroundings of the point.";
-        return "Alt moves the point along the normal, the wheel twists its surroundings, and with "
-               "Shift it scales them.";
+        if (modifiers.shift) return "Turn the wheel to scale the area around the point.";
+        return "Alt: along the normal · Wheel: twist · Shift+wheel: scale · Esc: give up the drag";
     }
     if (!context.hover()) return {};
-    if (modifiers.alt) return "Drag the surface to move the point along the normal.";
-    return "Drag the surface, and its surroundings follow.";
+    if (modifiers.alt) return "Drag the surface to pull it along its normal.";
+    return "Drag the surface to pull it; the area around it follows. · Alt: along the normal · F: "
+           "radius · P: pin";
 }
 
 ShownSettings SculptTool::settings() const {

@@ -71,8 +71,8 @@ class Tool {
     virtual void overlay(const ToolContext& context, Overlay& overlay) const;
     // The box with which the tool selects.
     virtual std::optional<ScreenBox> selection_box() const { return std::nullopt; }
-    // One sentence about what the mouse does here and now, with the modifiers that are held; empty
-    // if the tool does nothing here.
+    // What the mouse does here and now, with the modifiers that are held: a sentence, and after it
+    // what other keys do, separated by middle dots. Empty if the tool does nothing here.
     virtual std::string_view status_hint(const ToolContext& context) const;
     virtual ShownSettings settings() const { return {}; }
 };

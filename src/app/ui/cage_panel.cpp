@@ -1,110 +1,125 @@
 #include "app/ui/cage_panel.h"
 
-#include <imgui.h>
-
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <string>
 
 #include "app/cage_box.h"
 #include "app/ui/action_widgets.h"
+#include "app/ui/rows.h"
+#include "command/limits.h"
 
 namespace pectin {
 namespace {
 
-constexpr int kMaxSpan = 9, kMaxCount = 16;  // more control points would be too dense to see
-constexpr float kLabelWidth = 66.0f;
+constexpr double kMostDragged = 16.0;  // points per axis; more can be typed
 // In diagonals of the object:
-constexpr double kMinSize = 1e-4;       // least size of a cage
-constexpr double kSizePerPixel = 5e-3;  // change when a number is dragged by a pixel
+constexpr double kLeastSize = 1e-4;  // of a cage
+constexpr double kMostSize = 4.0, kMostDistance = 2.0;
 
-void row(const char* label, float scale) {
-    ImGui::AlignTextToFramePadding();
-    ImGui::TextUnformatted(label);
-    ImGui::SameLine(kLabelWidth * scale + ImGui::GetStyle().WindowPadding.x);
-    ImGui::SetNextItemWidth(-1.0f);
-}
+constexpr std::array kAxes{"X", "Y", "Z"};
 
-// Three numbers that can be dragged or typed.
-void numbers(const char* id, Vec3& value, double step) {
-    ImGui::DragScalarN(id, ImGuiDataType_Double, &value.x, 3, static_cast<float>(step), nullptr,
-                       nullptr, "%.3g");
+constexpr const char* kPointsHelp = "How many control points the cage has along this axis.";
+constexpr const char* kMiddleHelp = "Where the middle of the cage is along this axis.";
+constexpr const char* kSizeHelp = "How long the cage is along this axis.";
+
+// A format for lengths of the object with about a thousandth of its size as the last digit.
+const char* length_format(double diagonal) {
+    constexpr std::array kFormats{"%.0f", "%.1f", "%.2f", "%.3f", "%.4f", "%.5f"};
+    const double digits = 2.0 - std::floor(std::log10(std::max(diagonal, 1e-300)));
+    const auto most = static_cast<double>(kFormats.size() - 1);
+    return digits > most ? "%.3g" : kFormats[static_cast<std::size_t>(std::max(digits, 0.0))];
 }
 
 }  // namespace
 
-void CagePanel::draw(Editor& editor, float scale) {
+void CagePanel::draw(Editor& editor) {
     const auto& cage = editor.session().lattice_settings().cage;
-    if (ImGui::RadioButton("Brush", !cage) && cage) {
-        editor.set_radius(editor.radius());
-        if (!editor.session().lattice_settings().cage) editor.display.lattice = false;
+    draw_column_names(kAxes);
+    if (!cage) {
+        draw_counts(editor, {}, editor.cage_counts);
+        action_button(editor, Action::use_cage, -1.0f);
+        draw_note("A cage is a box of control points around the object that can be dragged.");
+        return;
     }
-    ImGui::SameLine(0.0f, 22.0f * scale);
-    if (ImGui::RadioButton("Cage", cage.has_value()) && !cage) {
-        if (editor.execute(command::Cage{.fit = counts_})) {
-            editor.display.lattice = true;
-        }
-    }
-    if (cage) {
-        draw_cage(editor, *cage, scale);
-    } else {
-        draw_brush(editor, scale);
-    }
-}
-
-void CagePanel::draw_brush(Editor& editor, float scale) {
-    int span = edited_span_.value_or(editor.session().lattice_settings().span);
-    ImGui::SetNextItemWidth(-112.0f * scale);
-    ImGui::SliderInt("control points", &span, 1, kMaxSpan, "%d", ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
-            "The number of control points along each axis of the brush's\n"
-            "lattice. More of them make a drag broader and its edge steeper.");
-    }
-    if (ImGui::IsItemActive()) edited_span_ = span;
-    if (ImGui::IsItemDeactivatedAfterEdit()) editor.execute(command::Brush{.span = span});
-    if (!ImGui::IsItemActive()) edited_span_.reset();
-}
-
-void CagePanel::draw_cage(Editor& editor, const Lattice& cage, float scale) {
-    const Box box = edited_box_.value_or(cage_box(cage));
-    IVec3 counts = edited_counts_.value_or(cage.counts());
-    Vec3 middle = box.centre(), size = box.extent();
-    const double diagonal = editor.workspace().diagonal();
-    bool is_held = false, is_set = false;
-    const auto record_edit = [&] {
-        is_held |= ImGui::IsItemActive();
-        is_set |= ImGui::IsItemDeactivatedAfterEdit();
-    };
-    row("Points", scale);
-    ImGui::SliderInt3("##counts", &counts.x, 1, kMaxCount, "%d", ImGuiSliderFlags_AlwaysClamp);
-    record_edit();
-    row("Middle", scale);
-    numbers("##middle", middle, kSizePerPixel * diagonal);
-    record_edit();
-    row("Size", scale);
-    numbers("##size", size, kSizePerPixel * diagonal);
-    record_edit();
-    size = glm::max(size, Vec3{kMinSize * diagonal});
-    const Box changed{.min = middle - 0.5 * size, .max = middle + 0.5 * size};
-    if (is_set) editor.set_cage(changed, counts);
-    edited_box_ = is_held ? std::optional(changed) : std::nullopt;
-    edited_counts_ = is_held ? std::optional(counts) : std::nullopt;
-    counts_ = counts;
-    draw_cage_actions(editor);
-}
-
-void CagePanel::draw_cage_actions(Editor& editor) const {
-    if (ImGui::Button("Fit to the object")) {
-        editor.execute(command::Cage{.fit = counts_});
-    }
+    const Box box = cage_box(*cage);
+    const IVec3 counts = cage->counts();
+    draw_counts(editor, box, counts);
+    draw_box(editor, box, counts);
+    action_button(editor, Action::fit_cage, -1.0f);
     ImGui::PushID("cage");  // the section Display has the same checkbox
     action_checkbox(editor, Action::toggle_lattice);
     ImGui::PopID();
-    if (!editor.display.lattice) return;
-    ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
-    ImGui::TextWrapped(
-        "Drag a control point to move it. Shift and a click select more of them, Ctrl and a drag "
-        "all in a box.");
-    ImGui::PopStyleColor();
+    if (editor.display.lattice) {
+        draw_note(
+            "Drag a control point to move it. Shift+click selects more of them, Ctrl+drag all in a "
+            "box.");
+    }
+}
+
+// Draws one of three numbers beside each other.
+std::optional<double> CagePanel::draw_third(const char* name, int axis, double value,
+                                            const NumberStyle& style, const char* help) {
+    const auto i = static_cast<std::size_t>(axis);
+    if (axis > 0) ImGui::SameLine(0.0f, ImGui::GetStyle().ItemInnerSpacing.x);
+    ImGui::SetNextItemWidth(third_of_row());
+    const std::string label = std::string(name) + ' ' + kAxes[i];
+    const auto set = fields_.draw(("##" + label).c_str(), value, style);
+    tooltip(label.c_str(), help);
+    return set;
+}
+
+void CagePanel::draw_counts(Editor& editor, const Box& box, const IVec3& counts) {
+    constexpr field::Limits kLimits = limits_of(&command::Cage::fit);
+    const NumberStyle style{
+        .format = "%.0f", .left = kLimits.least, .right = std::min(kLimits.most, kMostDragged)};
+    begin_row("Points");
+    for (int axis = 0; axis < 3; ++axis) {
+        const auto set = draw_third("Points", axis, counts[axis], style, kPointsHelp);
+        if (!set) continue;
+        IVec3 changed = counts;
+        changed[axis] = whole_number(*set);
+        editor.choose_cage_counts(box, changed);
+    }
+}
+
+void CagePanel::draw_box(Editor& editor, const Box& box, const IVec3& counts) {
+    const double diagonal = editor.workspace().diagonal();
+    const Vec3 middle = box.centre(), size = box.extent();
+    const auto resize = [&](const Vec3& to_middle, const Vec3& to_size) {
+        if (!glm::all(glm::greaterThan(to_size, Vec3{0.0}))) {  // refused by the limits of a cell
+            editor.execute(command::Cage{
+                .origin = to_middle, .cell = to_size, .deformable = editor.cage_counts});
+            return;
+        }
+        const Vec3 half = 0.5 * glm::max(to_size, Vec3{kLeastSize * diagonal});
+        editor.set_cage({.min = to_middle - half, .max = to_middle + half}, counts);
+    };
+    begin_row("Middle");
+    for (int axis = 0; axis < 3; ++axis) {
+        const double centre = editor.workspace().box().centre()[axis];
+        const NumberStyle style{.format = length_format(diagonal),
+                                .left = centre - kMostDistance * diagonal,
+                                .right = centre + kMostDistance * diagonal};
+        Vec3 changed = middle;
+        const auto set = draw_third("Middle", axis, middle[axis], style, kMiddleHelp);
+        if (!set) continue;
+        changed[axis] = *set;
+        resize(changed, size);
+    }
+    begin_row("Size");
+    for (int axis = 0; axis < 3; ++axis) {
+        const NumberStyle style{.format = length_format(diagonal),
+                                .left = kLeastSize * diagonal,
+                                .right = kMostSize * diagonal,
+                                .is_logarithmic = true};
+        Vec3 changed = size;
+        const auto set = draw_third("Size", axis, size[axis], style, kSizeHelp);
+        if (!set) continue;
+        changed[axis] = *set;
+        resize(middle, changed);
+    }
 }
 
 }  // namespace pectin

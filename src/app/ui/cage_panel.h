@@ -1,27 +1,24 @@
-// The settings that say which lattice drags use: that of the brush, or a cage.
+// The section Cage: the box of control points around the object.
 #pragma once
 
 #include <optional>
 
 #include "app/editor.h"
+#include "app/ui/number_field.h"
 
 namespace pectin {
 
 class CagePanel {
   public:
-    // scale: of the screen.
-    void draw(Editor& editor, float scale);
+    void draw(Editor& editor);
 
   private:
-    void draw_brush(Editor& editor, float scale);
-    void draw_cage(Editor& editor, const Lattice& cage, float scale);
-    void draw_cage_actions(Editor& editor) const;
+    void draw_counts(Editor& editor, const Box& box, const IVec3& counts);
+    void draw_box(Editor& editor, const Box& box, const IVec3& counts);
+    std::optional<double> draw_third(const char* name, int axis, double value,
+                                     const NumberStyle& style, const char* help);
 
-    std::optional<int> edited_span_;
-    // Values of fields that are being edited.
-    std::optional<Box> edited_box_;
-    std::optional<IVec3> edited_counts_;
-    IVec3 counts_{4};  // for the next cage
+    NumberField fields_;
 };
 
 }  // namespace pectin

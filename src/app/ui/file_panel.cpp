@@ -6,8 +6,12 @@
 #include <algorithm>
 #include <array>
 #include <cstdio>
+#include <filesystem>
 #include <optional>
 #include <utility>
+
+#include "app/ui/action_widgets.h"
+#include "io/printable.h"
 
 namespace pectin {
 namespace {
@@ -40,6 +44,7 @@ void draw_breadcrumbs(FileBrowser& browser) {
         }
         ImGui::PushID(static_cast<int>(i));
         if (ImGui::Button(crumbs[i].name.c_str())) target = crumbs[i].path;
+        tooltip(crumbs[i].name.c_str(), "Go to this folder.");
         ImGui::PopID();
     }
     if (target) browser.open_folder(*target);
@@ -67,6 +72,8 @@ bool draw_entries(FileBrowser& browser) {
                 chosen = ImGui::IsMouseDoubleClicked(ImGuiMouseButton_Left);
             }
         }
+        tooltip(label.c_str(),
+                entry.is_folder ? "Click to open the folder." : "Double-click to use this file.");
         if (entry.is_folder) continue;
         const std::string size = size_text(entry.bytes);
         ImGui::SameLine(ImGui::GetContentRegionMax().x - ImGui::CalcTextSize(size.c_str()).x);
@@ -78,13 +85,17 @@ bool draw_entries(FileBrowser& browser) {
 
 void draw_replace_question(DocumentController& document, float scale) {
     const bool is_wanted = !document.file_to_replace().empty();
-    if (!begin_dialog(is_wanted, "Replace the file?", 420.0f * scale, 0.0f)) return;
-    ImGui::TextWrapped("%s already exists.", document.file_to_replace().c_str());
+    const std::string name = std::filesystem::path(document.file_to_replace()).filename().string();
+    const std::string title = "Replace " + printable(name) + "?###replace question";
+    if (!begin_dialog(is_wanted, title.c_str(), 460.0f * scale, 0.0f)) return;
+    ImGui::TextWrapped("%s already exists. Replace it?", printable(name).c_str());
     ImGui::Spacing();
     const ImVec2 size(110.0f * scale, 0.0f);
     const bool replaces = ImGui::Button("Replace", size);
+    tooltip("Replace", "Save over the file. (Enter)");
     ImGui::SameLine();
     if (ImGui::Button("Keep it", size)) document.keep_file();
+    tooltip("Keep it", "Choose another name. (Esc)");
     if (replaces || document.take_enter()) document.accept_file();
     ImGui::EndPopup();
 }
@@ -134,13 +145,16 @@ void draw_file_panel(DocumentController& document, float scale) {
     ImGui::SetNextItemWidth(-1.0f);
     ImGui::InputTextWithHint("##name", "Name or path", &browser.name,
                              ImGuiInputTextFlags_AutoSelectAll);
+    tooltip("Name", "The name of the file or its path, in which ~ is your home folder.");
     ImGui::PopID();
     const ImVec2 size(110.0f * scale, 0.0f);
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - 2.0f * size.x -
                          ImGui::GetStyle().ItemSpacing.x);
     const bool cancels = ImGui::Button("Cancel", size);
+    tooltip("Cancel", "Close without choosing a file. (Esc)");
     ImGui::SameLine();
     accepts |= ImGui::Button(browser.accept_label(), size) || has_enter;
+    tooltip(browser.accept_label(), "Use the file that is named. (Enter)");
     draw_replace_question(document, scale);
     ImGui::EndPopup();
     // These may close the browser.

@@ -106,6 +106,12 @@ void scroll_wheel(double amount) {
 #endif
 }
 
+// Whether the keys move within a menu. Enter chooses there, which for Dear ImGui is Space.
+bool chooses_by_keyboard() {
+    return (ImGui::GetIO().ConfigFlags & ImGuiConfigFlags_NavEnableKeyboard) != 0 &&
+           !ImGui::GetIO().WantTextInput;
+}
+
 struct PassToImGui {
     void operator()(const event::MouseMove& move) const {
         set_modifiers(move.modifiers);
@@ -132,8 +138,12 @@ struct PassToImGui {
     void operator()(const event::KeyDown& down) const {
         set_modifiers(down.modifiers);
         set_key(down.key, true);
+        if (down.key == Key::enter) set_key(Key::space, chooses_by_keyboard());
     }
-    void operator()(const event::KeyUp& up) const { set_key(up.key, false); }
+    void operator()(const event::KeyUp& up) const {
+        set_key(up.key, false);
+        if (up.key == Key::enter) set_key(Key::space, false);
+    }
     void operator()(const event::Character& character) const {
         ImGui::GetIO().AddInputCharacter(character.code);
     }

@@ -16,6 +16,8 @@ namespace {
 // Number of layouts after which a window that has just opened has its size, and its text field has
 // the keyboard focus.
 constexpr int kLayoutsToSettle = 3;
+// Larger letters would need a texture that is larger than some drivers allow.
+constexpr float kMostFontScale = 6.0f;
 constexpr float kShortestLayout = 1e-6f;  // seconds; Dear ImGui requires a positive time
 
 // Of several such events in a row, only the last one matters.
@@ -44,8 +46,8 @@ ImVec2 to_imgui(const Vec2& v) { return {static_cast<float>(v.x), static_cast<fl
 
 }  // namespace
 
-Interface::Interface(float scale, Clipboard clipboard)
-    : clipboard_(std::move(clipboard)), panels_(scale) {
+Interface::Interface(float screen_scale, Clipboard clipboard)
+    : clipboard_(std::move(clipboard)), screen_scale_(screen_scale) {
     IMGUI_CHECKVERSION();
     ImGui::CreateContext();
     ImGuiIO& io = ImGui::GetIO();
@@ -64,8 +66,8 @@ Interface::Interface(float scale, Clipboard clipboard)
         if (self.clipboard_.write) self.clipboard_.write(self.clipboard_text_);
     };
     set_up_imgui_input();
-    apply_theme(scale);
-    io.Fonts->Build();
+    controls_ = std::make_unique<ControlList>();
+    follow_preferences({});
 }
 
 Interface::~Interface() { ImGui::DestroyContext(); }
@@ -87,7 +89,8 @@ void Interface::handle(Editor& editor, const InputEvent& input) {
     if (const auto* resize = std::get_if<event::Resize>(&input)) {
         ImGui::GetIO().DisplaySize = to_imgui(Vec2(resize->size));
     }
-    feed_imgui(input);
+    const auto* const key = std::get_if<event::KeyDown>(&input);
+    if (!key || !panels_.take_key(key->key)) feed_imgui(input);
     editor.handle(input, panels_.claims(cursor_));
     if (moves) {
         has_moved_ = true;
@@ -103,14 +106,40 @@ void Interface::settle(Editor& editor, int layouts) {
     }
 }
 
+// Sets theme and sizes as the user wants them now. Precondition: no frame is being laid out.
+void Interface::follow_preferences(const Preferences& preferences) {
+    const float scale =
+        std::min(screen_scale_ * static_cast<float>(preferences.scale), kMostFontScale);
+    if (scale == scale_ && preferences.theme == theme_) return;
+    apply_theme(preferences.theme, scale);
+    if (scale != scale_) {
+        load_fonts(scale);
+        ++font_version_;
+    }
+    scale_ = scale;
+    theme_ = preferences.theme;
+}
+
+// The keyboard moves within menus and lists that are open, and nowhere else: dialogs and the
+// viewport have their own keys.
+void Interface::enable_menu_keys(const Editor& editor) {
+    const bool is_enabled =
+        !ImGui::GetCurrentContext()->OpenPopupStack.empty() && !editor.has_dialog();
+    ImGuiConfigFlags& flags = ImGui::GetIO().ConfigFlags;
+    flags &= ~ImGuiConfigFlags_NavEnableKeyboard;
+    if (is_enabled) flags |= ImGuiConfigFlags_NavEnableKeyboard;
+}
+
 void Interface::begin_layout(Editor& editor) {
+    follow_preferences(editor.preferences);
+    enable_menu_keys(editor);
     const auto now = std::chrono::steady_clock::now();
     const std::chrono::duration<float> passed = now - std::exchange(last_layout_, now);
     ImGui::GetIO().DeltaTime = std::max(passed.count(), kShortestLayout);
     has_moved_ = false;
     ImGui::NewFrame();
     try {
-        panels_.draw(editor, figures_);
+        panels_.draw(editor, figures_, scale_);
     } catch (...) {
         // Ends the windows and groups that were begun, so that the next layout can begin.
         ImGui::ErrorCheckEndFrameRecover(nullptr);

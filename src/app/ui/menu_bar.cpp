@@ -5,6 +5,7 @@
 #include <array>
 #include <cstddef>
 #include <string>
+#include <utility>
 
 #include "app/ui/action_widgets.h"
 #include "app/ui/figure_text.h"
@@ -15,6 +16,9 @@ namespace {
 // The limits that the menu offers, in bytes.
 constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, History::kDefaultLimit,
                                                  3'000'000'000, 10'000'000'000};
+
+// The menus of the bar, from left to right.
+constexpr std::array kMenus{Menu::file, Menu::edit, Menu::view, Menu::tools};
 
 const char* title(Menu menu) {
     switch (menu) {
@@ -51,9 +55,22 @@ void draw_undo_limits(Editor& editor) {
 
 void MenuBar::draw(Editor& editor) {
     hovered_.reset();
-    for (const Menu menu : {Menu::file, Menu::edit, Menu::view, Menu::tools}) {
-        draw_menu(editor, menu);
+    open_.reset();
+    is_at_submenu_ = false;
+    if (std::exchange(editor.menus_requested, false)) requested_ = 0;
+    if (requested_) ImGui::OpenPopup(title(kMenus[*requested_]));
+    requested_.reset();
+    for (std::size_t i = 0; i < kMenus.size(); ++i) {
+        if (ImGui::IsPopupOpen(title(kMenus[i]))) open_ = i;
+        draw_menu(editor, kMenus[i]);
     }
+}
+
+bool MenuBar::take_key(Key key) {
+    if (!open_ || is_at_submenu_ || (key != Key::left && key != Key::right)) return false;
+    const std::size_t step = key == Key::right ? 1 : kMenus.size() - 1;
+    requested_ = (*open_ + step) % kMenus.size();
+    return true;
 }
 
 void MenuBar::draw_menu(Editor& editor, Menu menu) {
@@ -66,10 +83,16 @@ void MenuBar::draw_menu(Editor& editor, Menu menu) {
     ImGui::EndMenu();
 }
 
+void MenuBar::draw_submenu(Editor& editor, Menu menu) {
+    is_at_submenu_ |= ImGui::IsPopupOpen(title(menu));
+    draw_menu(editor, menu);
+    is_at_submenu_ |= ImGui::IsItemHovered();
+}
+
 void MenuBar::draw_entries(Editor& editor, Menu menu) {
     for (const ActionInfo& info : all_actions()) {
         if (info.menu != menu) continue;
-        if (info.submenu_before) draw_menu(editor, *info.submenu_before);
+        if (info.submenu_before) draw_submenu(editor, *info.submenu_before);
         if (info.begins_group) ImGui::Separator();
         draw_entry(editor, info);
     }

@@ -1,60 +1,87 @@
 #include "app/ui/panels.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "app/ui/action_widgets.h"
-#include "app/ui/figure_text.h"
 #include "app/ui/file_panel.h"
 #include "app/ui/progress_panel.h"
+#include "app/ui/questions.h"
+#include "app/ui/theme.h"
+#include "app/ui/tool_strip.h"
 
 namespace pectin {
 namespace {
 
 constexpr ImGuiWindowFlags kFixed = ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav;
-constexpr ImGuiWindowFlags kBare = kFixed | ImGuiWindowFlags_NoTitleBar |
-                                   ImGuiWindowFlags_NoScrollbar |
-                                   ImGuiWindowFlags_NoFocusOnAppearing;
-constexpr float kMargin = 12.0f;  // between panels and the window's edge
-constexpr float kSettingsWidth = 310.0f;
+                                    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav |
+                                    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoCollapse |
+                                    ImGuiWindowFlags_NoFocusOnAppearing;
+constexpr ImGuiWindowFlags kBare = kFixed | ImGuiWindowFlags_NoScrollbar;
 
+constexpr float kMargin = 12.0f;  // between a message or a hint and what is beside it
+constexpr float kSideWidth = 312.0f;
+constexpr float kMostSideWidth = 0.5f;  // of the window
+constexpr float kStripPadding = 5.0f;
 constexpr float kMessageGap = 12.0f;  // between a message and its close button
-
-const ImVec4 kWarning(0.93f, 0.74f, 0.45f, 1.0f);
-const ImVec4 kWarningBorder(0.86f, 0.62f, 0.34f, 0.8f);
+constexpr float kHintOpacity = 0.8f;
+constexpr float kLeastHintWidth = 18.0f;  // in heights of the font
 
 std::array<std::string, 3> hint_lines() {
-    return {"Drag a point of the surface. Its surroundings follow.",
-            "Drag beside the object to orbit, with Shift to pan. The wheel zooms.",
+    return {"Drag the surface to pull it; the area around it follows.",
+            "Drag the background to rotate the view, Shift+drag to pan; wheel to zoom.",
             shortcut_label(Action::smaller_radius) + " and " +
-                shortcut_label(Action::larger_radius) + " change the brush radius, " +
-                shortcut_label(Action::toggle_symmetry) + " toggles symmetry, " +
-                shortcut_label(Action::undo) + " undoes a drag."};
+                shortcut_label(Action::larger_radius) + " change the radius, " +
+                shortcut_label(Action::toggle_symmetry) + " switches symmetry, " +
+                shortcut_label(Action::undo) + " takes a drag back."};
+}
+
+ImVec2 to_imgui(const Vec2& v) { return {static_cast<float>(v.x), static_cast<float>(v.y)}; }
+
+// Places the next window at the border of the free area and lets its edges be straight.
+void begin_docked(const char* name, const ImVec2& at, const ImVec2& size, const ImVec2& padding,
+                  ImGuiWindowFlags flags) {
+    ImGui::SetNextWindowPos(at);
+    ImGui::SetNextWindowSize(size);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, padding);
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
+    ImGui::Begin(name, nullptr, flags);
+    ImGui::PopStyleVar(4);
 }
 
 }  // namespace
 
-void Panels::draw(Editor& editor, const PictureFigures& figures) {
+void Panels::draw(Editor& editor, const PictureFigures& figures, float scale) {
     const bool had_dialog = editor.has_dialog();
+    scale_ = scale;
     areas_.clear();
+    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    free_ = {{0.0, 0.0}, {display.x, display.y}};
+    close_menu_if_wanted(editor);
     draw_selection(editor);
-    draw_hint(editor);  // first, so that the panels cover it in a small window
     draw_menus(editor);
     draw_status(editor, figures);
-    draw_tools(editor);
-    draw_settings(editor);
+    if (!editor.preferences.hides_panels) {
+        draw_strip(editor);
+        draw_side(editor);
+    }
+    side_.update_preview(editor);
+    draw_hint(editor);
     draw_message(editor);
-    draw_question(editor);
-    draw_recovery_question(editor.document());
-    draw_file_panel(editor.document(), scale_);
-    draw_progress_panel(editor, scale_);
+    draw_questions(editor, scale);
+    draw_file_panel(editor.document(), scale);
+    draw_progress_panel(editor, scale);
     // A dialog that was closed in this frame claims no input, though Dear ImGui still counts it.
     has_popup_ = editor.has_dialog() ||
                  (!had_dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
                                                             ImGuiPopupFlags_AnyPopupLevel));
+    has_menu_ = has_popup_ && !editor.has_dialog();
     has_text_field_ = !had_dialog && ImGui::IsAnyItemActive() && ImGui::GetIO().WantTextInput;
 }
 
@@ -65,200 +92,103 @@ UiClaims Panels::claims(const Vec2& at) const {
     return {.mouse = has_popup_ || is_inside, .keyboard = has_popup_ || has_text_field_};
 }
 
+bool Panels::take_key(Key key) {
+    if (key != Key::escape || !has_menu_) return menus_.take_key(key);
+    closes_menu_ = true;
+    return true;
+}
+
+// Closes the open menu with its submenus, or the open list. Only closing a submenu would be no use,
+// since the cursor over its entry opens it again.
+void Panels::close_menu_if_wanted(const Editor& editor) {
+    const bool is_open = !ImGui::GetCurrentContext()->OpenPopupStack.empty();
+    if (std::exchange(closes_menu_, false) && is_open && !editor.has_dialog()) {
+        ImGui::ClosePopupToLevel(0, true);
+    }
+}
+
 void Panels::claim_window() {
     const ImVec2 at = ImGui::GetWindowPos(), size = ImGui::GetWindowSize();
     areas_.push_back({{at.x, at.y}, {at.x + size.x, at.y + size.y}});
 }
 
 void Panels::draw_menus(Editor& editor) {
-    if (!ImGui::BeginMainMenuBar()) return;
-    menu_height_ = ImGui::GetWindowSize().y;
+    ImGui::PushStyleVar(ImGuiStyleVar_WindowBorderSize, 0.0f);
+    const bool is_open = ImGui::BeginMainMenuBar();
+    ImGui::PopStyleVar();
+    if (!is_open) return;
+    free_.min.y = ImGui::GetWindowSize().y;
     claim_window();
     menus_.draw(editor);
     ImGui::EndMainMenuBar();
 }
 
-void Panels::draw_tools(Editor& editor) {
-    const float top = menu_height_ + scaled(kMargin);
-    ImGui::SetNextWindowPos(ImVec2(scaled(kMargin), top));
-    ImGui::Begin("tools", nullptr, kBare | ImGuiWindowFlags_AlwaysAutoResize);
-    claim_window();
-    const float below = status_height_ + scaled(kMargin) + 2.0f * ImGui::GetStyle().WindowPadding.y;
-    tools_.draw(editor, scale_, ImGui::GetIO().DisplaySize.y - top - below);
-    ImGui::End();
-}
-
-void Panels::draw_settings(Editor& editor) {
-    const float width = scaled(kSettingsWidth), top = menu_height_ + scaled(kMargin);
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(display.x - width - scaled(kMargin), top));
-    ImGui::SetNextWindowSizeConstraints(
-        ImVec2(width, 0.0f),
-        ImVec2(width, std::max(scaled(80.0f), display.y - top - status_height_ - scaled(kMargin))));
-    const bool is_open =
-        ImGui::Begin("Settings", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize);
-    claim_window();
-    if (is_open) {
-        if (ImGui::CollapsingHeader("Refine", ImGuiTreeNodeFlags_DefaultOpen)) refine_.draw(editor);
-        if (editor.shown_settings().cage &&
-            ImGui::CollapsingHeader("Lattice", ImGuiTreeNodeFlags_DefaultOpen)) {
-            cage_.draw(editor, scale_);
-        }
-        if (ImGui::CollapsingHeader("Display", ImGuiTreeNodeFlags_DefaultOpen)) {
-            draw_display_settings(editor);
-        }
-    }
-    ImGui::End();
-}
-
-void Panels::draw_display_settings(Editor& editor) {
-    action_checkbox(editor, Action::toggle_wireframe);
-    action_checkbox(editor, Action::toggle_levels);
-    action_checkbox(editor, Action::toggle_lattice);
-    action_checkbox(editor, Action::toggle_symmetry_plane);
-}
-
 void Panels::draw_status(const Editor& editor, const PictureFigures& figures) {
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    status_height_ = ImGui::GetFrameHeight() + scaled(4.0f);
-    ImGui::SetNextWindowPos(ImVec2(0.0f, display.y - status_height_));
-    ImGui::SetNextWindowSize(ImVec2(display.x, status_height_));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowRounding, 0.0f);
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowPadding, ImVec2(scaled(14.0f), scaled(6.0f)));
-    ImGui::PushStyleVar(ImGuiStyleVar_WindowMinSize, ImVec2(1.0f, 1.0f));
-    ImGui::Begin("status", nullptr, kBare);
+    const float height = ImGui::GetFrameHeight() + scaled(4.0f);
+    free_.max.y -= height;
+    const auto width = static_cast<float>(free_.max.x);
+    ImGui::PushStyleColor(ImGuiCol_WindowBg, ImGui::GetStyleColorVec4(ImGuiCol_MenuBarBg));
+    begin_docked("status", ImVec2(0.0f, static_cast<float>(free_.max.y)), ImVec2(width, height),
+                 ImVec2(scaled(12.0f), scaled(2.0f)), kBare);
     claim_window();
-    const FrameFigures frame = editor.figures();
-    const ObjectFigures object = editor.workspace().object_figures();
-    ImGui::TextUnformatted(counted(object.faces, "triangle", "triangles").c_str());
-    ImGui::SameLine(scaled(180.0f));
-    ImGui::Text("+%s  −%s", grouped(frame.splits).c_str(), grouped(frame.unsplits).c_str());
-    if (ImGui::IsItemHovered()) {
-        begin_status_tooltip("Splits and removals of the last frame");
-        ImGui::EndTooltip();
-    }
-    ImGui::SameLine(scaled(320.0f));
-    ImGui::Text("%.1f ms", 1e3 * frame.seconds);
-    if (ImGui::IsItemHovered()) draw_frame_tooltip(frame, figures);
-    ImGui::SameLine(scaled(420.0f));
-    ImGui::Text("%.0f MB", 1e-6 * static_cast<double>(figures.memory_bytes));
-    if (ImGui::IsItemHovered()) draw_memory_tooltip(object, figures);
-    draw_status_text(editor, draw_drag_figures(editor));
+    status_.draw(editor, figures, scale_);
     ImGui::End();
-    ImGui::PopStyleVar(3);
+    ImGui::PopStyleColor();
 }
 
-// Draws on the right of the status line what was just confirmed, or else what the mouse does here.
-// A text that does not fit beside the figures, which end at `left`, is left out; draw_message()
-// shows the confirmation then.
-void Panels::draw_status_text(const Editor& editor, float left) {
-    const bool is_confirmation = editor.workspace().message_is_confirmation();
-    const std::string text =
-        is_confirmation ? editor.workspace().message() : std::string(editor.status_hint());
-    const float width = ImGui::CalcTextSize(text.c_str()).x;
-    const float begin =
-        ImGui::GetIO().DisplaySize.x - width - ImGui::GetStyle().WindowPadding.x - scaled(2.0f);
-    const bool fits = !text.empty() && text.find('\n') == text.npos && begin >= left;
-    status_confirms_ = is_confirmation && fits;
-    if (!fits) return;
-    ImGui::SameLine(begin);
-    const ImGuiCol colour = is_confirmation ? ImGuiCol_Text : ImGuiCol_TextDisabled;
-    ImGui::TextColored(ImGui::GetStyleColorVec4(colour), "%s", text.c_str());
+void Panels::draw_strip(Editor& editor) {
+    const float padding = scaled(kStripPadding);
+    const auto height = static_cast<float>(free_.max.y - free_.min.y);
+    const float button = tool_button_size(height - 2.0f * padding, scale_);
+    const float width = button + 2.0f * padding;
+    begin_docked("tools", to_imgui(free_.min), ImVec2(width, height), ImVec2(padding, padding),
+                 kBare);
+    claim_window();
+    draw_tool_strip(editor, button);
+    ImGui::End();
+    free_.min.x += width;
 }
 
-// Begins a tooltip above the status bar, so that the bar stays visible.
-void Panels::begin_status_tooltip(const char* title) const {
-    const float left = ImGui::GetItemRectMin().x - ImGui::GetStyle().WindowPadding.x;
-    const float bottom = ImGui::GetIO().DisplaySize.y - status_height_ - scaled(4.0f);
-    ImGui::SetNextWindowPos(ImVec2(left, bottom), ImGuiCond_Always, ImVec2(0.0f, 1.0f));
-    ImGui::BeginTooltip();
-    ImGui::TextUnformatted(title);
-}
-
-void Panels::tooltip_row(const char* what, const std::string& figure) const {
-    ImGui::TextDisabled("%s", what);
-    ImGui::SameLine(scaled(90.0f));
-    ImGui::TextUnformatted(figure.c_str());
-}
-
-void Panels::draw_frame_tooltip(const FrameFigures& frame, const PictureFigures& figures) const {
-    begin_status_tooltip("Last frame of a drag");
-    tooltip_row("deforming", formatted("%.1f ms", 1e3 * frame.deform_seconds));
-    tooltip_row("refining", formatted("%.1f ms", 1e3 * frame.refine_seconds));
-    tooltip_row("decimating", formatted("%.1f ms", 1e3 * frame.decimate_seconds));
-    tooltip_row("uploaded", counted(figures.uploaded_bytes, "byte", "bytes") + " in " +
-                                counted(figures.uploaded_ranges, "piece", "pieces"));
-    ImGui::EndTooltip();
-}
-
-void Panels::draw_memory_tooltip(const ObjectFigures& object, const PictureFigures& figures) const {
-    begin_status_tooltip("Memory");
-    tooltip_row("program", megabytes(figures.memory_bytes));
-    tooltip_row("undo", undo_memory(object));
-    tooltip_row("steps", grouped(object.undo_steps) + " to undo, " + grouped(object.redo_steps) +
-                             " to redo");
-    if (object.lost_undo_steps > 0) {
-        tooltip_row("dropped", grouped(object.lost_undo_steps) + " older");
-    }
-    ImGui::EndTooltip();
-}
-
-// Draws those figures of the drag that are worth showing, one beside the other. Returns where the
-// next would begin.
-float Panels::draw_drag_figures(const Editor& editor) const {
-    const FrameFigures frame = editor.figures();
-    float left = scaled(520.0f);
-    const auto add_text = [&](const std::string& text, const ImVec4& colour) {
-        ImGui::SameLine(left);
-        ImGui::TextColored(colour, "%s", text.c_str());
-        left += ImGui::CalcTextSize(text.c_str()).x + scaled(24.0f);
-    };
-    const ImVec4 plain = ImGui::GetStyleColorVec4(ImGuiCol_Text);
-    if (frame.steps > 1) add_text(std::to_string(frame.steps) + " steps", plain);
-    if (frame.degrees != 0.0) add_text(formatted("twist %.0f°", frame.degrees), plain);
-    if (frame.scale != 1.0) add_text(formatted("scale %.2f", frame.scale), plain);
-    if (frame.folded > 0) {
-        add_text(counted(frame.folded, "vertex folded", "vertices folded"), kWarning);
-    }
-    if (frame.budget_hit) {
-        add_text("the triangle budget is used up", kWarning);
-    } else if (frame.drag_budget_hit) {
-        add_text("the triangle budget of a drag is used up", kWarning);
-    }
-    if (frame.floor_hit && !frame.budget_hit) {
-        add_text("edges have reached the least length", kWarning);
-    }
-    return left;
+void Panels::draw_side(Editor& editor) {
+    const auto display = static_cast<float>(free_.max.x);
+    const float width = std::min(scaled(kSideWidth), kMostSideWidth * display);
+    const auto height = static_cast<float>(free_.max.y - free_.min.y);
+    begin_docked("settings", ImVec2(display - width, static_cast<float>(free_.min.y)),
+                 ImVec2(width, height), ImVec2(scaled(10.0f), scaled(8.0f)), kFixed);
+    claim_window();
+    side_.draw(editor);
+    ImGui::End();
+    free_.max.x -= width;
 }
 
 // Draws the box with which a tool is selecting.
 void Panels::draw_selection(const Editor& editor) const {
     const std::optional<ScreenBox> box = editor.selection_box();
     if (!box) return;
-    const auto at = [](const Vec2& v) {
-        return ImVec2(static_cast<float>(v.x), static_cast<float>(v.y));
-    };
     const Vec2 low = glm::min(box->from, box->to), high = glm::max(box->from, box->to);
     ImDrawList& list = *ImGui::GetBackgroundDrawList();
-    list.AddRectFilled(at(low), at(high), IM_COL32(255, 190, 90, 28));
-    list.AddRect(at(low), at(high), IM_COL32(255, 190, 90, 210), 0.0f, 0, scaled(1.2f));
+    ImVec4 colour = theme_colour(ThemeColour::selection);
+    list.AddRect(to_imgui(low), to_imgui(high), ImGui::GetColorU32(colour), 0.0f, 0, scaled(1.2f));
+    colour.w = 0.12f;
+    list.AddRectFilled(to_imgui(low), to_imgui(high), ImGui::GetColorU32(colour));
 }
 
 void Panels::draw_message(Editor& editor) {
-    const std::string message = editor.workspace().message();
-    if (message.empty() || status_confirms_) return;
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
+    const Workspace& workspace = editor.workspace();
+    const std::string message = workspace.message();
+    if (message.empty() || status_.shows_message()) return;
     const float close = ImGui::GetFrameHeight();
-    // The message is between the panels. In a narrow window it covers them.
-    const float frame = close + scaled(kMessageGap) + 2.0f * ImGui::GetStyle().WindowPadding.x;
-    const float between_panels = display.x - 2.0f * scaled(kSettingsWidth + 2.0f * kMargin) - frame;
-    const float longest = std::max(between_panels, 0.4f * display.x);
+    const float frame =
+        close + scaled(kMessageGap + 2.0f * kMargin) + 2.0f * ImGui::GetStyle().WindowPadding.x;
+    const auto free_width = static_cast<float>(free_.max.x - free_.min.x);
+    const float longest = std::max(free_width - frame, scaled(120.0f));
     const float text = std::min(longest, ImGui::CalcTextSize(message.c_str()).x + scaled(2.0f));
-    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, menu_height_ + scaled(kMargin)),
-                            ImGuiCond_Always, ImVec2(0.5f, 0.0f));
-    ImGui::PushStyleColor(ImGuiCol_Border, editor.workspace().message_is_confirmation()
-                                               ? ImGui::GetStyleColorVec4(ImGuiCol_Border)
-                                               : kWarningBorder);
+    const Vec2 at{0.5 * (free_.min.x + free_.max.x),
+                  free_.min.y + static_cast<double>(scaled(kMargin))};
+    ImGui::SetNextWindowPos(to_imgui(at), ImGuiCond_Always, ImVec2(0.5f, 0.0f));
+    ImGui::PushStyleColor(ImGuiCol_Border, workspace.message_warns()
+                                               ? theme_colour(ThemeColour::warning_border)
+                                               : ImGui::GetStyleColorVec4(ImGuiCol_Border));
     ImGui::Begin("message", nullptr, kBare | ImGuiWindowFlags_AlwaysAutoResize);
     claim_window();
     const float left = ImGui::GetCursorPosX();
@@ -268,58 +198,33 @@ void Panels::draw_message(Editor& editor) {
     ImGui::PopTextWrapPos();
     ImGui::SameLine(left + text + scaled(kMessageGap));
     if (ImGui::Button("×", ImVec2(close, close))) editor.workspace().dismiss();
+    tooltip("×", "Close the message. (Esc)");
     ImGui::End();
     ImGui::PopStyleColor();
 }
 
-void Panels::draw_hint(const Editor& editor) {
+void Panels::draw_hint(const Editor& editor) const {
     if (!editor.shows_hint()) return;
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, display.y - status_height_ - scaled(kMargin)),
-                            ImGuiCond_Always, ImVec2(0.5f, 1.0f));
-    ImGui::SetNextWindowBgAlpha(0.72f);
+    const auto lines = hint_lines();
+    float width = 0.0f;
+    for (const std::string& line : lines) {
+        width = std::max(width, ImGui::CalcTextSize(line.c_str()).x);
+    }
+    const auto free_width = static_cast<float>(free_.max.x - free_.min.x);
+    const float padding = 2.0f * (ImGui::GetStyle().WindowPadding.x + scaled(kMargin));
+    const float wrap = std::min(width + scaled(2.0f), free_width - padding);
+    // In a small window the hint would hide the object. The status line says the same.
+    if (wrap < kLeastHintWidth * ImGui::GetFontSize()) return;
+    const Vec2 at{0.5 * (free_.min.x + free_.max.x),
+                  free_.max.y - static_cast<double>(scaled(kMargin))};
+    ImGui::SetNextWindowPos(to_imgui(at), ImGuiCond_Always, ImVec2(0.5f, 1.0f));
+    ImGui::SetNextWindowBgAlpha(kHintOpacity);
     ImGui::Begin("hint", nullptr,
                  kBare | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
-    for (const std::string& line : hint_lines()) ImGui::TextUnformatted(line.c_str());
+    ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
+    for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
+    ImGui::PopTextWrapPos();
     ImGui::End();
-}
-
-void Panels::draw_question(Editor& editor) {
-    using Answer = DocumentController::Answer;
-    DocumentController& document = editor.document();
-    const bool is_wanted = document.question() != nullptr;
-    if (!begin_dialog(is_wanted, "Save the changes?", scaled(440.0f), 0.0f)) return;
-    ImGui::TextWrapped("%s has unsaved changes.", editor.workspace().object_name().c_str());
-    ImGui::Spacing();
-    const ImVec2 size(scaled(120.0f), 0.0f);
-    std::optional<Answer> answer;
-    if (ImGui::Button("Save", size) || document.take_enter()) answer = Answer::save;
-    ImGui::SameLine();
-    if (ImGui::Button("Don't save", size)) answer = Answer::discard;
-    ImGui::SameLine();
-    if (ImGui::Button("Cancel", size)) answer = Answer::cancel;
-    ImGui::EndPopup();
-    if (answer) document.answer(*answer);
-}
-
-void Panels::draw_recovery_question(DocumentController& document) {
-    using Answer = DocumentController::RecoveryAnswer;
-    const LostSession* const session = document.offered_session();
-    if (!begin_dialog(session != nullptr, "Restore the last session?", scaled(460.0f), 0.0f)) {
-        return;
-    }
-    ImGui::TextWrapped("pectin ended unexpectedly, with unsaved changes to \"%s\".",
-                       session->object.c_str());
-    ImGui::Spacing();
-    const ImVec2 size(scaled(120.0f), 0.0f);
-    std::optional<Answer> answer;
-    if (ImGui::Button("Restore", size) || document.take_enter()) answer = Answer::restore;
-    ImGui::SameLine();
-    if (ImGui::Button("Discard", size)) answer = Answer::discard;
-    ImGui::SameLine();
-    if (ImGui::Button("Later", size)) answer = Answer::later;
-    ImGui::EndPopup();
-    if (answer) document.answer_recovery(*answer);
 }
 
 }  // namespace pectin

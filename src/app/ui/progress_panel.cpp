@@ -11,6 +11,7 @@
 #include <string>
 
 #include "app/command_kind.h"
+#include "app/ui/action_widgets.h"
 #include "app/ui/file_panel.h"
 
 namespace pectin {
@@ -74,8 +75,8 @@ const char* title_of(const EditTask& edit) {
     if (!edit.command()) return "Applying the drag";
     if (is_any_of<command::Undo>(*edit.command())) return "Undoing";
     if (is_any_of<command::Redo>(*edit.command())) return "Redoing";
-    if (is_any_of<command::Bake>(*edit.command())) return "Baking";
-    return "Refining and decimating";
+    if (is_any_of<command::Bake>(*edit.command())) return "Keeping the triangles";
+    return "Applying the detail";
 }
 
 Work describe(const EditTask& edit) {
@@ -111,6 +112,7 @@ void draw_progress_panel(Editor& editor, float scale) {
     ImGui::BeginDisabled(work->is_cancelled);
     if (ImGui::Button(work->is_cancelled ? "Cancelling…" : "Cancel", size))
         editor.document().cancel_work();
+    tooltip("Cancel", "Stop, and leave everything as it was. (Esc)");
     ImGui::EndDisabled();
     ImGui::EndPopup();
 }

@@ -1,0 +1,77 @@
+// The shortcuts of actions: which action a key means, and how menus and tooltips name it.
+#include <algorithm>
+
+#include "app/actions.h"
+
+namespace pectin {
+namespace {
+
+template <typename Matches>
+std::optional<Action> find_action(const Matches& matches) {
+    for (const ActionInfo& info : all_actions()) {
+        if (std::ranges::any_of(info.shortcuts, matches)) return info.action;
+    }
+    return std::nullopt;
+}
+
+std::string key_name(const Shortcut& shortcut) {
+    if (shortcut.character != 0) return std::string(1, shortcut.character);
+    switch (shortcut.key) {
+        case Key::tab:
+            return "Tab";
+        case Key::home:
+            return "Home";
+        case Key::keypad_1:
+            return "Keypad 1";
+        case Key::keypad_3:
+            return "Keypad 3";
+        case Key::keypad_7:
+            return "Keypad 7";
+        case Key::f10:
+            return "F10";
+        default:
+            return std::string(1, static_cast<char>(shortcut.key));
+    }
+}
+
+}  // namespace
+
+std::optional<Action> action_for(Key key, const Modifiers& modifiers) {
+    if (key == Key::none) return std::nullopt;
+    return find_action([&](const Shortcut& shortcut) {
+        return shortcut.key == key && shortcut.modifiers.shift == modifiers.shift &&
+               shortcut.modifiers.control == modifiers.control;
+    });
+}
+
+std::optional<Action> action_for(unsigned int character) {
+    if (character == 0) return std::nullopt;
+    return find_action([&](const Shortcut& shortcut) {
+        return static_cast<unsigned char>(shortcut.character) == character;
+    });
+}
+
+std::string label_of(const Shortcut& shortcut) {
+    if (!shortcut.exists()) return {};
+    return std::string(shortcut.modifiers.control ? "Ctrl+" : "") +
+           (shortcut.modifiers.shift ? "Shift+" : "") + key_name(shortcut);
+}
+
+std::string shortcut_label(Action action) { return label_of(info_of(action).shortcuts.front()); }
+
+std::string shortcut_labels(Action action) {
+    std::string labels;
+    for (const Shortcut& shortcut : info_of(action).shortcuts) {
+        if (shortcut.exists()) labels += (labels.empty() ? "" : ", ") + label_of(shortcut);
+    }
+    return labels;
+}
+
+std::string tooltip_with_shortcuts(Action action) {
+    std::string text = info_of(action).tooltip;
+    const std::string labels = shortcut_labels(action);
+    if (!labels.empty()) text.insert(text.size() - 1, " (" + labels + ")");
+    return text;
+}
+
+}  // namespace pectin

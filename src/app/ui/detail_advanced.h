@@ -1,0 +1,24 @@
+// The settings behind the detail, each with its unit: angles, lengths and numbers of triangles.
+#pragma once
+
+#include "app/editor.h"
+#include "app/ui/number_field.h"
+
+namespace pectin {
+
+class DetailAdvanced {
+  public:
+    void draw(Editor& editor);
+
+  private:
+    struct Row;
+    void draw_row(Editor& editor, const Row& row);
+    static void draw_modes(Editor& editor, const Row& row);
+    void draw_angles(Editor& editor, const AdaptSettings& settings);
+    void draw_lengths(Editor& editor, const AdaptSettings& settings);
+    void draw_budgets(Editor& editor, const AdaptSettings& settings);
+
+    NumberField fields_;
+};
+
+}  // namespace pectin
