@@ -10,9 +10,10 @@
 
 namespace pectin {
 
-// What moves by less than this fraction of the drag does not count as moved. The field decreases to
-// 0 with the third power, so its last tenth is not visible.
-inline constexpr double kEndOfMotion = 1e-3;
+// What moves by less than this fraction of the drag does not count as moved: a drag across 250
+// pixels moves it by less than one. The field decreases to 0 with the third power, so that this is
+// well inside the zone of the lattice.
+inline constexpr double kEndOfMotion = 1.0 / 256.0;
 
 class BrushProfile {
   public:

@@ -6,9 +6,6 @@
 namespace pectin {
 namespace {
 
-// The basis of a control point reaches a point that is nearer than this along each axis, in cells.
-constexpr double kReach = 2.0;
-
 // Calls visit(control index, coefficient) for each control point that a row of unit length moves.
 template <typename Visit>
 void for_each_coefficient(const Lattice& lattice, const Constraint& constraint,
@@ -70,11 +67,9 @@ double PlateauBlocks::nearness(const Vec3& control, const Vec3& handle) const {
 }
 
 double PlateauBlocks::membership(const IVec3& control, const Vec3& handle) const {
-    const Vec3 offset = glm::abs(Vec3{control} - handle);
-    const bool reaches_handle = glm::all(glm::lessThan(offset, Vec3{kReach}));
     const IVec3& counts = lattice_.deformable;
     const double half = 0.5 * (std::max({counts.x, counts.y, counts.z}) - 1);
-    const double within = reaches_handle ? 1.0 : ramp(half + 0.5 - glm::length(offset));
+    const double within = ramp(half + 0.5 - glm::distance(Vec3{control}, handle));
     return within > 0.0 ? within * nearness(Vec3{control}, handle) : 0.0;
 }
 

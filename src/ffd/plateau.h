@@ -32,9 +32,9 @@ class PlateauBlocks {
                   std::span<const Vec3> points);
 
     // The coefficients for a driven constraint, one for each control point in the order of
-    // control_index. The block of a handle consists of the control points that reach it, and of
-    // those around it up to the border of the lattice, fading out at its edge, so that it is about
-    // round. Where another handle or a pin is nearer than the handle, the control points do not
+    // control_index. The block of a handle is a ball that reaches the border of a lattice around it
+    // and fades out over one cell, so that a plateau is about round. Its top is flat with 5 control
+    // points per axis or more. Where another handle or a pin is nearer, the control points do not
     // belong to the block; neighbouring blocks meet without a gap. With a plane all blocks are on
     // the side of the plane where the middle of the lattice is, and the mirror image of the lattice
     // has the other half. For a derivative along an axis the coefficients are the distances from
