@@ -39,11 +39,13 @@ enum class Action {
     toggle_wireframe,
     toggle_lattice,
     toggle_levels,
+    toggle_drag_lattice,
     toggle_symmetry_plane,
     toggle_connected,
     toggle_fold_free,
     toggle_pinning,  // whether clicks set pins
     toggle_pin,      // under the cursor
+    repeat_drag,     // at the point under the cursor
     smaller_radius,
     larger_radius,  // must stay the last one
 };

@@ -122,7 +122,7 @@ TEST_F(ActionKeysTest, SwitchesTurnWhatTheyShowOnAndOff) {
         EXPECT_EQ(info.is_on(editor), before);
         ++switches;
     }
-    EXPECT_EQ(switches, 8);
+    EXPECT_EQ(switches, 9);
 }
 
 TEST_F(ActionKeysTest, OnlyUndoAndRedoRepeatWhileTheKeyIsHeld) {

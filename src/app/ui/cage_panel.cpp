@@ -10,7 +10,7 @@
 namespace pectin {
 namespace {
 
-constexpr int kMaxSpan = 9, kMaxCount = 16;  // more control points would be too dense to see
+constexpr int kMaxCount = 16;  // more control points would be too dense to see
 constexpr float kLabelWidth = 66.0f;
 // In diagonals of the object:
 constexpr double kMinSize = 1e-4;       // least size of a cage
@@ -43,25 +43,7 @@ void CagePanel::draw(Editor& editor, float scale) {
             editor.display.lattice = true;
         }
     }
-    if (cage) {
-        draw_cage(editor, *cage, scale);
-    } else {
-        draw_brush(editor, scale);
-    }
-}
-
-void CagePanel::draw_brush(Editor& editor, float scale) {
-    int span = edited_span_.value_or(editor.session().lattice_settings().span);
-    ImGui::SetNextItemWidth(-112.0f * scale);
-    ImGui::SliderInt("control points", &span, 1, kMaxSpan, "%d", ImGuiSliderFlags_AlwaysClamp);
-    if (ImGui::IsItemHovered()) {
-        ImGui::SetTooltip(
-            "The number of control points along each axis of the brush's\n"
-            "lattice. More of them make a drag broader and its edge steeper.");
-    }
-    if (ImGui::IsItemActive()) edited_span_ = span;
-    if (ImGui::IsItemDeactivatedAfterEdit()) editor.execute(command::Brush{.span = span});
-    if (!ImGui::IsItemActive()) edited_span_.reset();
+    if (cage) draw_cage(editor, *cage, scale);
 }
 
 void CagePanel::draw_cage(Editor& editor, const Lattice& cage, float scale) {

@@ -13,11 +13,9 @@ class CagePanel {
     void draw(Editor& editor, float scale);
 
   private:
-    void draw_brush(Editor& editor, float scale);
     void draw_cage(Editor& editor, const Lattice& cage, float scale);
     void draw_cage_actions(Editor& editor) const;
 
-    std::optional<int> edited_span_;
     // Values of fields that are being edited.
     std::optional<Box> edited_box_;
     std::optional<IVec3> edited_counts_;

@@ -51,6 +51,8 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     draw_recovery_question(editor.document());
     draw_file_panel(editor.document(), scale_);
     draw_progress_panel(editor, scale_);
+    // The control that was setting the radius may not be shown any more.
+    if (!ImGui::IsAnyItemActive()) editor.radius_preview.reset();
     // A dialog that was closed in this frame claims no input, though Dear ImGui still counts it.
     has_popup_ = editor.has_dialog() ||
                  (!had_dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
@@ -83,8 +85,7 @@ void Panels::draw_tools(Editor& editor) {
     ImGui::SetNextWindowPos(ImVec2(scaled(kMargin), top));
     ImGui::Begin("tools", nullptr, kBare | ImGuiWindowFlags_AlwaysAutoResize);
     claim_window();
-    const float below = status_height_ + scaled(kMargin) + 2.0f * ImGui::GetStyle().WindowPadding.y;
-    tools_.draw(editor, scale_, ImGui::GetIO().DisplaySize.y - top - below);
+    tools_.draw(editor, scale_);
     ImGui::End();
 }
 
@@ -115,6 +116,7 @@ void Panels::draw_display_settings(Editor& editor) {
     action_checkbox(editor, Action::toggle_wireframe);
     action_checkbox(editor, Action::toggle_levels);
     action_checkbox(editor, Action::toggle_lattice);
+    action_checkbox(editor, Action::toggle_drag_lattice);
     action_checkbox(editor, Action::toggle_symmetry_plane);
 }
 

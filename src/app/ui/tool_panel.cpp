@@ -2,19 +2,16 @@
 
 #include <imgui.h>
 
-#include <algorithm>
 #include <array>
 #include <cstdio>
 
 #include "app/ui/action_widgets.h"
+#include "app/ui/brush_section.h"
 
 namespace pectin {
 namespace {
 
 constexpr float kWidth = 96.0f;
-constexpr float kSliderHeight = 170.0f, kMinSliderHeight = 50.0f;
-// The height of everything except the slider, in lines of buttons and of text.
-constexpr float kButtonLines = 6.0f, kTextLines = 2.0f;
 
 void draw_symmetry(Editor& editor, float width) {
     using Plane = command::Symmetry::Plane;
@@ -57,16 +54,11 @@ void draw_pins(Editor& editor, float width) {
 
 }  // namespace
 
-void ToolPanel::draw(Editor& editor, float scale, float available) {
+void ToolPanel::draw(Editor& editor, float scale) {
     const float width = kWidth * scale;
-    const float others = kButtonLines * ImGui::GetFrameHeightWithSpacing() +
-                         kTextLines * ImGui::GetTextLineHeightWithSpacing() +
-                         4.0f * ImGui::GetStyle().ItemSpacing.y;
     const ShownSettings shown = editor.shown_settings();
     if (shown.radius) {
-        draw_radius(
-            editor, width,
-            std::clamp(available - others, kMinSliderHeight * scale, kSliderHeight * scale));
+        draw_brush_section(editor, width, scale);
         ImGui::Separator();
     }
     if (shown.mirror) {
@@ -74,35 +66,6 @@ void ToolPanel::draw(Editor& editor, float scale, float available) {
         ImGui::Separator();
     }
     if (shown.pins) draw_pins(editor, width);
-    if (shown.connected) action_button(editor, Action::toggle_connected, width);
-    if (shown.fold_free) action_button(editor, Action::toggle_fold_free, width);
-}
-
-void ToolPanel::draw_radius(Editor& editor, float width, float height) {
-    const float left = ImGui::GetCursorPosX();
-    const auto centre = [&](float text_width) {
-        ImGui::SetCursorPosX(left + 0.5f * (width - text_width));
-    };
-    centre(ImGui::CalcTextSize("Radius").x);
-    ImGui::TextUnformatted("Radius");
-    float radius = edited_radius_.value_or(static_cast<float>(editor.radius()));
-    const float slider = 0.25f * width;
-    centre(slider);
-    ImGui::VSliderFloat("##radius", ImVec2(slider, height), &radius,
-                        static_cast<float>(editor.min_radius()),
-                        static_cast<float>(editor.max_radius()), "",
-                        ImGuiSliderFlags_Logarithmic | ImGuiSliderFlags_AlwaysClamp);
-    tooltip(("The radius of the brush. " + shortcut_label(Action::smaller_radius) + " and " +
-             shortcut_label(Action::larger_radius) +
-             " change it in steps. Or hold F and move the mouse.")
-                .c_str());
-    if (ImGui::IsItemActive()) edited_radius_ = radius;
-    if (ImGui::IsItemDeactivatedAfterEdit()) editor.set_radius(static_cast<double>(radius));
-    if (!ImGui::IsItemActive()) edited_radius_.reset();
-    std::array<char, 32> text{};
-    std::snprintf(text.data(), text.size(), "%.3g", static_cast<double>(radius));
-    centre(ImGui::CalcTextSize(text.data()).x);
-    ImGui::TextUnformatted(text.data());
 }
 
 }  // namespace pectin
