@@ -2,6 +2,13 @@
 // and edges are also drawn into the surface, using the outputs of faces.geom.
 uniform bool show_levels;
 uniform float line_width;  // pixels; 0: no edges
+uniform float tint_radius;  // of the brush whose weights colour the surface; 0: none
+uniform vec3 tint_centre;   // in camera space
+uniform vec3 tint_image;    // the mirror image of the centre
+uniform bool has_tint_image;
+uniform mat3 tint_axes;     // from camera space to the axes of the lattice
+uniform sampler3D falloff;  // weights from the centre to a radius beyond along each axis
+uniform float falloff_size;
 
 in Surface {
     vec3 position;
@@ -19,6 +26,8 @@ const vec3 kClay = vec3(0.755, 0.625, 0.540);
 const vec3 kInside = vec3(0.300, 0.520, 0.600);  // back faces; a cool colour makes folds visible
 const vec3 kBase = vec3(0.800, 0.790, 0.770);    // levels: the base mesh
 const vec3 kEdge = vec3(0.090, 0.070, 0.070);
+const vec3 kTint = vec3(1.000, 0.560, 0.120);
+const float kTintStrength = 0.85;
 
 const vec3 kKeyDirection = normalize(vec3(-0.50, 0.70, 0.65));
 const vec3 kFillDirection = normalize(vec3(0.80, 0.05, 0.50));
@@ -87,11 +96,27 @@ float edge_cover() {
 }
 #endif
 
+// The weight that a drag of this point has here. The samples are at the middles of the texels.
+float weight_around(vec3 centre) {
+    vec3 offset = abs(tint_axes * (surface.position - centre)) / tint_radius;
+    if (any(greaterThanEqual(offset, vec3(1.0)))) return 0.0;
+    return texture(falloff, (offset * (falloff_size - 1.0) + 0.5) / falloff_size).r;
+}
+
+// With a mirror image the motion of both sides adds up.
+float tint() {
+    if (tint_radius <= 0.0) return 0.0;
+    float weight = weight_around(tint_centre);
+    if (has_tint_image) weight += weight_around(tint_image);
+    return min(weight, 1.0);
+}
+
 void main() {
     vec3 albedo = kClay;
 #ifdef FACES
     if (show_levels) albedo = level_colour(surface.level) * mix(1.0, 0.94, surface.deformed);
 #endif
+    albedo = mix(albedo, kTint, kTintStrength * tint());
     if (!gl_FrontFacing) albedo = kInside;
     vec3 screen = to_screen(lit(to_linear(albedo), shading_normal(), normalize(-surface.position)));
 #ifdef FACES

@@ -2,6 +2,7 @@
 
 #include "app/editor.h"
 #include "app/tools/pin_tool.h"
+#include "app/tools/repeat_drag.h"
 
 namespace pectin {
 namespace {
@@ -12,11 +13,11 @@ using Kind = command::Shape::Kind;
 constexpr double kRadiusStep = 1.12;
 
 constexpr Shortcut plain(char letter) { return {.key = Key{letter}}; }
+constexpr Shortcut shift(char letter) { return {.key = Key{letter}, .modifiers = {.shift = true}}; }
 constexpr Shortcut plain(Key key) { return {.key = key}; }
 constexpr Shortcut control(char letter) {
     return {.key = Key{letter}, .modifiers = {.control = true}};
 }
-constexpr Shortcut shift(char letter) { return {.key = Key{letter}, .modifiers = {.shift = true}}; }
 constexpr Shortcut control_shift(char letter) {
     return {.key = Key{letter}, .modifiers = {.shift = true, .control = true}};
 }
@@ -36,9 +37,12 @@ bool can_undo(const Editor& editor) {
 bool can_redo(const Editor& editor) { return editor.workspace().object_figures().redo_steps > 0; }
 bool is_refined(const Editor& editor) { return editor.workspace().object_figures().is_refined; }
 bool has_pins(const Editor& editor) { return !editor.pins().is_empty(); }
+bool has_cage(const Editor& editor) { return editor.has_cage(); }
+bool has_brush(const Editor& editor) { return !editor.has_cage(); }
+bool can_repeat(const Editor& editor) {
+    return editor.last_drag && has_brush(editor) && editor.pointer().is_in_viewport;
+}
 bool has_cursor(const Editor& editor) { return editor.pointer().is_in_viewport; }
-bool has_cage(const Editor& editor) { return editor.session().lattice_settings().cage.has_value(); }
-bool has_brush(const Editor& editor) { return !has_cage(editor); }
 
 bool has_symmetry(const Editor& editor) { return editor.session().symmetry().has_value(); }
 
@@ -83,6 +87,10 @@ bool drags(const Editor& editor) {
 template <bool DragOptions::*kOption>
 void toggle(Editor& editor) {
     editor.drag_options.*kOption = !(editor.drag_options.*kOption);
+}
+
+void repeat_drag(Editor& editor) {
+    if (const auto drag = repeated_drag(editor)) editor.execute(*drag);
 }
 
 constexpr std::array<ActionInfo, kActionCount> kActions{{
@@ -260,6 +268,13 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .is_enabled = always,
      .is_on = shows<&Display::levels>,
      .perform = toggle<&Display::levels>},
+    {.action = Action::toggle_drag_lattice,
+     .name = "Lattice during drags",
+     .menu = Menu::view,
+     .tooltip = "Show the lattice that deforms the object during a drag.",
+     .is_enabled = always,
+     .is_on = shows<&Display::drag_lattice>,
+     .perform = toggle<&Display::drag_lattice>},
     {.action = Action::toggle_symmetry_plane,
      .name = "Symmetry plane",
      .menu = Menu::view,
@@ -372,6 +387,16 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .is_enabled = always,
      .is_on = drags<&DragOptions::fold_free>,
      .perform = toggle<&DragOptions::fold_free>},
+    {.action = Action::repeat_drag,
+     .name = "Repeat last drag",
+     .menu = Menu::tools,
+     .begins_group = true,
+     .shortcuts = {shift('R')},
+     .tooltip =
+         "Repeat the last drag at the point under the cursor, turned as the surface there is "
+         "turned, so that what was pulled outwards is pulled outwards again.",
+     .is_enabled = can_repeat,
+     .perform = repeat_drag},
     {.action = Action::smaller_radius,
      .name = "Smaller radius",
      .menu = Menu::tools,
@@ -380,7 +405,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .tooltip = "Make the radius of the brush smaller by one step.",
      .is_enabled = has_brush,
      .perform =
-         [](Editor& editor) { editor.set_radius(editor.workspace().radius() / kRadiusStep); }},
+         [](Editor& editor) { editor.set_radius_value(editor.radius_value() / kRadiusStep); }},
     {.action = Action::larger_radius,
      .name = "Larger radius",
      .menu = Menu::tools,
@@ -388,7 +413,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .tooltip = "Make the radius of the brush larger by one step.",
      .is_enabled = has_brush,
      .perform =
-         [](Editor& editor) { editor.set_radius(editor.workspace().radius() * kRadiusStep); }},
+         [](Editor& editor) { editor.set_radius_value(editor.radius_value() * kRadiusStep); }},
 }};
 
 constexpr bool is_in_order() {

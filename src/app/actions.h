@@ -39,6 +39,7 @@ enum class Action {
     toggle_wireframe,
     toggle_lattice,
     toggle_levels,
+    toggle_drag_lattice,
     toggle_symmetry_plane,
     toggle_panels,
     toggle_light_theme,
@@ -53,6 +54,7 @@ enum class Action {
     fit_cage,
     toggle_connected,
     toggle_fold_free,
+    repeat_drag,     // at the point under the cursor
     smaller_radius,
     larger_radius,  // must stay the last one
 };

@@ -8,6 +8,7 @@ namespace pectin {
 std::vector<Command> default_settings() {
     constexpr double kMegabyte = 1e6;
     const AdaptSettings adapt;
+    const LatticeSettings lattice;
     const auto undo_limit = static_cast<double>(History::kDefaultLimit) / kMegabyte;
     return {command::Adapt{.enabled = adapt.enabled,
                            .theta_max = adapt.theta_max,
@@ -18,7 +19,7 @@ std::vector<Command> default_settings() {
                            .budget = adapt.budget,
                            .drag_budget = adapt.drag_budget,
                            .propagation = adapt.propagation},
-            command::Brush{.span = LatticeSettings{}.span}, command::Symmetry{},
+            command::Brush{.span = lattice.span, .falloff = lattice.falloff}, command::Symmetry{},
             command::History{Setting::of(undo_limit)}};
 }
 

@@ -5,6 +5,7 @@
 
 #include "app/command_kind.h"
 #include "app/picture.h"
+#include "app/tools/drag_tool.h"
 #include "app/words.h"
 #include "command/check.h"
 
@@ -74,12 +75,15 @@ void Editor::command_done(const Command& command) {
     hover_.reset();
     if (makes_object(command)) reset_for_new_object();
     if (is_any_of<command::Undo, command::Redo>(command)) figures_ = {};
+    if (is_any_of<command::Brush>(command)) update_radius_share();
+    if (is_any_of<command::Drag>(command)) report_drag(*this);
 }
 
 // Discards what belonged to the object before.
 void Editor::reset_for_new_object() {
     figures_ = {};
     pins_.clear();
+    last_drag.reset();
     frame_all(kFitDirection);
     reset_sizes();
     // The plane follows the centre of the new object.
@@ -88,12 +92,17 @@ void Editor::reset_for_new_object() {
     }
 }
 
-// Sizes that were set for the object before may be wrong by orders of magnitude for this one.
+// Sizes that were set for the object before may be wrong by orders of magnitude for this one. The
+// radius keeps its share of the object, or in the model's units its length as far as the object
+// allows it.
 void Editor::reset_sizes() {
     const LatticeSettings& lattice = session().lattice_settings();
     const double diagonal = workspace_.diagonal();
     if ((lattice.radius || lattice.cage) && diagonal > 0.0) {
-        document_.execute_keeping_message(command::Brush{.radius = kAutoRadius * diagonal});
+        const bool keeps_length = brush_size_.unit == RadiusUnit::model && lattice.radius;
+        const double radius = keeps_length ? *lattice.radius : brush_size_.share * diagonal;
+        document_.execute_keeping_message(
+            command::Brush{.radius = std::clamp(radius, min_radius(), max_radius())});
     }
     const AdaptSettings& adapt = session().adapt_settings();
     command::Adapt change;
@@ -105,6 +114,8 @@ void Editor::reset_sizes() {
 void Editor::restoration_ended() {
     figures_ = {};
     pins_.clear();
+    last_drag.reset();
+    update_radius_share();
     frame_all(kFitDirection);
 }
 
@@ -119,8 +130,40 @@ command::Screenshot Editor::picture_command(const std::string& path) const {
 
 // --- Radius, symmetry and cage.
 
+void Editor::update_radius_share() {
+    const double diagonal = workspace_.diagonal();
+    if (diagonal > 0.0) brush_size_.share = workspace_.radius() / diagonal;
+}
+
 void Editor::set_radius(double radius) {
-    execute(command::Brush{.radius = std::clamp(radius, min_radius(), max_radius())});
+    const double clamped = std::clamp(radius, min_radius(), max_radius());
+    if (brush_size_.unit == RadiusUnit::screen) {
+        brush_size_.pixels = radius_range().clamped(clamped / pixel_length_at_cursor());
+    }
+    execute(command::Brush{.radius = clamped});
+}
+
+void Editor::set_radius_value(double value) {
+    if (is_busy()) return;
+    const double clamped = radius_range().clamped(value);
+    if (brush_size_.unit == RadiusUnit::screen) {
+        brush_size_.pixels = clamped;
+    } else {
+        execute(command::Brush{.radius = model_radius(clamped, {})});
+    }
+}
+
+void Editor::set_radius_unit(RadiusUnit unit) {
+    if (is_busy() || has_cage() || unit == brush_size_.unit) return;
+    const double radius = this->radius();
+    brush_size_.unit = unit;
+    set_radius(radius);
+}
+
+void Editor::use_radius_at(const Vec3& point) {
+    if (brush_size_.unit != RadiusUnit::screen || has_cage()) return;
+    const double radius = model_radius(brush_size_.pixels, point);
+    if (radius != workspace_.radius()) execute(command::Brush{.radius = radius});
 }
 
 command::Symmetry Editor::symmetry_command(bool is_on) const {

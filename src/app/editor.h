@@ -70,6 +70,9 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     // opened.
     void begin(const std::string& model);
     void set_radius(double radius) override;
+    void set_radius_value(double value) override;
+    void set_radius_unit(RadiusUnit unit) override;
+    void use_radius_at(const Vec3& point) override;
     void set_symmetry(bool is_on);
     void choose_mirror(const MirrorChoice& choice);  // also changes the plane of active symmetry
     // Sets a cage that is fitted to this box. counts: control points per axis.
@@ -149,6 +152,7 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     void cancel_gesture() noexcept;
     void advance_work();
     void update_hover();
+    std::optional<Pick> pick_in_middle();
 
     // --- For the document controller (editor.cpp).
     bool has_gesture() const override { return active_tool() != nullptr; }
@@ -157,6 +161,7 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     command::Screenshot picture_command(const std::string& path) const override;
     void reset_for_new_object();
     void reset_sizes();
+    void update_radius_share();
 
     // --- Everything else (editor.cpp).
     bool is_busy() const { return has_gesture() || is_working(); }

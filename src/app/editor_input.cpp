@@ -103,11 +103,17 @@ void Editor::advance_work() {
     document_.continue_quitting();
 }
 
+std::optional<Pick> Editor::pick_in_middle() {
+    return workspace_.session().pick(view().ray_through(0.5 * Vec2(size_)));
+}
+
 void Editor::update_hover() {
     if (active_tool()) return;
     hover_.reset();
     bool is_free = pointer_.is_in_viewport && !navigation_.is_active() && !has_dialog();
     if (is_free) hover_ = pick_at_cursor();
+    // While a panel sets the radius, the middle of the window shows it.
+    if (radius_preview && !is_working() && !has_dialog()) hover_ = pick_in_middle();
     for (const auto& tool : tools_) {
         if (!tool->hover(*this, is_free)) continue;
         is_free = false;
@@ -178,6 +184,11 @@ void Editor::on(const event::KeyUp& key, const UiClaims&) {
 }
 
 void Editor::on(const event::Character& character, const UiClaims& claims) {
+    Tool* const tool = active_tool();
+    if (tool && !is_working() && !claims.keyboard) {
+        run([&] { tool->character(*this, character.code); });
+        return;
+    }
     const auto action = action_for(character.code);
     if (action && !claims.keyboard) perform(*action);
 }
@@ -213,7 +224,14 @@ void Editor::on(const event::Resize& resize, const UiClaims&) {
     if (resize.size.x > 0 && resize.size.y > 0) size_ = resize.size;
 }
 
-void Editor::on(const event::Focus&, const UiClaims&) {}
+// Keys and buttons may be released unseen from now on.
+void Editor::on(const event::Focus& focus, const UiClaims&) {
+    if (focus.gained) return;
+    pointer_.modifiers = {};
+    navigation_.end();
+    Tool* const tool = active_tool();
+    if (tool && !is_working()) run([&] { tool->lose_focus(*this); });
+}
 
 void Editor::on(const event::Close&, const UiClaims&) { document_.quit(); }
 

@@ -45,12 +45,24 @@ void adapt_to_light_background(Scene& scene) {
     for (Overlay::Point& point : scene.overlay.points) adapt_to_light_background(point.colour);
 }
 
+// While the radius is being set, the surface shows what a drag would do.
+std::optional<FalloffTint> radius_tint(const Editor& editor) {
+    if (!editor.is_setting_radius() || !editor.hover() || editor.has_cage()) return {};
+    const Vec3 centre = editor.hover()->point;
+    FalloffTint tint{
+        .centre = centre, .radius = editor.radius(), .samples = editor.brush_profile().samples()};
+    const auto& plane = editor.session().symmetry();
+    if (plane && plane->offset(centre) != 0.0) tint.image = plane->image(centre);
+    return tint;
+}
+
 }  // namespace
 
 Scene editor_scene(const Editor& editor, float pixel_scale) {
     Scene scene{.camera = editor.camera(),
                 .wireframe = editor.display.wireframe,
                 .levels = editor.display.levels,
+                .tint = radius_tint(editor),
                 .pixel_scale = pixel_scale};
     add_symmetry_plane(scene.overlay, editor);
     editor.add_overlays(scene.overlay);

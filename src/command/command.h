@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "geometry/camera.h"
+#include "geometry/falloff.h"
 #include "geometry/move.h"
 #include "geometry/vec.h"
 
@@ -61,6 +62,7 @@ struct Adapt {
 struct Brush {
     std::optional<double> radius{};
     std::optional<int> span{};  // deformable control points per axis
+    std::optional<Falloff> falloff{};
     bool operator==(const Brush&) const = default;
 };
 

@@ -178,7 +178,12 @@ struct Schema<command::Brush> {
                    field::Number{field::above(0.0), field::Unit::length},
                    "a quarter of the box diagonal", "How far the lattice reaches."),
         make_field("span", &command::Brush::span, field::Whole{1, 16}, "3",
-                   "The number of control points along each axis that may move.")};
+                   "The number of control points along each axis that may move."),
+        make_field("falloff", &command::Brush::falloff, field::Choice<2>{{"sharp", "plateau"}},
+                   "\"sharp\"",
+                   "How a drag decreases around its points; sharp: to a peak, the narrower the "
+                   "more control points there are; plateau: control points around the point move "
+                   "as far as the point, and more of them make it wider.")};
 };
 
 template <>

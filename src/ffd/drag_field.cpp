@@ -32,6 +32,18 @@ DragField::DragField(const Lattice& lattice, std::vector<BasisRow> constraints,
     bound_weights();
 }
 
+DragField::DragField(const Lattice& lattice, std::vector<WeightSpline> splines)
+    : lattice_(lattice),
+      zone_(lattice.influenced_zone()),
+      inverse_cell_(1.0 / lattice.cell),
+      weight_count_(splines.size()),
+      splines_(std::move(splines)) {
+    assert(!splines_.empty());
+    for (const WeightSpline& spline : splines_) {
+        bounds_.push_back({.weight = spline.weight_bound(), .gradient = spline.gradient_bound()});
+    }
+}
+
 // A polynomial on [0, 1] lies between its least and greatest Bernstein coefficient. The
 // coefficients of a cubic's derivative are three times the differences of the cubic's own.
 DragField::Bound DragField::bound_of(const AxisCubics& cubics) {
@@ -148,10 +160,19 @@ void DragField::weights_inside(const Location& at, std::span<DragWeight> out) co
     }
 }
 
+void DragField::spline_weights(const Vec3& x, std::span<DragWeight> out) const {
+    for (std::size_t m = 0; m < weight_count_; ++m) {
+        const WeightSpline::Value value = splines_[m].at(x);
+        out[m] = {.w = static_cast<float>(value.w), .gradient = Vec3f{value.gradient}};
+    }
+}
+
 void DragField::weights(const Vec3& x, std::span<DragWeight> out) const {
     assert(out.size() == weight_count_);
     if (!zone_.contains_strictly(x)) {
         std::fill(out.begin(), out.end(), DragWeight{});
+    } else if (!splines_.empty()) {
+        spline_weights(x, out);
     } else if (products_.size() == 1 && weight_count_ == 1) {
         const Value term = evaluate(products_[0], locate(x));
         out[0] = rounded({inverse_[0] * term.value, inverse_[0] * term.derivative});
@@ -171,6 +192,13 @@ void DragField::exact_weights(const Vec3& x, std::size_t first, std::span<ExactW
     assert(first + out.size() <= weight_count_);
     std::fill(out.begin(), out.end(), ExactWeight{});
     if (!zone_.contains_strictly(x)) return;
+    if (!splines_.empty()) {
+        for (std::size_t m = 0; m < out.size(); ++m) {
+            const WeightSpline::Value value = splines_[first + m].at(x);
+            out[m] = {.w = value.w, .gradient = value.gradient};
+        }
+        return;
+    }
     const Location at = locate(x);
     for (std::size_t a = 0; a < products_.size(); ++a) {
         const Value term = evaluate(products_[a], at);
@@ -183,8 +211,26 @@ void DragField::exact_weights(const Vec3& x, std::size_t first, std::span<ExactW
     }
 }
 
+std::vector<Vec3> DragField::spline_displacements(std::span<const Vec3> displacements) const {
+    std::vector<Vec3> controls;
+    controls.reserve(lattice_.control_count());
+    for (int k = 0; k < lattice_.deformable.z; ++k) {
+        for (int j = 0; j < lattice_.deformable.y; ++j) {
+            for (int i = 0; i < lattice_.deformable.x; ++i) {
+                Vec3 sum{0.0};
+                for (std::size_t m = 0; m < weight_count_; ++m) {
+                    sum += splines_[m].coefficient({i, j, k}) * displacements[m];
+                }
+                controls.push_back(sum);
+            }
+        }
+    }
+    return controls;
+}
+
 std::vector<Vec3> DragField::control_displacements(std::span<const Vec3> displacements) const {
     assert(displacements.size() == weight_count_);
+    if (!splines_.empty()) return spline_displacements(displacements);
     std::vector<Vec3> controls(lattice_.control_count(), Vec3{0.0});
     for (std::size_t a = 0; a < constraints_.size(); ++a) {
         Vec3 force{0.0};

@@ -5,7 +5,8 @@
 //
 // Let b(x) be the basis values of all control points at x, and B the rows of the constraints. Then
 // D(x) = b(x)ᵀ Bᵀ(BBᵀ)⁻¹ d, so w(x) = (BBᵀ)⁻¹ B b(x) depends only on the rest position. A gesture
-// evaluates w and ∇w once per vertex; a frame then uses the functions of ffd/drag_weight.h.
+// evaluates w and ∇w once per vertex; a frame then uses the functions of ffd/drag_weight.h. Weights
+// that are not the smallest solution are splines with explicit coefficients (ffd/plateau.h).
 #pragma once
 
 #include <array>
@@ -16,6 +17,7 @@
 #include "ffd/basis_row.h"
 #include "ffd/drag_weight.h"
 #include "ffd/lattice.h"
+#include "ffd/weight_spline.h"
 
 namespace pectin {
 
@@ -26,6 +28,8 @@ class DragField {
     // such that w_c(x) = Σ_a inverse[c][a] · (row a · b(x)). DragSolver computes both.
     DragField(const Lattice& lattice, std::vector<BasisRow> constraints,
               std::vector<double> inverse);
+    // The weights, at least one, as splines of the lattice.
+    DragField(const Lattice& lattice, std::vector<WeightSpline> splines);
 
     const Lattice& lattice() const { return lattice_; }
     // The number of driven constraints, each of which has a weight w_c and a displacement d_c.
@@ -33,7 +37,7 @@ class DragField {
 
     // out: weight_count. Exactly zero on the border of the influenced zone and outside. Evaluated
     // in double and rounded once. Cost: about 40 multiplications for each constraint near x, and
-    // four more for each pair of such a constraint and a weight.
+    // four more for each pair of such a constraint and a weight; of splines 200 for each weight.
     void weights(const Vec3& x, std::span<DragWeight> out) const;
 
     // out: points × weight_count, all weights of a point together. Each point has bit for bit the
@@ -89,6 +93,8 @@ class DragField {
     Location locate(const Vec3& x) const;
     DragWeight rounded(const Value& sum) const;
     void weights_inside(const Location& at, std::span<DragWeight> out) const;
+    void spline_weights(const Vec3& x, std::span<DragWeight> out) const;
+    std::vector<Vec3> spline_displacements(std::span<const Vec3> displacements) const;
     template <std::size_t batch>
     void weights_in_batches(const Location& at, std::span<DragWeight> out) const;
 
@@ -97,9 +103,10 @@ class DragField {
     Vec3 inverse_cell_;
     std::size_t weight_count_ = 0;
     std::vector<BasisRow> constraints_;
-    std::vector<Product> products_;  // one for each constraint
-    std::vector<double> inverse_;    // weight_count × constraints
-    std::vector<Bound> bounds_;      // weight_count
+    std::vector<Product> products_;      // one for each constraint
+    std::vector<double> inverse_;        // weight_count × constraints
+    std::vector<Bound> bounds_;          // weight_count
+    std::vector<WeightSpline> splines_;  // weight_count, instead of the constraints; or empty
 };
 
 }  // namespace pectin

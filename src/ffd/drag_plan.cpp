@@ -35,7 +35,7 @@ class Planner {
         for (const Move& move : plan_.moves) handles_.push_back({move.from});
         warp_.moves_middles_most = plan_.fold_free && plan_.is_centred_on_point &&
                                    plan_.pins.empty() && plan_.moves.size() == 1 &&
-                                   !rotates(plan_.moves.front());
+                                   !rotates(plan_.moves.front()) && plan_.falloff == Falloff::sharp;
     }
 
     std::variant<PlannedDrag, DragRefusal> run() {
@@ -134,8 +134,9 @@ class Planner {
             lattice.origin =
                 handles_.front().point - 0.5 * Vec3{lattice.deformable - 1} * lattice.cell;
         }
-        auto solved = DragSolver::create(lattice, handles_, plan_.pins, plan_.plane,
-                                         plan_.fold_free ? kMaxFoldFreeGain : kMaxControlGain);
+        auto solved =
+            DragSolver::create(lattice, handles_, plan_.pins, plan_.plane,
+                               plan_.fold_free ? kMaxFoldFreeGain : kMaxControlGain, plan_.falloff);
         if (auto* refusal = std::get_if<DragRefusal>(&solved)) {
             return on_the_way(std::move(*refusal), b, is_last);
         }

@@ -28,6 +28,7 @@ struct DragPlan {
     Lattice lattice{};                   // of the first step
     // For a brush, whose lattice is centred on the first move in every step.
     bool is_centred_on_point = false;
+    Falloff falloff = Falloff::sharp;
 };
 
 struct PlannedDrag {

@@ -9,6 +9,8 @@
 #include <unordered_map>
 #include <utility>
 
+#include "ffd/plateau.h"
+
 namespace pectin {
 namespace {
 
@@ -40,19 +42,26 @@ Eigen::MatrixXd normalised_gram(std::span<const Constraint> rows) {
     return gram;
 }
 
-// The first `driven` columns of the inverse Gram matrix, each divided by the length of its row, so
-// that they apply to displacements: rows × driven, column-major.
-std::variant<Eigen::MatrixXd, DragRefusal> invert(std::span<const Constraint> rows,
-                                                  std::size_t driven, const Lattice& lattice) {
+using Factors = Eigen::LDLT<Eigen::MatrixXd>;
+
+std::variant<Factors, DragRefusal> factorise(std::span<const Constraint> rows,
+                                             const Lattice& lattice) {
     const Eigen::MatrixXd gram = normalised_gram(rows);
-    const Eigen::LDLT<Eigen::MatrixXd> factors(gram);
+    Factors factors(gram);
     if (factors.info() != Eigen::Success || !(factors.vectorD().minCoeff() >= kMinIndependence)) {
         const auto [a, b] = most_dependent(gram);
         return refuse::dependent(rows[a].key.point, rows[b].key.point, rows.size(),
                                  lattice.control_count());
     }
+    return factors;
+}
+
+// The first `driven` columns of the inverse Gram matrix, each divided by the length of its row, so
+// that they apply to displacements: rows × driven, column-major.
+Eigen::MatrixXd invert(const Factors& factors, std::span<const Constraint> rows,
+                       std::size_t driven) {
     const auto count = static_cast<Eigen::Index>(driven);
-    Eigen::MatrixXd solved = factors.solve(Eigen::MatrixXd::Identity(gram.rows(), count));
+    Eigen::MatrixXd solved = factors.solve(Eigen::MatrixXd::Identity(factors.rows(), count));
     for (Eigen::Index m = 0; m < count; ++m) {
         solved.col(m) /= rows[static_cast<std::size_t>(m)].length;
     }
@@ -65,8 +74,9 @@ std::variant<Eigen::MatrixXd, DragRefusal> invert(std::span<const Constraint> ro
 
 class DragSolver::Builder {
   public:
-    Builder(const Lattice& lattice, const std::optional<MirrorPlane>& plane, double max_gain)
-        : lattice_(lattice), plane_(plane), max_gain_(max_gain) {}
+    Builder(const Lattice& lattice, const std::optional<MirrorPlane>& plane, double max_gain,
+            Falloff falloff)
+        : lattice_(lattice), plane_(plane), max_gain_(max_gain), falloff_(falloff) {}
 
     std::variant<DragSolver, DragRefusal> build(std::span<const Handle> handles,
                                                 std::span<const Vec3> pins) {
@@ -78,10 +88,13 @@ class DragSolver::Builder {
         for (const Vec3& pin : pins) {
             if (const auto refusal = add_pin(canonical(pin))) return *refusal;
         }
-        auto solved = invert(constraints_, driven, lattice_);
-        if (const auto* refusal = std::get_if<DragRefusal>(&solved)) return *refusal;
-        return DragSolver{make_field(std::get<Eigen::MatrixXd>(solved)), symmetry(),
-                          std::move(handles_), std::move(driven_)};
+        auto factorised = factorise(constraints_, lattice_);
+        if (const auto* refusal = std::get_if<DragRefusal>(&factorised)) return *refusal;
+        const Factors& factors = std::get<Factors>(factorised);
+        DragField field = falloff_ == Falloff::plateau
+                              ? plateau_field(factors, driven)
+                              : make_field(invert(factors, constraints_, driven));
+        return DragSolver{std::move(field), symmetry(), std::move(handles_), std::move(driven_)};
     }
 
   private:
@@ -204,6 +217,17 @@ class DragSolver::Builder {
         return {lattice_, std::move(rows), std::move(inverse)};
     }
 
+    DragField plateau_field(const Factors& factors, std::size_t driven) const {
+        const auto solve = [&](const std::vector<double>& right) {
+            std::vector<double> solution(right.size());
+            const auto size = static_cast<Eigen::Index>(right.size());
+            Eigen::Map<Eigen::VectorXd>(solution.data(), size) =
+                factors.solve(Eigen::Map<const Eigen::VectorXd>(right.data(), size));
+            return solution;
+        };
+        return {lattice_, plateau_weights(lattice_, plane_, constraints_, driven, solve)};
+    }
+
     std::optional<Symmetry> symmetry() const {
         if (!plane_) return std::nullopt;
         Symmetry symmetry{*plane_, {}};
@@ -217,6 +241,7 @@ class DragSolver::Builder {
     const Lattice& lattice_;
     const std::optional<MirrorPlane>& plane_;
     double max_gain_;
+    Falloff falloff_;
     std::vector<Constraint> constraints_;  // first the driven ones, in the order of driven_
     std::vector<double> gains_;            // of the driven ones
     Indices rows_;                         // the indices of constraints
@@ -237,11 +262,11 @@ std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,
                                                          std::span<const Handle> handles,
                                                          std::span<const Vec3> pins,
                                                          const std::optional<MirrorPlane>& plane,
-                                                         double max_gain) {
+                                                         double max_gain, Falloff falloff) {
     if (!lattice.is_valid()) return refuse::invalid_lattice();
     const auto invalid_pin = std::find_if_not(pins.begin(), pins.end(), is_finite);
     if (invalid_pin != pins.end()) return refuse::invalid_pin(*invalid_pin);
-    return Builder(lattice, plane, max_gain).build(handles, pins);
+    return Builder(lattice, plane, max_gain, falloff).build(handles, pins);
 }
 
 std::variant<DragSolver, DragRefusal> DragSolver::create(const Lattice& lattice,

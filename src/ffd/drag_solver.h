@@ -17,6 +17,7 @@
 #include "ffd/handle.h"
 #include "ffd/lattice.h"
 #include "ffd/symmetry.h"
+#include "geometry/falloff.h"
 
 namespace pectin {
 
@@ -45,11 +46,14 @@ class DragSolver {
     // handles: at least one, all strictly inside the influenced zone, or with a plane inside the
     // mirror image of the zone. pins: points to hold; pins outside the zone have no effect. Equal
     // points count once. With a plane all constraints are met on both sides. max_gain: the largest
-    // displacement of a control point, in multiples of the displacement of a handle.
+    // displacement of a control point, in multiples of the displacement of a handle. falloff: with
+    // a plateau all constraints are met as exactly, by other displacements (ffd/plateau.h).
     // Cost: O(n³) for n distinct constraints, and O(1) for each handle or pin that repeats another.
+    // A plateau takes O(control points) more for each pair of constraints.
     static std::variant<DragSolver, DragRefusal> create(
         const Lattice& lattice, std::span<const Handle> handles, std::span<const Vec3> pins,
-        const std::optional<MirrorPlane>& plane = std::nullopt, double max_gain = kMaxControlGain);
+        const std::optional<MirrorPlane>& plane = std::nullopt, double max_gain = kMaxControlGain,
+        Falloff falloff = Falloff::sharp);
     // The same for handles that prescribe no Jacobian.
     static std::variant<DragSolver, DragRefusal> create(const Lattice& lattice,
                                                         std::span<const Vec3> points,
@@ -83,9 +87,10 @@ class DragSolver {
     // The displacements of deformation(motions).
     std::vector<Vec3> displacements(std::span<const HandleMotion> motions) const;
 
-    // ΔP = Bᵀ(BBᵀ)⁻¹ d: of all displacements of the control points that meet all constraints
-    // exactly, the one with the smallest sum of squares (the minimum-norm solution): control_count
-    // of the lattice, in the order of control_index. displacements: one for each handle.
+    // Without a plateau ΔP = Bᵀ(BBᵀ)⁻¹ d: of all displacements of the control points that meet all
+    // constraints exactly, the one with the smallest sum of squares (the minimum-norm solution):
+    // control_count of the lattice, in the order of control_index. displacements: one for each
+    // handle.
     std::vector<Vec3> control_displacements(std::span<const Vec3> displacements) const;
 
   private:

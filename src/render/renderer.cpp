@@ -27,7 +27,8 @@ Renderer::Renderer(const Gl& gl)
       point_(gl, {shaders::point_vert, shaders::point_frag}),
       no_attributes_(gl),
       overlay_array_(gl),
-      overlay_buffer_(gl) {
+      overlay_buffer_(gl),
+      falloff_texture_(gl) {
     constexpr GLsizei kStride = sizeof(OverlayVertex);
     gl.BindVertexArray(overlay_array_.name());
     gl.BindBuffer(GL_ARRAY_BUFFER, overlay_buffer_.name());
@@ -93,7 +94,36 @@ void Renderer::draw_object(const GpuMesh& mesh, const Scene& scene, const View& 
     program.set("to_clip", glm::mat4(view.projection * view.to_camera));
     program.set("show_levels", scene.levels ? 1 : 0);
     program.set("line_width", scene.wireframe ? kEdgeWidth * scene.pixel_scale : 0.0f);
+    set_tint(program, mesh, scene, view);
     mesh.draw();
+}
+
+void Renderer::set_tint(const ShaderProgram& program, const GpuMesh& mesh, const Scene& scene,
+                        const View& view) const {
+    program.set("tint_radius", scene.tint ? static_cast<float>(scene.tint->radius) : 0.0f);
+    if (!scene.tint) return;
+    const FalloffTint& tint = *scene.tint;
+    const auto size = static_cast<GLsizei>(std::lround(std::cbrt(tint.samples.size())));
+    gl_->ActiveTexture(GL_TEXTURE0);
+    gl_->BindTexture(GL_TEXTURE_3D, falloff_texture_.name());
+    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+        gl_->TexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
+    }
+    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+        gl_->TexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
+    }
+    gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
+    gl_->TexImage3D(GL_TEXTURE_3D, 0, GL_R8, size, size, size, 0, GL_RED, GL_UNSIGNED_BYTE,
+                    tint.samples.data());
+    const auto in_camera = [&](const Vec3& point) {
+        return Vec3f{Vec3{view.to_camera * glm::dvec4(point - mesh.centre(), 1.0)}};
+    };
+    program.set("falloff", 0);
+    program.set("falloff_size", static_cast<float>(size));
+    program.set("tint_axes", glm::mat3(glm::transpose(glm::dmat3(view.to_camera))));
+    program.set("tint_centre", in_camera(tint.centre));
+    program.set("tint_image", in_camera(tint.image.value_or(tint.centre)));
+    program.set("has_tint_image", tint.image ? 1 : 0);
 }
 
 void Renderer::upload_overlay(const Overlay& overlay, const Vec3& centre, float pixel_scale) {

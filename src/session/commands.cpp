@@ -83,6 +83,7 @@ template <>
 Done Session::State::run(const command::Brush& brush) {
     if (brush.radius) lattice_settings.radius = brush.radius;
     lattice_settings.span = brush.span.value_or(lattice_settings.span);
+    lattice_settings.falloff = brush.falloff.value_or(lattice_settings.falloff);
     lattice_settings.cage.reset();
     return {};
 }

@@ -50,13 +50,15 @@ Refusal refusal_of(const DragRefusal& refused) {
 }  // namespace
 
 DragPlan Session::State::plan_of(const command::Drag& drag) const {
+    const bool is_brush = !lattice_settings.cage.has_value();
     return {.moves = drag.moves,
             .pins = drag.pins,
             .via = drag.via,
             .fold_free = drag.fold_free,
             .plane = symmetry,
             .lattice = lattice_settings.lattice(drag.moves.front().from, diagonal),
-            .is_centred_on_point = !lattice_settings.cage.has_value()};
+            .is_centred_on_point = is_brush,
+            .falloff = is_brush ? lattice_settings.falloff : Falloff::sharp};
 }
 
 Done Session::State::check_lattice(const Lattice& lattice) const {

@@ -9,6 +9,7 @@
 #include "command/command.h"
 #include "command/result.h"
 #include "ffd/lattice.h"
+#include "geometry/falloff.h"
 
 namespace pectin {
 
@@ -44,9 +45,10 @@ inline constexpr double kAutoRadius = 0.25;  // of a brush, as a fraction of the
 
 // The lattice that a drag gets.
 struct LatticeSettings {
-    std::optional<double> radius;  // of the brush; by default a quarter of the box diagonal
-    int span = 3;                  // of the brush
-    std::optional<Lattice> cage;   // used instead of the brush if it is set
+    std::optional<double> radius;      // of the brush; by default a quarter of the box diagonal
+    int span = 3;                      // of the brush
+    Falloff falloff = Falloff::sharp;  // of the brush; drags in a cage are sharp
+    std::optional<Lattice> cage;       // used instead of the brush if it is set
 
     // The lattice of a drag whose first handle is `grabbed`. It is not valid if the object has no
     // extent from which the radius of the brush could follow.

@@ -22,10 +22,11 @@ Vec3 target(int frame) {
     return kFrom + Vec3{0.001 * (frame % 2), 0.0, 0.05 + 0.0001 * (frame % 3)};
 }
 
-void expect_no_allocations(const DragOptions& options, const std::optional<MirrorPlane>& plane) {
+void expect_no_allocations(const DragOptions& options, const std::optional<MirrorPlane>& plane,
+                           Falloff falloff = Falloff::sharp) {
     Session session;
     test::expect_done(session, command::Shape{command::Shape::Kind::sphere, 4});
-    test::expect_done(session, command::Brush{.radius = 0.8});
+    test::expect_done(session, command::Brush{.radius = 0.8, .falloff = falloff});
     if (plane) test::expect_done(session, command::Symmetry{command::Symmetry::Plane::x});
     const Vec3 from = plane ? glm::normalize(Vec3{0.4, 0.0, 1.0}) : kFrom;
     ASSERT_TRUE(session.begin_drag(std::array{from}, {}, options));
@@ -53,6 +54,7 @@ TEST(SteadyFrame, OfASessionAllocatesNothing) {
             const DragOptions options{.connected = is_connected, .fold_free = is_fold_free};
             expect_no_allocations(options, std::nullopt);
             expect_no_allocations(options, MirrorPlane{});
+            expect_no_allocations(options, std::nullopt, Falloff::plateau);
         }
     }
 }

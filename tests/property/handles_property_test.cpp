@@ -67,7 +67,9 @@ TEST(Handles, AreVerticesThatReachTheirTargets) {
                 command::Symmetry{.plane = command::Symmetry::Plane::x, .through = through}));
         }
         for (int k = 0; k < 10; ++k) {
-            ASSERT_TRUE(session.execute(command::Brush{.radius = random.scale(0.2, 1.0)}));
+            ASSERT_TRUE(session.execute(
+                command::Brush{.radius = random.scale(0.2, 1.0),
+                               .falloff = k % 2 == 0 ? Falloff::sharp : Falloff::plateau}));
             bend_and_straighten(session, random);
             const std::vector<Vec3> inserted = inserted_positions(session.mesh());
             if (inserted.empty()) continue;

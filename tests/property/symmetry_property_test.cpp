@@ -111,7 +111,9 @@ void expect_symmetric_sessions(std::uint64_t first_seed, bool has_cage) {
                                              .cell = lattice.cell,
                                              .deformable = lattice.deformable}));
         } else {
-            ASSERT_TRUE(session.execute(Brush{.radius = random.uniform(0.4, 1.0)}));
+            const Falloff falloff = i % 2 == 0 ? Falloff::sharp : Falloff::plateau;
+            ASSERT_TRUE(
+                session.execute(Brush{.radius = random.uniform(0.4, 1.0), .falloff = falloff}));
         }
         for (int k = 0; k < 4; ++k) {
             if (has_cage && random.chance(0.5)) {

@@ -99,6 +99,14 @@ std::vector<FixedScript> fixed_scripts() {
          {kSphere, R"({"cmd": "adapt", "theta_max": 5})", R"({"cmd": "cage", "fit": [3, 4, 3]})",
           R"({"cmd": "control", "points": [{"index": [0, 3, 1], "to": [-1.5, 1.75, 0.25]}, )"
           R"({"index": [2, 0, 2], "to": [1.25, -1.5, 1]}]})"}},
+        {"PlateauWithPinsTwistAndSymmetry",
+         0x811828d712467976u,
+         {kSphere, kFine, R"({"cmd": "symmetry", "plane": "x"})",
+          R"({"cmd": "brush", "radius": 0.7, "span": 5, "falloff": "plateau"})",
+          R"({"cmd": "drag", "moves": [{"from": [0.6, 0, 0.8], "to": [0.8, 0.1, 1.2], )"
+          R"("twist": {"axis": [0, 0, 1], "degrees": 90}}], "pins": [[0, 0, 1]]})",
+          R"({"cmd": "drag", "moves": [{"from": [0, 0.6, -0.8], "to": [0, 1, -1.5]}], )"
+          R"("fold_free": true})"}},
         {"BakeAndUndo",
          0xc2d214d94a53c6b4u,
          {kSphere, kFine, R"({"cmd": "drag", "moves": [{"from": [0, 1, 0], "to": [0.3, 1.5, 0]}]})",

@@ -125,7 +125,9 @@ Command hostile_command(const TriMesh& mesh, Random& random) {
             return command::Control{.points = {{index, point()}}};
         }
         case 4:
-            return command::Brush{.radius = value(), .span = random.integer(-1, 20)};
+            return command::Brush{.radius = value(),
+                                  .span = random.integer(-1, 20),
+                                  .falloff = static_cast<Falloff>(random.integer(0, 1))};
         case 5: {
             const Vec3 origin = point(), cell = point();
             const int count = random.integer(-1, 4);

@@ -92,8 +92,10 @@ Command random_command(const TriMesh& mesh, Random& random, double size, std::ui
     if (which < 0.77) return command::Bake{};
     if (which < 0.88) return random_adapt(random, size, budget);
     if (which < 0.96) {
-        return command::Brush{.radius = size * random.scale(0.1, 2.0),
-                              .span = random.integer(1, 6)};
+        command::Brush brush{.radius = size * random.scale(0.1, 2.0), .span = random.integer(1, 6)};
+        // Takes no further random number, so that the other commands stay the same.
+        brush.falloff = *brush.span % 2 == 0 ? Falloff::plateau : Falloff::sharp;
+        return brush;
     }
     return command::Cage{
         .fit = IVec3{random.integer(1, 5), random.integer(1, 5), random.integer(1, 5)}};

@@ -128,7 +128,7 @@ TEST_F(ActionKeysTest, SwitchesTurnWhatTheyShowOnAndOff) {
         EXPECT_EQ(info.is_on(editor), before);
         ++switches;
     }
-    EXPECT_EQ(switches, 10);
+    EXPECT_EQ(switches, 11);
 }
 
 TEST_F(ActionKeysTest, OnlyUndoAndRedoRepeatWhileTheKeyIsHeld) {

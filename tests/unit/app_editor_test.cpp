@@ -233,12 +233,12 @@ TEST_F(EditorTest, ANewObjectGetsSizesThatSuitIt) {
     write("large.obj",
           "v 0 0 0\nv 100 0 0\nv 0 100 0\nv 0 0 100\nf 1 3 2\nf 1 2 4\nf 1 4 3\nf 2 3 4\n");
     auto editor = this->editor();
-    editor.set_radius(0.1);
+    editor.set_radius(0.1 * editor.workspace().diagonal());
     editor.execute(command::Adapt{.l_max = Setting::of(0.02), .floor = Setting::of(0.001)});
     editor.document().open(path("large.obj"));
     const double diagonal = editor.workspace().diagonal();
     EXPECT_NEAR(diagonal, 100.0 * std::sqrt(3.0), 1e-9);
-    EXPECT_DOUBLE_EQ(editor.radius(), 0.25 * diagonal);
+    EXPECT_DOUBLE_EQ(editor.radius(), 0.1 * diagonal);
     EXPECT_TRUE(editor.session().adapt_settings().l_max.is_automatic());
     EXPECT_TRUE(editor.session().adapt_settings().floor.is_automatic());
     // A cage around the object before goes, too; settings that are no sizes stay.
@@ -246,7 +246,7 @@ TEST_F(EditorTest, ANewObjectGetsSizesThatSuitIt) {
     editor.set_cage(editor.workspace().box(), IVec3{4});
     editor.document().new_shape(command::Shape::Kind::sphere, 2);
     EXPECT_FALSE(editor.session().lattice_settings().cage.has_value());
-    EXPECT_DOUBLE_EQ(editor.radius(), 0.25 * editor.workspace().diagonal());
+    EXPECT_DOUBLE_EQ(editor.radius(), 0.1 * editor.workspace().diagonal());
     EXPECT_EQ(editor.session().adapt_settings().theta_max, Setting::of(12.0));
     EXPECT_TRUE(editor.session().adapt_settings().l_max.is_off());
     EXPECT_EQ(editor.workspace().message(), "");

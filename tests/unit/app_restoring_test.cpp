@@ -141,7 +141,8 @@ TEST_F(RestoringTest, SettingsOfTheRestoringWindowHaveNoEffect) {
     for (const Command& setting :
          {Command(command::Symmetry{.plane = command::Symmetry::Plane::x}),
           Command(command::Adapt{.theta_max = Setting::of(60.0)}), Command(kWide),
-          Command(command::Brush{.span = 4}), Command(command::Cage{.fit = IVec3{3, 3, 3}}),
+          Command(command::Brush{.span = 4}), Command(command::Brush{.falloff = Falloff::plateau}),
+          Command(command::Cage{.fit = IVec3{3, 3, 3}}),
           Command(command::History{Setting::of(0.001)})}) {
         lose(off_centre);
         auto editor = this->editor();

@@ -347,7 +347,7 @@ TEST_F(ToolsTest, EachToolDrawsWhatItIsAbout) {
     press(editor, kMiddle);
     move(editor, kMiddle + Vec2(40, -30));
     EXPECT_FALSE(has_colour(overlay(), circle)) << "during a drag";
-    EXPECT_GT(overlay().lines.size(), 20u) << "the lattice of the drag";
+    EXPECT_EQ(overlay().lines.size(), 1u + 2u * 96u) << "the drag and its rings";
     key(editor, Key::escape);
     editor.set_cage(editor.workspace().box(), IVec3{3});
     move(editor, kBeside);

@@ -38,7 +38,8 @@ class RandomCommand {
             case 2:
                 return adapt();
             case 3:
-                return command::Brush{maybe(positive()), maybe(1 + below(16))};
+                return command::Brush{maybe(positive()), maybe(1 + below(16)),
+                                      maybe(static_cast<Falloff>(below(2)))};
             case 4:
                 return cage();
             case 5:

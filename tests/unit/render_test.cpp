@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "app/offscreen_viewport.h"
+#include "ffd/brush_profile.h"
 #include "io/png.h"
 #include "mesh/build_mesh.h"
 #include "mesh/shapes.h"
@@ -305,6 +306,43 @@ TEST(Screenshot, IsRefusedWithoutARenderer) {
     const Done done = session.execute(command::Screenshot{.path = "a.png"});
     ASSERT_FALSE(done);
     EXPECT_NE(done.refusal().reason.find("nothing here to draw with"), std::string::npos);
+}
+
+// ---- The tint of the falloff
+
+TEST_F(RenderTest, TheTintColoursTheSurfaceByTheWeightAroundBothCentres) {
+    const TriMesh mesh = sphere(5);
+    const BrushProfile profile(3, Falloff::sharp);
+    const Vec3 centre = glm::normalize(Vec3{0.45, 0.2, 0.9});
+    FalloffTint tint{.centre = centre, .radius = 0.8, .samples = profile.samples()};
+    Scene plain{.camera = {.eye = {0, 0, 4}}};
+    const Image before = draw(gl(), mesh, plain, kSize);
+    // How much redder than before the picture of this point of the sphere is, against blue.
+    const auto redder = [&](const Scene& scene, const Vec3& point) {
+        const Vec2 at = *scene.camera.project(point, kSize);
+        const int x = static_cast<int>(at.x), y = static_cast<int>(at.y);
+        const Pixel was = pixel(before, x, y), is = pixel(draw(gl(), mesh, scene, kSize), x, y);
+        return (is.red - is.blue) - (was.red - was.blue);
+    };
+    for (const bool wireframe : {false, true}) {
+        Scene scene = plain;
+        scene.levels = wireframe;  // the other shader
+        scene.tint = tint;
+        Scene without = scene;
+        without.tint.reset();
+        const auto effect = [&](const Vec3& point) {
+            return redder(scene, point) - redder(without, point);
+        };
+        const Vec3 half = glm::normalize(centre + 0.8 * profile.distance_at(0.5, Vec3{-1, 0, 0}) *
+                                                      Vec3{-1, 0, 0});
+        EXPECT_GT(effect(centre), 40) << wireframe;
+        EXPECT_GT(effect(centre), effect(half) + 10);
+        EXPECT_GT(effect(half), 10);
+        EXPECT_EQ(effect(glm::normalize(Vec3{-0.45, -0.6, 0.7})), 0) << "outside";
+        const Vec3 image{-centre.x, centre.y, centre.z};
+        scene.tint->image = image;
+        EXPECT_NEAR(effect(image), effect(centre), 30) << "under other light";
+    }
 }
 
 }  // namespace

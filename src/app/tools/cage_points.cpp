@@ -109,10 +109,10 @@ Done CagePoints::update_drag(Session& session, const View& view) {
     if (!grabbed_) return {};
     if (!grabbed_->has_begun) {
         const double moved_by = glm::distance(grabbed_->at, grabbed_->pressed_at);
-        if (moved_by < kClickTolerance) return {};
+        if (moved_by < kClickTolerance && !constraint_.is_active()) return {};
         if (Done done = begin_drag(session); !done) return done;
     }
-    const std::optional<Vec3> displacement = cursor_displacement(session, view);
+    const std::optional<Vec3> displacement = wanted_displacement(session, view);
     if (!displacement || *displacement == grabbed_->displacement) return {};
     std::vector<Vec3> targets;
     for (const IVec3& index : grabbed_->moving) {
@@ -124,15 +124,27 @@ Done CagePoints::update_drag(Session& session, const View& view) {
     return {};
 }
 
-// How far the cursor has moved since the press, in the plane parallel to the picture at the depth
-// of the grabbed point. All selected points are displaced by this vector.
-std::optional<Vec3> CagePoints::cursor_displacement(const Session& session,
-                                                    const View& view) const {
+// How far the cursor has moved since the press: on the axis or plane of the constraint, or else in
+// the plane parallel to the picture, through the grabbed point.
+std::optional<Vec3> CagePoints::cursor_displacement(const View& view, const Vec3& rest) const {
+    const Ray first = view.ray_through(grabbed_->pressed_at);
+    const auto follow = [&](const Ray& ray) {
+        return constraint_.axis() ? on_constraint(constraint_, view.camera, rest, first, ray)
+                                  : on_view_plane(view.camera, rest, ray);
+    };
+    const auto from = follow(first), to = follow(view.ray_through(grabbed_->at));
+    return from && to ? std::optional(*to - *from) : std::nullopt;
+}
+
+// All selected points are displaced by this vector. Without a movement, a typed distance goes
+// upwards in the picture.
+std::optional<Vec3> CagePoints::wanted_displacement(const Session& session, const View& view) {
     const Vec3 rest = cage_of(session).rest(grabbed_->index);
-    const auto from = on_view_plane(view.camera, rest, view.ray_through(grabbed_->pressed_at));
-    const auto to = on_view_plane(view.camera, rest, view.ray_through(grabbed_->at));
-    if (!from || !to) return {};
-    return kept_on_symmetry_plane(session, grabbed_->index, *to - *from);
+    const auto cursor = cursor_displacement(view, rest);
+    if (!cursor) return {};
+    const Vec3 start = view.pixel_length(rest) * view.camera.true_up();
+    return kept_on_symmetry_plane(session, grabbed_->index,
+                                  constraint_.displacement(*cursor, start));
 }
 
 // Returns the selected points. With symmetry, points on the other side than the grabbed one are
@@ -174,7 +186,7 @@ void CagePoints::release(const Session& session, const View& view) {
         box_.reset();
     } else {
         if (grabbed_ && grabbed_->was_selected) selected_ = {grabbed_->index};
-        grabbed_.reset();
+        end();
     }
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/input_event.h"
+#include "app/tools/drag_constraint.h"
 #include "app/tools/screen_box.h"
 #include "app/view.h"
 #include "session/session.h"
@@ -35,12 +36,20 @@ class CagePoints {
     // click allows. The session's dirty elements say whether the object has changed. After a
     // refusal the points stay where they were in the frame before.
     Done update_drag(Session& session, const View& view);
+    // Keys for the constraint of the drag, which ends with it. Return whether the key or character
+    // is one of the constraint's; the drag then begins even if the cursor has not moved.
+    bool press_key(Key key, bool shift) { return grabbed_ && constraint_.press(key, shift); }
+    bool type(unsigned int character) { return grabbed_ && constraint_.type(character); }
+    const DragConstraint& constraint() const { return constraint_; }
+    // The displacement in the last frame. Precondition: is_dragging().
+    const Vec3& displacement() const { return grabbed_->displacement; }
     // Ends a click or a box. Precondition: not is_dragging().
     void release(const Session& session, const View& view);
     // Forgets the drag or the box. The session has to end or cancel its drag.
     void end() {
         grabbed_.reset();
         box_.reset();
+        constraint_.clear();
     }
 
     // Clears the selection if the cage has other counts than in the last call.
@@ -68,13 +77,15 @@ class CagePoints {
     void toggle(const IVec3& index);
     void select_in_box(const Session& session, const View& view);
     Done begin_drag(Session& session);
-    std::optional<Vec3> cursor_displacement(const Session& session, const View& view) const;
+    std::optional<Vec3> cursor_displacement(const View& view, const Vec3& rest) const;
+    std::optional<Vec3> wanted_displacement(const Session& session, const View& view);
     std::vector<IVec3> points_to_move(const Session& session, const IVec3& grabbed) const;
 
     std::vector<IVec3> selected_;  // without repetition
     std::optional<IVec3> hovered_;
     IVec3 counts_{0};  // of the cage to which the selection belongs
     std::optional<Grabbed> grabbed_;
+    DragConstraint constraint_;
     std::optional<ScreenBox> box_;
     bool box_adds_ = false;
 };

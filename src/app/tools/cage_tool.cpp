@@ -35,12 +35,32 @@ void CageTool::update(ToolContext& context) {
     Workspace& workspace = context.workspace();
     workspace.limit_frame_time(true);  // a drag of a point may have ended in between
     const Done done = points_.update_drag(workspace.session(), context.view());
+    update_constraint_hint();
     if (!done) return workspace.set_message(words_of(done.refusal()));
     if (!points_.is_dragging()) return;
     if (!had_begun) context.drag_figures().reset_drag();
     workspace.clear_command_message();
     context.drag_figures().record(workspace.session().last_frame(),
                                   std::chrono::steady_clock::now() - start);
+}
+
+bool CageTool::key(ToolContext& context, const event::KeyDown& key) {
+    if (!is_active()) return false;
+    if (!is_constraint_key(key) || !points_.press_key(key.key, key.modifiers.shift)) {
+        return DragTool::key(context, key);
+    }
+    request_update();
+    return true;
+}
+
+void CageTool::character(ToolContext&, unsigned int code) {
+    if (points_.type(code)) request_update();
+}
+
+void CageTool::update_constraint_hint() {
+    constraint_hint_.clear();
+    if (!points_.is_dragging() || !points_.constraint().is_active()) return;
+    constraint_hint_ = hint_of(points_.constraint(), points_.displacement());
 }
 
 bool CageTool::escape(ToolContext&) {
@@ -71,7 +91,11 @@ void CageTool::overlay(const ToolContext& context, Overlay& overlay) const {
 
 std::string_view CageTool::status_hint(const ToolContext& context) const {
     if (points_.box()) return "Release the button to select the control points in the box.";
-    if (is_active()) return "The selected control points follow the cursor.";
+    if (is_active() && !constraint_hint_.empty()) return constraint_hint_;
+    if (is_active()) {
+        return "The selected control points follow the cursor, X, Y or Z keeps an axis, digits set "
+               "the distance.";
+    }
     if (!context.editable_cage()) return {};
     const Modifiers& modifiers = context.pointer().modifiers;
     if (modifiers.control) return "Drag a box around control points to select them.";

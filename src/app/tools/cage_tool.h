@@ -1,6 +1,8 @@
 // Selecting and dragging of a cage's control points, while they are shown.
 #pragma once
 
+#include <string>
+
 #include "app/tools/cage_points.h"
 #include "app/tools/drag_tool.h"
 
@@ -9,6 +11,8 @@ namespace pectin {
 class CageTool final : public DragTool {
   public:
     bool hover(const ToolContext& context, bool is_free) override;
+    bool key(ToolContext& context, const event::KeyDown& key) override;
+    void character(ToolContext& context, unsigned int code) override;
     bool escape(ToolContext& context) override;
     bool is_active() const override { return points_.is_active(); }
     bool is_dragging() const override { return points_.is_dragging(); }
@@ -27,9 +31,15 @@ class CageTool final : public DragTool {
     void click(ToolContext& context) override {
         points_.release(context.session(), context.view());
     }
-    void forget() noexcept override { points_.end(); }
+    void forget() noexcept override {
+        points_.end();
+        constraint_hint_.clear();
+    }
+
+    void update_constraint_hint();
 
     CagePoints points_;
+    std::string constraint_hint_;  // empty without a constraint
 };
 
 }  // namespace pectin

@@ -21,7 +21,8 @@ void continue_frame(ToolContext& context) {
     figures.unsplits += before.unsplits;
 }
 
-// Tells the user what is wrong with the result of the drag.
+}  // namespace
+
 void report_drag(ToolContext& context) {
     const Session& session = context.session();
     const std::uint64_t folded = session.folded_vertices();
@@ -37,8 +38,6 @@ void report_drag(ToolContext& context) {
     }
     if (!message.empty()) context.workspace().set_message(message);
 }
-
-}  // namespace
 
 bool DragTool::press(ToolContext& context, MouseButton button) {
     if (is_active()) return true;
@@ -59,10 +58,23 @@ void DragTool::advance(ToolContext& context) {
     }
 }
 
+bool DragTool::key(ToolContext& context, const event::KeyDown& key) {
+    if (!is_active() || key.key != Key::enter || key.is_repeat) return false;
+    accept(context);
+    return true;
+}
+
 void DragTool::release(ToolContext& context, MouseButton button) {
-    if (button != MouseButton::left) return;
+    if (button == MouseButton::left) accept(context);
+}
+
+// The button may be released while another window has the focus.
+void DragTool::lose_focus(ToolContext& context) { accept(context); }
+
+void DragTool::accept(ToolContext& context) {
     if (std::exchange(is_stale_, false)) update(context);
     if (context.session().is_dragging()) {
+        before_end(context);
         finish(context, context.workspace().end_drag());
     } else {
         click(context);
@@ -73,6 +85,7 @@ void DragTool::finish(ToolContext& context, Workspace::Outcome outcome) {
     if (outcome == Workspace::Outcome::in_progress) return;
     cancel(context);  // if the end has failed, the session may still have the drag
     if (outcome == Workspace::Outcome::done && context.workspace().has_moved()) {
+        after_end(context);
         report_drag(context);
     }
 }

@@ -1,9 +1,8 @@
-// Setting of the brush's radius: while F is held, the radius follows the mouse.
+// Setting of the brush's radius, in whatever unit it has: while F is held, it follows the mouse.
 
-#include <algorithm>
 #include <cmath>
 
-#include "app/tools/brush_circle.h"
+#include "app/tools/brush_rings.h"
 #include "app/tools/tool.h"
 
 namespace pectin {
@@ -12,10 +11,10 @@ namespace {
 constexpr Key kKey{'F'};
 // The radius doubles when the mouse moves by this many pixels.
 constexpr double kPixelsPerDoubling = 160.0;
-constexpr Colour kCircle{255, 214, 64, 255};
+constexpr Colour kRing{255, 214, 64, 255};
 
-// Releasing F or a press of the left button keeps the radius. Esc or a press of another button
-// restores it.
+// Releasing F, a press of the left button or a loss of the focus keeps the radius. Esc or a press
+// of another button restores it.
 class RadiusTool final : public Tool {
   public:
     bool key(ToolContext& context, const event::KeyDown& key) override;
@@ -23,6 +22,7 @@ class RadiusTool final : public Tool {
     void move(ToolContext& context) override;
     bool press(ToolContext& context, MouseButton button) override;
     void key_up(ToolContext& context, Key key) override;
+    void lose_focus(ToolContext& context) override { keep(context); }
     void cancel(ToolContext& context) noexcept override;
 
     void overlay(const ToolContext& context, Overlay& overlay) const override;
@@ -39,9 +39,9 @@ class RadiusTool final : public Tool {
 };
 
 bool RadiusTool::key(ToolContext& context, const event::KeyDown& key) {
-    if (key.key != kKey || key.modifiers != Modifiers{}) return false;
+    if (key.key != kKey || key.modifiers != Modifiers{} || context.has_cage()) return false;
     if (key.is_repeat || is_active()) return true;
-    const double radius = context.workspace().radius();
+    const double radius = context.radius_value();
     drag_ = Drag{context.pointer().at.x, radius};
     context.radius_being_set = radius;
     return true;
@@ -49,8 +49,8 @@ bool RadiusTool::key(ToolContext& context, const event::KeyDown& key) {
 
 void RadiusTool::move(ToolContext& context) {
     const double doublings = (context.pointer().at.x - drag_->start_x) / kPixelsPerDoubling;
-    context.radius_being_set = std::clamp(drag_->start_radius * std::exp2(doublings),
-                                          context.min_radius(), context.max_radius());
+    context.radius_being_set =
+        context.radius_range().clamped(drag_->start_radius * std::exp2(doublings));
 }
 
 bool RadiusTool::press(ToolContext& context, MouseButton button) {
@@ -68,9 +68,9 @@ void RadiusTool::key_up(ToolContext& context, Key key) {
 }
 
 void RadiusTool::keep(ToolContext& context) {
-    const double before = drag_->start_radius, radius = context.radius();
+    const double before = drag_->start_radius, radius = *context.radius_being_set;
     cancel(context);  // first, since settings are refused during a gesture
-    if (radius != before) context.set_radius(radius);
+    if (radius != before) context.set_radius_value(radius);
 }
 
 void RadiusTool::cancel(ToolContext& context) noexcept {
@@ -79,7 +79,7 @@ void RadiusTool::cancel(ToolContext& context) noexcept {
 }
 
 void RadiusTool::overlay(const ToolContext& context, Overlay& overlay) const {
-    if (is_active()) add_brush_circle(overlay, context, kCircle);
+    if (is_active()) add_brush_rings(overlay, context, kRing);
 }
 
 std::string_view RadiusTool::status_hint(const ToolContext&) const {

@@ -2,7 +2,7 @@
 
 #include <chrono>
 
-#include "app/tools/brush_circle.h"
+#include "app/tools/brush_rings.h"
 #include "app/tools/cursor_path.h"
 #include "app/words.h"
 
@@ -12,7 +12,7 @@ namespace {
 // Deviations of the cursor's path by fewer pixels are not meant by the user.
 constexpr double kPathTolerance = 4.0;
 constexpr double kDegreesPerNotch = 5.0;
-constexpr Colour kCircle{255, 255, 255, 190};
+constexpr Colour kRing{255, 255, 255, 190}, kDragRing{255, 214, 64, 200};
 
 // Returns what a press at the cursor grabs: the pin whose marker is there, or the surface point.
 Pick handle_at_cursor(const ToolContext& context, Pick pick) {
@@ -26,11 +26,13 @@ Pick handle_at_cursor(const ToolContext& context, Pick pick) {
 void add_active_drag(Overlay& overlay, const ToolContext& context, const Sculptor& sculptor) {
     // After several steps, these are the lattices of the last step. While the drag is being
     // applied in the background, the session may not be asked for them.
-    if (!context.is_working()) {
+    const bool shows_cage = context.display.lattice && context.has_cage();
+    if (!context.is_working() && (context.display.drag_lattice || shows_cage)) {
         for (const LatticeField& field : context.session().active_lattices()) {
             add_lattice(overlay, field.lattice(), field.displacements());
         }
     }
+    add_drag_rings(overlay, context, sculptor.normal(), sculptor.to(), kDragRing);
     add_drag(overlay, sculptor.from(), sculptor.to());
     const auto& plane = context.session().symmetry();
     if (plane && plane->offset(sculptor.from()) != 0.0) {
@@ -53,6 +55,7 @@ bool SculptTool::begin(ToolContext& context) {
     if (!pick) return false;
     Workspace& workspace = context.workspace();
     const Pick handle = handle_at_cursor(context, *pick);
+    context.use_radius_at(handle.point);
     const Done done = sculptor_.grab(workspace.session(), handle, context.ray_through_cursor(),
                                      context.pins().points(), context.drag_options);
     if (!done) {
@@ -69,9 +72,11 @@ void SculptTool::follow(const ToolContext& context) {
     cursor_path_.push_back(context.pointer().at);
 }
 
-// The steps of a fold-free drag depend on the path, so such a drag follows the cursor's path.
+// The steps of a fold-free drag depend on the path, so such a drag follows the cursor's path. One
+// with a typed distance goes straight.
 void SculptTool::find_positions(const ToolContext& context) {
-    if (context.drag_options.fold_free && cursor_path_.size() > 1) {
+    if (context.drag_options.fold_free && cursor_path_.size() > 1 &&
+        !sculptor_.constraint().distance()) {
         simplify_path(cursor_path_, kPathTolerance, positions_);
     } else {
         positions_.assign(1, context.pointer().at);
@@ -92,11 +97,13 @@ void SculptTool::update(ToolContext& context) {
         // Only the last position is shown.
         workspace.limit_frame_time(i + 1 == positions_.size());
         const Result<bool> moved =
-            sculptor_.drag(workspace.session(), view.camera, view.ray_through(positions_[i]), path);
+            sculptor_.drag(workspace.session(), view.camera, view.ray_through(positions_[i]), path,
+                           context.drag_strength);
         // After a refusal the next position may be within reach again.
         last = moved ? Done{} : moved.refusal();
         has_moved = has_moved || (moved && *moved);
     }
+    update_constraint_hint();
     if (!last) return workspace.set_message(words_of(last.refusal()));
     workspace.clear_command_message();
     if (!has_moved) return;
@@ -105,6 +112,30 @@ void SculptTool::update(ToolContext& context) {
     figures.steps = workspace.session().active_drag().via.size() + 1;
     figures.degrees = sculptor_.degrees();
     figures.scale = sculptor_.scale();
+}
+
+bool SculptTool::key(ToolContext& context, const event::KeyDown& key) {
+    if (!is_active()) return false;
+    const bool is_constraint =
+        is_constraint_key(key) &&
+        sculptor_.press_key(context.workspace().session(), key.key, key.modifiers.shift);
+    if (!is_constraint) return DragTool::key(context, key);
+    request_update();
+    return true;
+}
+
+void SculptTool::character(ToolContext& context, unsigned int code) {
+    if (is_active() && sculptor_.type(context.workspace().session(), code)) request_update();
+}
+
+void SculptTool::update_constraint_hint() {
+    constraint_hint_.clear();
+    if (!sculptor_.is_dragging() || !sculptor_.constraint().is_active()) return;
+    constraint_hint_ = hint_of(sculptor_.constraint(), sculptor_.to() - sculptor_.from());
+}
+
+void SculptTool::before_end(const ToolContext& context) {
+    ended_ = LastDrag{context.session().active_drag(), sculptor_.normal()};
 }
 
 bool SculptTool::scroll(ToolContext& context, double notches) {
@@ -120,19 +151,20 @@ bool SculptTool::scroll(ToolContext& context, double notches) {
 
 void SculptTool::overlay(const ToolContext& context, Overlay& overlay) const {
     if (is_active()) return add_active_drag(overlay, context, sculptor_);
-    const bool has_cage = context.session().lattice_settings().cage.has_value();
-    if (context.display.lattice && !has_cage) {
+    if (context.display.lattice && !context.has_cage()) {
         if (const auto lattice = preview_lattice(context)) add_lattice(overlay, *lattice, {});
     }
-    if (!context.is_setting_radius()) add_brush_circle(overlay, context, kCircle);
+    if (!context.radius_being_set) add_brush_rings(overlay, context, kRing);
 }
 
 std::string_view SculptTool::status_hint(const ToolContext& context) const {
     const Modifiers& modifiers = context.pointer().modifiers;
     if (is_active()) {
+        if (!constraint_hint_.empty()) return constraint_hint_;
         if (modifiers.alt) return "The point moves along the normal of the surface.";
         if (modifiers.shift) return "Turn the wheel to scale the area around the point.";
-        return "Alt: along the normal · Wheel: twist · Shift+wheel: scale · Esc: give up the drag";
+        return "Alt: along the normal · Wheel: twist · Shift+wheel: scale · X, Y, Z: along an axis · "
+               "Digits: distance · Esc: give up the drag";
     }
     if (!context.hover()) return {};
     if (modifiers.alt) return "Drag the surface to pull it along its normal.";

@@ -18,9 +18,11 @@ bool Tool::key(ToolContext&, const event::KeyDown&) { return false; }
 bool Tool::scroll(ToolContext&, double) { return false; }
 bool Tool::escape(ToolContext&) { return false; }
 
+void Tool::character(ToolContext&, unsigned int) {}
 void Tool::move(ToolContext&) {}
 void Tool::release(ToolContext&, MouseButton) {}
 void Tool::key_up(ToolContext&, Key) {}
+void Tool::lose_focus(ToolContext&) {}
 void Tool::advance(ToolContext&) {}
 void Tool::finish(ToolContext&, Workspace::Outcome) {}
 void Tool::cancel(ToolContext&) noexcept {}

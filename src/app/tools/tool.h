@@ -45,6 +45,8 @@ class Tool {
     // context.pointer() is where the button was pressed.
     virtual bool press(ToolContext& context, MouseButton button);
     virtual bool key(ToolContext& context, const event::KeyDown& key);
+    // A character that was typed. Only an active tool gets it.
+    virtual void character(ToolContext& context, unsigned int code);
     // notches: up is positive.
     virtual bool scroll(ToolContext& context, double notches);
     // The key Esc without a gesture: leaves a mode or a selection.
@@ -58,6 +60,8 @@ class Tool {
     virtual void move(ToolContext& context);
     virtual void release(ToolContext& context, MouseButton button);
     virtual void key_up(ToolContext& context, Key key);
+    // The window has lost the focus. No key that is held will be reported as released.
+    virtual void lose_focus(ToolContext& context);
     // Called once per frame, after the frame's events.
     virtual void advance(ToolContext& context);
     // The end of the drag, which was worked on in the background, has this outcome.

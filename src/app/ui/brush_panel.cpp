@@ -1,9 +1,11 @@
 #include "app/ui/brush_panel.h"
 
+#include <algorithm>
 #include <array>
 #include <string>
 
 #include "app/ui/action_widgets.h"
+#include "app/ui/falloff_curve.h"
 #include "app/ui/figure_text.h"
 #include "app/ui/rows.h"
 #include "command/limits.h"
@@ -12,13 +14,94 @@ namespace pectin {
 namespace {
 
 constexpr const char* kRadiusHelp = "How far from the point that you grab the surface follows.";
-constexpr const char* kPointsHelp =
-    "How many control points the brush has along each axis: with more of them the area that "
-    "follows is narrower.";
+constexpr const char* kStrengthHelp =
+    "How much of the cursor's way the point that you grab follows.";
 constexpr const char* kPlaneHelp = "The axis across which drags are mirrored.";
 constexpr const char* kThroughHelp =
     "Whether the plane of symmetry goes through the origin or through the middle of the object as "
     "it was opened.";
+
+// What the radius is measured in, in the order of RadiusUnit.
+struct UnitInfo {
+    const char* name;
+    const char* help;
+    const char* format;
+    const char* suffix;
+    double factor;  // from the radius in its unit to the number on screen
+};
+constexpr std::array<UnitInfo, 3> kUnits{{
+    {"Share of the object",
+     "The radius is a share of the object's diagonal, and other objects get a radius that suits "
+     "them.",
+     "%.1f", " %", 100.0},
+    {"Model units", "The radius is a length in the units of the model.", "%.3g", "", 1.0},
+    {"On screen",
+     "The radius has this many pixels where a drag begins, so that zooming in makes it smaller on "
+     "the object.",
+     "%.0f", " px", 1.0},
+}};
+
+void draw_unit(Editor& editor) {
+    begin_row("Measured in");
+    const auto present = static_cast<std::size_t>(editor.brush_size().unit);
+    if (ImGui::BeginCombo("##unit", kUnits[present].name)) {
+        for (std::size_t i = 0; i < kUnits.size(); ++i) {
+            if (ImGui::Selectable(kUnits[i].name, i == present)) {
+                editor.set_radius_unit(static_cast<RadiusUnit>(i));
+            }
+            tooltip(kUnits[i].name, kUnits[i].help);
+        }
+        ImGui::EndCombo();
+    } else {
+        tooltip("Measured in", kUnits[present].help);
+    }
+}
+
+// A radius that is no length is refused like that of a script.
+void set_radius(Editor& editor, double value) {
+    switch (editor.brush_size().unit) {
+        case RadiusUnit::share:
+            editor.execute(command::Brush{.radius = value * editor.workspace().diagonal()});
+            break;
+        case RadiusUnit::model:
+            editor.execute(command::Brush{.radius = value});
+            break;
+        case RadiusUnit::screen:
+            editor.set_radius_value(value);
+            break;
+    }
+}
+
+void draw_falloff(Editor& editor) {
+    struct Info {
+        Falloff falloff;
+        const char* name;
+        const char* help;
+        int span;  // the number of control points that it begins with
+    };
+    constexpr std::array<Info, 2> kFalloffs{{
+        {Falloff::sharp, "Sharp",
+         "A drag pulls the surface to a peak at the point that you grab. It begins with 3 control "
+         "points per axis.",
+         3},
+        {Falloff::plateau, "Plateau",
+         "A drag moves the area around the point along with it and falls off towards the edge. It "
+         "begins with 5 control points per axis, since fewer have no flat top.",
+         5},
+    }};
+    begin_row("Falloff");
+    const float gap = ImGui::GetStyle().ItemInnerSpacing.x;
+    const float width = 0.5f * (ImGui::GetContentRegionAvail().x - gap);
+    const Falloff present = editor.session().lattice_settings().falloff;
+    for (const Info& info : kFalloffs) {
+        if (info.falloff == Falloff::plateau) ImGui::SameLine(0.0f, gap);
+        if (toggle_button(info.name, info.falloff == present, width) && info.falloff != present) {
+            editor.execute(command::Brush{.span = info.span, .falloff = info.falloff});
+        }
+        tooltip(info.name, info.help);
+    }
+    draw_falloff_curve(editor.brush_profile());
+}
 
 void draw_axes(Editor& editor) {
     using Plane = command::Symmetry::Plane;
@@ -64,9 +147,14 @@ void draw_pins(Editor& editor) {
 
 void BrushPanel::draw(Editor& editor) {
     const ShownSettings shown = editor.shown_settings();
-    ImGui::BeginDisabled(editor.session().lattice_settings().cage.has_value());
-    if (shown.radius) draw_radius(editor);
+    ImGui::BeginDisabled(editor.has_cage());
+    if (shown.radius) {
+        draw_radius(editor);
+        draw_unit(editor);
+        draw_falloff(editor);
+    }
     draw_points(editor);
+    draw_strength(editor);
     ImGui::EndDisabled();
     if (shown.connected) action_checkbox(editor, Action::toggle_connected);
     if (shown.fold_free) action_checkbox(editor, Action::toggle_fold_free);
@@ -78,13 +166,20 @@ void BrushPanel::draw(Editor& editor) {
     if (shown.pins) draw_pins(editor);
 }
 
+// While the number is dragged, the object shows the radius.
 void BrushPanel::draw_radius(Editor& editor) {
     begin_row("Radius");
-    const NumberStyle style{
-        .left = editor.min_radius(), .right = editor.max_radius(), .is_logarithmic = true};
-    if (const auto radius = fields_.draw("##radius", editor.radius(), style)) {
-        editor.execute(command::Brush{.radius = *radius});
-    }
+    const auto& unit = kUnits[static_cast<std::size_t>(editor.brush_size().unit)];
+    editor.radius_preview.reset();
+    const Range range = editor.radius_range();
+    const NumberStyle style{.format = unit.format,
+                            .unit = unit.suffix,
+                            .left = unit.factor * range.least,
+                            .right = unit.factor * range.most,
+                            .is_logarithmic = true};
+    const auto set = fields_.draw("##radius", unit.factor * editor.radius_value(), style);
+    if (const auto dragged = fields_.dragged()) editor.radius_preview = *dragged / unit.factor;
+    if (set) set_radius(editor, *set / unit.factor);
     tooltip("Radius", (std::string(kRadiusHelp) + " F and a move of the mouse, " +
                        shortcut_label(Action::smaller_radius) + " and " +
                        shortcut_label(Action::larger_radius) + " change it, too.")
@@ -99,7 +194,24 @@ void BrushPanel::draw_points(Editor& editor) {
     if (const auto set = fields_.draw("##points", span, style)) {
         editor.execute(command::Brush{.span = whole_number(*set)});
     }
-    tooltip("Points per axis", kPointsHelp);
+    const BrushProfile& profile = editor.brush_profile();
+    const bool is_sharp = profile.falloff() == Falloff::sharp;
+    const double half = profile.distance_at(0.5, Vec3{1.0, 0.0, 0.0});
+    tooltip("Points per axis",
+            ("How many control points the brush has along each axis. More of them make " +
+             std::string(is_sharp ? "a sharp drag narrower" : "a plateau wider") +
+             ": now the surface moves half as far as the point that you grab at " +
+             formatted("%.3g", half) + " of the radius.")
+                .c_str());
+}
+
+void BrushPanel::draw_strength(Editor& editor) {
+    begin_row("Strength");
+    const NumberStyle style{.format = "%.0f", .unit = " %", .left = 1.0, .right = 100.0};
+    if (const auto set = fields_.draw("##strength", 100.0 * editor.drag_strength, style)) {
+        editor.drag_strength = 0.01 * std::clamp(*set, style.left, style.right);
+    }
+    tooltip("Strength", kStrengthHelp);
 }
 
 }  // namespace pectin

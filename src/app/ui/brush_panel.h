@@ -1,4 +1,4 @@
-// The section Brush: how far drags reach and how they act, symmetry and pins.
+// The section Brush: how far drags reach, how they fall off and act, symmetry and pins.
 #pragma once
 
 #include "app/editor.h"
@@ -14,6 +14,7 @@ class BrushPanel {
   private:
     void draw_radius(Editor& editor);
     void draw_points(Editor& editor);
+    void draw_strength(Editor& editor);
 
     NumberField fields_;
 };

@@ -77,6 +77,8 @@ void Panels::draw(Editor& editor, const PictureFigures& figures, float scale) {
     draw_questions(editor, scale);
     draw_file_panel(editor.document(), scale);
     draw_progress_panel(editor, scale);
+    // The control that was setting the radius may not be shown any more.
+    if (!ImGui::IsAnyItemActive()) editor.radius_preview.reset();
     // A dialog that was closed in this frame claims no input, though Dear ImGui still counts it.
     has_popup_ = editor.has_dialog() ||
                  (!had_dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |

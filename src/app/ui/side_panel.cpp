@@ -21,6 +21,7 @@ void draw_display(Editor& editor) {
     action_checkbox(editor, Action::toggle_wireframe);
     action_checkbox(editor, Action::toggle_levels);
     action_checkbox(editor, Action::toggle_lattice);
+    action_checkbox(editor, Action::toggle_drag_lattice);
     action_checkbox(editor, Action::toggle_symmetry_plane);
 }
 
