@@ -1,5 +1,6 @@
 // Phong shading of clay under three lights that move with the camera. With FACES, refinement levels
 // and edges are also drawn into the surface, using the outputs of faces.geom.
+uniform bool orthographic;
 uniform bool show_levels;
 uniform float line_width;  // pixels; 0: no edges
 
@@ -93,7 +94,8 @@ void main() {
     if (show_levels) albedo = level_colour(surface.level) * mix(1.0, 0.94, surface.deformed);
 #endif
     if (!gl_FrontFacing) albedo = kInside;
-    vec3 screen = to_screen(lit(to_linear(albedo), shading_normal(), normalize(-surface.position)));
+    vec3 to_eye = orthographic ? vec3(0.0, 0.0, 1.0) : normalize(-surface.position);
+    vec3 screen = to_screen(lit(to_linear(albedo), shading_normal(), to_eye));
 #ifdef FACES
     if (line_width > 0.0) screen = mix(screen, kEdge, 0.62 * edge_cover());
 #endif

@@ -20,7 +20,7 @@ Camera zoomed_within_limits(const Camera& camera, double factor) {
     const double distance = camera.distance() * factor;
     const double size = 1.0 + glm::length(camera.target);
     if (!(distance > kMinDistance * size && distance < kMaxDistance * size)) return camera;
-    return zoomed(camera, factor);
+    return zoomed(camera, factor, camera.target);
 }
 
 }  // namespace
@@ -78,7 +78,7 @@ void Navigation::frame(std::span<const Vec3> points, double aspect, double fract
     const Vec3 back = direction.value_or(camera_.eye - camera_.target);
     Camera fitted = fit(points, aspect, back, camera_.fov);
     fitted.up = {0.0, 1.0, 0.0};
-    camera_ = zoomed(fitted, 1.0 / fraction_of_height);
+    camera_ = zoomed(fitted, 1.0 / fraction_of_height, fitted.target);
 }
 
 }  // namespace pectin
