@@ -4,6 +4,7 @@
 
 #include "app/editor.h"
 #include "app/tools/pin_tool.h"
+#include "app/view_actions.h"
 
 namespace pectin {
 namespace {
@@ -73,7 +74,8 @@ void toggle(Editor& editor) {
     editor.drag_options.*kOption = !(editor.drag_options.*kOption);
 }
 
-constexpr std::array<ActionInfo, kActionCount> kActions{{
+// Actions before those that move the view, and after them.
+constexpr std::array<ActionInfo, kFirstViewAction> kEarlierActions{{
     // --- New objects.
     {.action = Action::new_sphere,
      .name = "Sphere",
@@ -192,39 +194,14 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .tooltip = "Makes all triangles part of the base mesh, so that none of them is merged again.",
      .is_enabled = is_refined,
      .perform = [](Editor& editor) { editor.execute(command::Bake{}); }},
+}};
 
-    // --- The view.
-    {.action = Action::frame_all,
-     .name = "Frame all",
-     .menu = Menu::view,
-     .shortcuts = {plain(Key::home), typed('.')},
-     .tooltip = "Shows the whole object from the present direction.",
-     .is_enabled = always,
-     .perform = [](Editor& editor) { editor.frame_all(); }},
-    {.action = Action::view_front,
-     .name = "Front",
-     .menu = Menu::view,
-     .shortcuts = {plain(Key::keypad_1)},
-     .tooltip = "Shows the whole object from the front.",
-     .is_enabled = always,
-     .perform = [](Editor& editor) { editor.frame_all(kFrontView); }},
-    {.action = Action::view_right,
-     .name = "Right",
-     .menu = Menu::view,
-     .shortcuts = {plain(Key::keypad_3)},
-     .tooltip = "Shows the whole object from the right.",
-     .is_enabled = always,
-     .perform = [](Editor& editor) { editor.frame_all(kRightView); }},
-    {.action = Action::view_top,
-     .name = "Top",
-     .menu = Menu::view,
-     .shortcuts = {plain(Key::keypad_7)},
-     .tooltip = "Shows the whole object from above.",
-     .is_enabled = always,
-     .perform = [](Editor& editor) { editor.frame_all(kTopView); }},
+constexpr std::array<ActionInfo, kActionCount - kFirstViewAction - kViewActionCount> kLaterActions{{
+    // --- What the view shows.
     {.action = Action::toggle_wireframe,
      .name = "Wireframe",
      .menu = Menu::view,
+     .submenu_before = Menu::navigation,
      .begins_group = true,
      .shortcuts = {plain('W')},
      .tooltip = "Shows the edges of the triangles.",
@@ -307,6 +284,15 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
          [](Editor& editor) { editor.set_radius(editor.workspace().radius() * kRadiusStep); }},
 }};
 
+// The table.
+constexpr std::array<ActionInfo, kActionCount> kActions = [] {
+    std::array<ActionInfo, kActionCount> all;
+    auto end = std::ranges::copy(kEarlierActions, all.begin()).out;
+    end = std::ranges::copy(kViewActions, end).out;
+    std::ranges::copy(kLaterActions, end);
+    return all;
+}();
+
 constexpr bool is_in_order() {
     for (std::size_t i = 0; i < kActions.size(); ++i) {
         if (kActions[i].action != static_cast<Action>(i)) return false;
@@ -330,10 +316,24 @@ std::string key_name(const Shortcut& shortcut) {
             return "Home";
         case Key::keypad_1:
             return "Keypad 1";
+        case Key::keypad_2:
+            return "Keypad 2";
         case Key::keypad_3:
             return "Keypad 3";
+        case Key::keypad_4:
+            return "Keypad 4";
+        case Key::keypad_5:
+            return "Keypad 5";
+        case Key::keypad_6:
+            return "Keypad 6";
         case Key::keypad_7:
             return "Keypad 7";
+        case Key::keypad_8:
+            return "Keypad 8";
+        case Key::keypad_add:
+            return "Keypad +";
+        case Key::keypad_subtract:
+            return "Keypad -";
         default:
             return std::string(1, static_cast<char>(shortcut.key));
     }

@@ -25,6 +25,9 @@ struct Pointer {
     Vec2 at{0.0};  // in window coordinates
     Modifiers modifiers{};
     bool is_in_viewport = false;  // over the window and not over its panels
+    // Whether drags of the surface go along its normal: N is held, or Alt, unless that moves the
+    // view (see mouse_preset.h).
+    bool along_normal = false;
 };
 
 class ToolContext {
@@ -73,6 +76,8 @@ class ToolContext {
     virtual void set_radius(double radius) = 0;
     double min_radius() const;
     double max_radius() const;
+    // Takes note of a point of the surface that the user has dragged. Orbits turn about it.
+    virtual void touch(const Vec3& point) = 0;
     // The cage, if its control points are shown and can be dragged.
     std::optional<Lattice> editable_cage() const;
 };

@@ -224,7 +224,7 @@ TEST_F(ToolRoutingTest, AToolThatThrowsIsCancelledWithAMessage) {
 }
 
 TEST_F(ToolRoutingTest, TheHintIsThatOfTheActiveToolOrOfTheFirstThatHasOne) {
-    EXPECT_NE(editor_.status_hint().find("turn the object"), std::string::npos);
+    EXPECT_NE(editor_.status_hint().find("rotate the view"), std::string::npos);
     second_->hint = "The second.";
     EXPECT_EQ(editor_.status_hint(), "The second.");
     first_->hint = "The first.";

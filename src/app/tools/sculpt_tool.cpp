@@ -60,6 +60,7 @@ bool SculptTool::begin(ToolContext& context) {
         return true;
     }
     workspace.clear_command_message();
+    context.touch(handle.point);
     cursor_path_.assign(1, context.pointer().at);
     context.drag_figures().reset_drag();
     return true;
@@ -81,8 +82,7 @@ void SculptTool::find_positions(const ToolContext& context) {
 
 void SculptTool::update(ToolContext& context) {
     const auto start = std::chrono::steady_clock::now();
-    const bool is_along_normal = context.pointer().modifiers.alt;
-    const DragPath path = is_along_normal ? DragPath::normal : DragPath::view_plane;
+    const DragPath path = context.pointer().along_normal ? DragPath::normal : DragPath::view_plane;
     find_positions(context);
     Workspace& workspace = context.workspace();
     const View view = context.view();
@@ -100,6 +100,7 @@ void SculptTool::update(ToolContext& context) {
     if (!last) return workspace.set_message(rounded_numbers(last.refusal().reason));
     workspace.clear_command_message();
     if (!has_moved) return;
+    context.touch(sculptor_.to());
     FrameFigures& figures = context.drag_figures();
     figures.record(workspace.session().last_frame(), std::chrono::steady_clock::now() - start);
     figures.steps = workspace.session().active_drag().via.size() + 1;
@@ -129,14 +130,16 @@ void SculptTool::overlay(const ToolContext& context, Overlay& overlay) const {
 
 std::string_view SculptTool::status_hint(const ToolContext& context) const {
     const Modifiers& modifiers = context.pointer().modifiers;
+    const bool is_along_normal = context.pointer().along_normal;
     if (is_active()) {
-        if (modifiers.alt) return "The point moves along the normal of the surface.";
+        if (is_along_normal) return "The point moves along the normal of the surface.";
         if (modifiers.shift) return "The wheel scales the surroundings of the point.";
-        return "Alt moves the point along the normal, the wheel twists its surroundings, and with "
+        return "N or Alt moves the point along the normal, the wheel twists its surroundings, and "
+               "with "
                "Shift it scales them.";
     }
     if (!context.hover()) return {};
-    if (modifiers.alt) return "Drag the surface to move the point along the normal.";
+    if (is_along_normal) return "Drag the surface to move the point along the normal.";
     return "Drag the surface, and its surroundings follow.";
 }
 

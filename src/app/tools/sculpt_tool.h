@@ -9,8 +9,8 @@
 namespace pectin {
 
 // A press on the surface grabs the point under the cursor, or the pin whose marker is there. The
-// point moves parallel to the picture, with Alt along the normal. The wheel twists the surroundings
-// of the point, with Shift it scales them.
+// point moves parallel to the picture, with N or Alt along the normal. The wheel twists the
+// surroundings of the point, with Shift it scales them.
 class SculptTool final : public DragTool {
   public:
     bool scroll(ToolContext& context, double notches) override;

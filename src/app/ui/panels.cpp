@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/ui/action_widgets.h"
+#include "app/ui/axes_view.h"
 #include "app/ui/figure_text.h"
 #include "app/ui/file_panel.h"
 #include "app/ui/progress_panel.h"
@@ -51,6 +52,8 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     draw_recovery_question(editor.document());
     draw_file_panel(editor.document(), scale_);
     draw_progress_panel(editor, scale_);
+    editor.set_free_area(free_area(), static_cast<double>(scale_));
+    draw_axes(editor, scale_);
     // A dialog that was closed in this frame claims no input, though Dear ImGui still counts it.
     has_popup_ = editor.has_dialog() ||
                  (!had_dialog && ImGui::IsPopupOpen("", ImGuiPopupFlags_AnyPopupId |
@@ -70,6 +73,12 @@ void Panels::claim_window() {
     areas_.push_back({{at.x, at.y}, {at.x + size.x, at.y + size.y}});
 }
 
+// The part of the window between the menus, the panels on both sides and the status line.
+ScreenBox Panels::free_area() const {
+    const float bottom = ImGui::GetIO().DisplaySize.y - status_height_;
+    return {.from = Vec2(Vec2f(free_left_, menu_height_)), .to = Vec2(Vec2f(free_right_, bottom))};
+}
+
 void Panels::draw_menus(Editor& editor) {
     if (!ImGui::BeginMainMenuBar()) return;
     menu_height_ = ImGui::GetWindowSize().y;
@@ -85,6 +94,7 @@ void Panels::draw_tools(Editor& editor) {
     claim_window();
     const float below = status_height_ + scaled(kMargin) + 2.0f * ImGui::GetStyle().WindowPadding.y;
     tools_.draw(editor, scale_, ImGui::GetIO().DisplaySize.y - top - below);
+    free_left_ = ImGui::GetWindowPos().x + ImGui::GetWindowSize().x;
     ImGui::End();
 }
 
@@ -98,6 +108,7 @@ void Panels::draw_settings(Editor& editor) {
     const bool is_open =
         ImGui::Begin("Settings", nullptr, kFixed | ImGuiWindowFlags_AlwaysAutoResize);
     claim_window();
+    free_right_ = ImGui::GetWindowPos().x;
     if (is_open) {
         if (ImGui::CollapsingHeader("Refine", ImGuiTreeNodeFlags_DefaultOpen)) refine_.draw(editor);
         if (editor.shown_settings().cage &&

@@ -41,6 +41,7 @@ class Panels {
     };
     // Claims the mouse over the ImGui window that is being drawn.
     void claim_window();
+    ScreenBox free_area() const;
 
     void draw_menus(Editor& editor);
     void draw_tools(Editor& editor);
@@ -62,6 +63,7 @@ class Panels {
 
     float scale_;
     float menu_height_ = 0.0f, status_height_ = 0.0f;
+    float free_left_ = 0.0f, free_right_ = 0.0f;  // where the panels on both sides end
     bool status_confirms_ = false;  // the status line shows the confirmation, and no box
     std::vector<Area> areas_;
     bool has_popup_ = false;       // whether a menu or a dialog is open
