@@ -1,7 +1,6 @@
 // Drags, keys and panels in the real window, and the record of what is done there.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <string>
 
 #include "window/window_fixture.h"
@@ -82,27 +81,6 @@ TEST_F(WindowTest, UndoAndRedoKeysRestoreTheExactBytes) {
     EXPECT_TRUE(folder().read("undone.obj") == folder().read("sphere.obj"));
     EXPECT_TRUE(folder().read("redone.obj") == folder().read("dragged.obj"));
     EXPECT_TRUE(folder().read("redone.obj") == replayed());
-}
-
-TEST_F(WindowTest, AltDragsAlongTheNormal) {
-    open_window();
-    desktop().key("KP_1");
-    desktop().move(kMiddleX, kMiddleY);
-    desktop().press();
-    desktop().hold("alt");
-    desktop().move(kMiddleX, kMiddleY - 30);
-    desktop().move(kMiddleX, kMiddleY - 60);
-    desktop().release();
-    desktop().release_key("alt");
-    ASSERT_TRUE(records("\"drag\""));
-    // Seen from the front, the nearest point of the sphere moves along z and keeps x and y.
-    const std::string text = record();
-    const std::string to = text.substr(text.find("\"to\": ["));
-    double x = 1, y = 1, z = 0;
-    ASSERT_EQ(std::sscanf(to.c_str(), "\"to\": [%lf, %lf, %lf]", &x, &y, &z), 3) << to;
-    EXPECT_NEAR(x, 0.0, 0.03);
-    EXPECT_NEAR(y, 0.0, 0.03);
-    EXPECT_GT(z, 1.1);
 }
 
 TEST_F(WindowTest, ASliderAndTheButtonBelowItReadaptTheObject) {
