@@ -1,5 +1,6 @@
 uniform mat4 to_camera;
-uniform float pixel;  // height of a pixel at distance 1
+uniform bool orthographic;
+uniform float pixel;  // height of a pixel: at distance 1, or everywhere if it is orthographic
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
@@ -14,5 +15,7 @@ void main() {
     end.colour = colour;
     end.width = width;
     // Moves the line towards the eye by its width, so that a line on the surface is fully visible.
-    gl_Position = vec4((to_camera * vec4(position, 1.0)).xyz * (1.0 - width * pixel), 1.0);
+    vec3 p = (to_camera * vec4(position, 1.0)).xyz;
+    p = orthographic ? p + vec3(0.0, 0.0, width * pixel) : p * (1.0 - width * pixel);
+    gl_Position = vec4(p, 1.0);
 }

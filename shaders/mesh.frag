@@ -1,5 +1,6 @@
 // Phong shading of clay under three lights that move with the camera. With FACES, refinement levels
 // and edges are also drawn into the surface, using the outputs of faces.geom.
+uniform bool orthographic;
 uniform bool show_levels;
 uniform float line_width;  // pixels; 0: no edges
 uniform float tint_radius;  // of the brush whose weights colour the surface; 0: none
@@ -118,7 +119,8 @@ void main() {
 #endif
     albedo = mix(albedo, kTint, kTintStrength * tint());
     if (!gl_FrontFacing) albedo = kInside;
-    vec3 screen = to_screen(lit(to_linear(albedo), shading_normal(), normalize(-surface.position)));
+    vec3 to_eye = orthographic ? vec3(0.0, 0.0, 1.0) : normalize(-surface.position);
+    vec3 screen = to_screen(lit(to_linear(albedo), shading_normal(), to_eye));
 #ifdef FACES
     if (line_width > 0.0) screen = mix(screen, kEdge, 0.62 * edge_cover());
 #endif

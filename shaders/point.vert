@@ -1,6 +1,7 @@
 uniform mat4 to_camera;
 uniform mat4 projection;
-uniform float pixel;  // height of a pixel at distance 1
+uniform bool orthographic;
+uniform float pixel;  // height of a pixel: at distance 1, or everywhere if it is orthographic
 
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec4 colour;
@@ -16,6 +17,7 @@ void main() {
     radius = 0.5 * diameter;
     point_shape = int(shape);
     gl_PointSize = diameter + 2.0;  // includes the antialiased border
-    vec3 p = (to_camera * vec4(position, 1.0)).xyz * (1.0 - diameter * pixel);
+    vec3 p = (to_camera * vec4(position, 1.0)).xyz;
+    p = orthographic ? p + vec3(0.0, 0.0, diameter * pixel) : p * (1.0 - diameter * pixel);
     gl_Position = projection * vec4(p, 1.0);
 }

@@ -23,10 +23,24 @@ std::string key_name(const Shortcut& shortcut) {
             return "Home";
         case Key::keypad_1:
             return "Keypad 1";
+        case Key::keypad_2:
+            return "Keypad 2";
         case Key::keypad_3:
             return "Keypad 3";
+        case Key::keypad_4:
+            return "Keypad 4";
+        case Key::keypad_5:
+            return "Keypad 5";
+        case Key::keypad_6:
+            return "Keypad 6";
         case Key::keypad_7:
             return "Keypad 7";
+        case Key::keypad_8:
+            return "Keypad 8";
+        case Key::keypad_add:
+            return "Keypad +";
+        case Key::keypad_subtract:
+            return "Keypad -";
         case Key::f10:
             return "F10";
         default:

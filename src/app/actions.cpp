@@ -3,6 +3,7 @@
 #include "app/editor.h"
 #include "app/tools/pin_tool.h"
 #include "app/tools/repeat_drag.h"
+#include "app/view_actions.h"
 
 namespace pectin {
 namespace {
@@ -93,7 +94,8 @@ void repeat_drag(Editor& editor) {
     if (const auto drag = repeated_drag(editor)) editor.execute(*drag);
 }
 
-constexpr std::array<ActionInfo, kActionCount> kActions{{
+// Actions before those that move the view, and after them.
+constexpr std::array<ActionInfo, kFirstViewAction> kEarlierActions{{
     // --- New objects.
     {.action = Action::new_sphere,
      .name = "Sphere",
@@ -212,39 +214,14 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .tooltip = "Keep the present triangles for good: none of them is merged again.",
      .is_enabled = is_refined,
      .perform = [](Editor& editor) { editor.execute(command::Bake{}); }},
+}};
 
-    // --- The view.
-    {.action = Action::frame_all,
-     .name = "Frame all",
-     .menu = Menu::view,
-     .shortcuts = {plain(Key::home), typed('.')},
-     .tooltip = "Show the whole object from the present direction.",
-     .is_enabled = always,
-     .perform = [](Editor& editor) { editor.frame_all(); }},
-    {.action = Action::view_front,
-     .name = "Front",
-     .menu = Menu::view,
-     .shortcuts = {plain(Key::keypad_1)},
-     .tooltip = "Show the whole object from the front.",
-     .is_enabled = always,
-     .perform = [](Editor& editor) { editor.frame_all(kFrontView); }},
-    {.action = Action::view_right,
-     .name = "Right",
-     .menu = Menu::view,
-     .shortcuts = {plain(Key::keypad_3)},
-     .tooltip = "Show the whole object from the right.",
-     .is_enabled = always,
-     .perform = [](Editor& editor) { editor.frame_all(kRightView); }},
-    {.action = Action::view_top,
-     .name = "Top",
-     .menu = Menu::view,
-     .shortcuts = {plain(Key::keypad_7)},
-     .tooltip = "Show the whole object from above.",
-     .is_enabled = always,
-     .perform = [](Editor& editor) { editor.frame_all(kTopView); }},
+constexpr std::array<ActionInfo, kActionCount - kFirstViewAction - kViewActionCount> kLaterActions{{
+    // --- What the view shows.
     {.action = Action::toggle_wireframe,
      .name = "Wireframe",
      .menu = Menu::view,
+     .submenu_before = Menu::navigation,
      .begins_group = true,
      .shortcuts = {plain('W')},
      .tooltip = "Show the edges of the triangles.",
@@ -338,6 +315,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .tooltip = "Drag the surface to pull it; the area around it follows.",
      .is_enabled = always,
      .is_on = [](const Editor& editor) { return has_brush(editor) && !editor.sets_pins; },
+     .is_choice = true,
      .perform = [](Editor& editor) { editor.use_brush(); }},
     {.action = Action::use_cage,
      .name = "Cage",
@@ -346,6 +324,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .tooltip = "Deform the object with the control points of a box around it.",
      .is_enabled = always,
      .is_on = [](const Editor& editor) { return has_cage(editor) && !editor.sets_pins; },
+     .is_choice = true,
      .perform = [](Editor& editor) { editor.use_cage(); }},
     {.action = Action::toggle_pinning,
      .name = "Pin",
@@ -415,6 +394,15 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .perform =
          [](Editor& editor) { editor.set_radius_value(editor.radius_value() * kRadiusStep); }},
 }};
+
+// The table.
+constexpr std::array<ActionInfo, kActionCount> kActions = [] {
+    std::array<ActionInfo, kActionCount> all;
+    auto end = std::ranges::copy(kEarlierActions, all.begin()).out;
+    end = std::ranges::copy(kViewActions, end).out;
+    std::ranges::copy(kLaterActions, end);
+    return all;
+}();
 
 constexpr bool is_in_order() {
     for (std::size_t i = 0; i < kActions.size(); ++i) {

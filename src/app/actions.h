@@ -34,8 +34,22 @@ enum class Action {
     bake,
     frame_all,
     view_front,
+    view_back,
     view_right,
+    view_left,
     view_top,
+    view_bottom,
+    turn_left,
+    turn_right,
+    turn_up,
+    turn_down,
+    zoom_in,
+    zoom_out,
+    toggle_orthographic,
+    toggle_z_up,
+    navigate_as_blender,
+    navigate_as_maya,
+    navigate_as_zbrush,
     toggle_wireframe,
     toggle_lattice,
     toggle_levels,
@@ -54,13 +68,13 @@ enum class Action {
     fit_cage,
     toggle_connected,
     toggle_fold_free,
-    repeat_drag,     // at the point under the cursor
+    repeat_drag,  // at the point under the cursor
     smaller_radius,
     larger_radius,  // must stay the last one
 };
 inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::larger_radius) + 1;
 
-enum class Menu { file, new_object, edit, undo_memory, view, tools };
+enum class Menu { file, new_object, edit, undo_memory, view, viewpoint, navigation, tools };
 
 // A key with modifiers, or a character wherever the keyboard layout has it. Alt is ignored, since
 // no shortcut contains it.
@@ -85,6 +99,7 @@ struct ActionInfo {
     const char* tooltip = "";             // one sentence
     bool (*is_enabled)(const Editor&) = nullptr;
     bool (*is_on)(const Editor&) = nullptr;  // null if the action switches nothing on and off
+    bool is_choice = false;                  // one of several: it is on until another is performed
     // What it does. Precondition: is_enabled().
     void (*perform)(Editor&) = nullptr;
 };

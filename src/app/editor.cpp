@@ -4,23 +4,16 @@
 #include <utility>
 
 #include "app/command_kind.h"
-#include "app/picture.h"
 #include "app/tools/drag_tool.h"
 #include "app/words.h"
 #include "command/check.h"
 
 namespace pectin {
-namespace {
-
-// The part of the window between the panels on both sides, centred in the window.
-constexpr double kFreeWidth = 0.56, kFreeHeight = 0.78;
-
-}  // namespace
 
 Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_blocking_time,
                Tools tools)
     : workspace_(std::move(recorder), max_blocking_time), tools_(std::move(tools)) {
-    frame_all(kFitDirection);
+    view_control_.frame_all(kFitDirection);
 }
 
 void Editor::begin(const std::string& model) {
@@ -45,10 +38,15 @@ std::string_view Editor::status_hint() const {
     if (has_dialog()) return {};
     if (const Tool* const tool = active_tool()) return tool->status_hint(*this);
     if (!pointer_.is_in_viewport) return {};
+    const std::string_view view_hint =
+        view_control_.hint(pointer_.at, pointer_.modifiers, holds_space_);
+    if (view_control_.has_priority(pointer_.at, pointer_.modifiers, holds_space_)) {
+        return view_hint;
+    }
     for (const auto& tool : tools_) {
         if (const std::string_view hint = tool->status_hint(*this); !hint.empty()) return hint;
     }
-    return navigation_hint(pointer_.modifiers);
+    return view_hint;
 }
 
 ShownSettings Editor::shown_settings() const {
@@ -84,7 +82,7 @@ void Editor::reset_for_new_object() {
     figures_ = {};
     pins_.clear();
     last_drag.reset();
-    frame_all(kFitDirection);
+    view_control_.begin_object();
     reset_sizes();
     // The plane follows the centre of the new object.
     if (session().symmetry() && mirror_.through_centre) {
@@ -116,13 +114,13 @@ void Editor::restoration_ended() {
     pins_.clear();
     last_drag.reset();
     update_radius_share();
-    frame_all(kFitDirection);
+    view_control_.begin_object();
 }
 
 command::Screenshot Editor::picture_command(const std::string& path) const {
     return {
         .path = path,
-        .size = glm::clamp(size_, 16, 8192),
+        .size = glm::clamp(size(), 16, 8192),
         .camera = camera(),
         .show = {
             .wireframe = display.wireframe, .lattice = display.lattice, .levels = display.levels}};
@@ -233,9 +231,9 @@ void Editor::undo() {
     }
 }
 
-void Editor::frame_all(const std::optional<Vec3>& direction) {
-    const double aspect = kFreeWidth * size_.x / (kFreeHeight * size_.y);
-    navigation_.frame(referenced_positions(session().mesh()), aspect, kFreeHeight, direction);
+void Editor::set_free_area(const ScreenBox& area, double scale) {
+    view_control_.set_free_area(area, scale);
+    if (!is_busy()) view_control_.follow_free_area();
 }
 
 }  // namespace pectin

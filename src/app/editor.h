@@ -13,10 +13,10 @@
 #include "app/detail_preview.h"
 #include "app/document_controller.h"
 #include "app/input_event.h"
-#include "app/navigation.h"
 #include "app/preferences.h"
 #include "app/tool_context.h"
 #include "app/tools/tool.h"
+#include "app/view_control.h"
 
 namespace pectin {
 
@@ -61,8 +61,6 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     // work in the background.
     void perform(Action action);  // if it is enabled
     void undo();
-    // Moves the camera so that it shows the whole object, from its present direction or another.
-    void frame_all(const std::optional<Vec3>& direction = {});
     void remove_pins() { pins_.clear(); }
     // As DocumentController::execute().
     bool execute(const Command& command) { return document_.execute(command); }
@@ -86,6 +84,13 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     // Counts that the command does not allow are refused with a message.
     void choose_cage_counts(const Box& box, const IVec3& counts);
 
+    // --- The view.
+    ViewControl& view_control() { return view_control_; }
+    const ViewControl& view_control() const { return view_control_; }
+    // Sets the part of the window that no panel covers, in window coordinates. Framing and the axes
+    // follow it. To be called after each layout. scale: of sizes, 1 on an ordinary screen.
+    void set_free_area(const ScreenBox& area, double scale);
+
     // --- Files, dialogs about them, work in the background, and quitting.
     DocumentController& document() { return document_; }
     const DocumentController& document() const { return document_; }
@@ -95,15 +100,15 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     // --- State to display.
     Workspace& workspace() override { return workspace_; }
     const Workspace& workspace() const override { return workspace_; }
-    const Camera& camera() const { return navigation_.camera(); }
-    View view() const override { return {camera(), size_}; }
+    const Camera& camera() const { return view_control_.camera(); }
+    View view() const override { return {camera(), size()}; }
     Pins& pins() override { return pins_; }
     const Pins& pins() const override { return pins_; }
     const MirrorChoice& mirror_choice() const { return mirror_; }
     const Pointer& pointer() const override { return pointer_; }
     const std::optional<Pick>& hover() const override { return hover_; }
     FrameFigures figures() const;
-    const IVec2& size() const { return size_; }
+    const IVec2& size() const { return view_control_.size(); }
     bool shows_hint() const { return shows_hint_; }
 
     // --- State that panels and actions change.
@@ -141,9 +146,12 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     void escape(bool is_claimed);
     bool escape_gesture();
     void escape_state();
+    void set_pointer(const Vec2& at, const Modifiers& modifiers, bool is_in_viewport);
+    void hold(Key key, bool is_held);
 
     // --- Tools (editor_input.cpp).
     FrameFigures& drag_figures() override { return figures_; }
+    void touch(const Vec3& point) override { view_control_.touch(point); }
     Tool* active_tool() const;
     template <typename Part>
     bool run(Part part);
@@ -169,12 +177,12 @@ class Editor : public ToolContext, private DocumentController::Delegate {
 
     Workspace workspace_;
     DocumentController document_{workspace_, *this};
-    Navigation navigation_;
+    ViewControl view_control_{workspace_, preferences};
     Tools tools_;
     Pins pins_;
     MirrorChoice mirror_;
-    IVec2 size_{1280, 800};
     Pointer pointer_;
+    bool holds_space_ = false, holds_normal_key_ = false;
     std::optional<Pick> hover_;
     FrameFigures figures_;
     bool shows_hint_ = true;

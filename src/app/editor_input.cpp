@@ -11,6 +11,11 @@
 #include "app/words.h"
 
 namespace pectin {
+namespace {
+
+constexpr Key kNormalKey{'N'};
+
+}  // namespace
 
 void Editor::handle(const InputEvent& input, const UiClaims& claims) {
     // A dialog takes all input, even before it has been drawn.
@@ -85,6 +90,7 @@ void Editor::advance() {
         run([&] { tool->advance(*this); });
     } else {
         detail_preview.advance(session());
+        view_control_.follow_free_area();
     }
     update_hover();
 }
@@ -110,7 +116,8 @@ std::optional<Pick> Editor::pick_in_middle() {
 void Editor::update_hover() {
     if (active_tool()) return;
     hover_.reset();
-    bool is_free = pointer_.is_in_viewport && !navigation_.is_active() && !has_dialog();
+    bool is_free = pointer_.is_in_viewport && !has_dialog() &&
+                   !view_control_.has_priority(pointer_.at, pointer_.modifiers, holds_space_);
     if (is_free) hover_ = pick_at_cursor();
     // While a panel sets the radius, the middle of the window shows it.
     if (radius_preview && !is_working() && !has_dialog()) hover_ = pick_in_middle();
@@ -124,27 +131,27 @@ void Editor::update_hover() {
 // --- Mouse.
 
 void Editor::on(const event::Press& press, const UiClaims& claims) {
-    pointer_ = {press.at, press.modifiers, !claims.mouse};
+    set_pointer(press.at, press.modifiers, !claims.mouse);
     if (is_working()) return;
     if (Tool* const tool = active_tool()) {
         run([&] { tool->press(*this, press.button); });
-    } else if (!claims.mouse && !navigation_.is_active() &&
+    } else if (!claims.mouse && !view_control_.is_active() &&
+               !view_control_.press_before_tools(press, holds_space_) &&
                !offer_to_tools([&](Tool& t) { return t.press(*this, press.button); })) {
-        navigation_.begin(navigation_mode(press.button, press.modifiers), press.button, press.at);
+        view_control_.press(press);
     }
 }
 
 void Editor::on(const event::Release& release, const UiClaims&) {
-    pointer_.at = release.at;
-    pointer_.modifiers = release.modifiers;
-    if (navigation_.button() == release.button) navigation_.end();
+    set_pointer(release.at, release.modifiers, pointer_.is_in_viewport);
+    view_control_.release(release.button);
     Tool* const tool = active_tool();
     if (tool && !is_working()) run([&] { tool->release(*this, release.button); });
 }
 
 void Editor::on(const event::MouseMove& move, const UiClaims& claims) {
-    pointer_ = {move.at, move.modifiers, !claims.mouse};
-    navigation_.move_to(move.at, size_);
+    set_pointer(move.at, move.modifiers, !claims.mouse);
+    view_control_.move(move.at, move.modifiers);
     Tool* const tool = active_tool();
     if (tool && !is_working()) run([&] { tool->move(*this); });
 }
@@ -157,14 +164,31 @@ void Editor::on(const event::Scroll& scroll, const UiClaims& claims) {
         run([&] { tool->scroll(*this, scroll.amount); });
     } else if (!claims.mouse &&
                !offer_to_tools([&](Tool& t) { return t.scroll(*this, scroll.amount); })) {
-        navigation_.scroll(scroll.amount, scroll.at, size_);
+        view_control_.scroll(scroll, pointer_.modifiers);
     }
 }
 
 // --- Keyboard.
 
+void Editor::set_pointer(const Vec2& at, const Modifiers& modifiers, bool is_in_viewport) {
+    const bool holds_alt = modifiers.alt && alt_drags_along_normal(preferences.mouse);
+    pointer_ = {at, modifiers, is_in_viewport, holds_normal_key_ || holds_alt};
+}
+
+// Takes note of the keys that mean something while they are held: Space moves the view, and N makes
+// drags go along the normal.
+void Editor::hold(Key key, bool is_held) {
+    if (key == Key::space) holds_space_ = is_held;
+    if (key != kNormalKey || holds_normal_key_ == is_held) return;
+    holds_normal_key_ = is_held;
+    set_pointer(pointer_.at, pointer_.modifiers, pointer_.is_in_viewport);
+    Tool* const tool = active_tool();
+    if (tool && !is_working()) run([&] { tool->move(*this); });
+}
+
 void Editor::on(const event::KeyDown& key, const UiClaims& claims) {
-    pointer_.modifiers = key.modifiers;
+    set_pointer(pointer_.at, key.modifiers, pointer_.is_in_viewport);
+    if (!claims.keyboard) hold(key.key, true);
     if (key.key == Key::escape) return escape(claims.keyboard);
     if (key.key == Key::enter && !key.is_repeat) document_.press_enter();
     const auto action = action_for(key.key, key.modifiers);
@@ -172,13 +196,14 @@ void Editor::on(const event::KeyDown& key, const UiClaims& claims) {
     if (claims.keyboard || is_working()) return;
     if (Tool* const tool = active_tool()) {
         run([&] { tool->key(*this, key); });
-    } else if (navigation_.is_active() ||
+    } else if (view_control_.is_active() ||
                !offer_to_tools([&](Tool& t) { return t.key(*this, key); })) {
         if (action && (!key.is_repeat || info_of(*action).repeats)) perform(*action);
     }
 }
 
 void Editor::on(const event::KeyUp& key, const UiClaims&) {
+    hold(key.key, false);
     Tool* const tool = active_tool();
     if (tool && !is_working()) run([&] { tool->key_up(*this, key.key); });
 }
@@ -221,14 +246,16 @@ void Editor::on(const event::Drop& drop, const UiClaims&) {
 }
 
 void Editor::on(const event::Resize& resize, const UiClaims&) {
-    if (resize.size.x > 0 && resize.size.y > 0) size_ = resize.size;
+    if (resize.size.x > 0 && resize.size.y > 0) view_control_.resize(resize.size);
 }
 
 // Keys and buttons may be released unseen from now on.
 void Editor::on(const event::Focus& focus, const UiClaims&) {
     if (focus.gained) return;
     pointer_.modifiers = {};
-    navigation_.end();
+    hold(Key::space, false);
+    hold(kNormalKey, false);
+    view_control_.cancel();
     Tool* const tool = active_tool();
     if (tool && !is_working()) run([&] { tool->lose_focus(*this); });
 }

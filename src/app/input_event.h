@@ -39,8 +39,15 @@ enum class Key : int {
     page_up,
     page_down,
     keypad_1,
+    keypad_2,
     keypad_3,
+    keypad_4,
+    keypad_5,
+    keypad_6,
     keypad_7,
+    keypad_8,
+    keypad_add,
+    keypad_subtract,
     f10
 };
 
@@ -65,9 +72,11 @@ struct MouseMove {
     Modifiers modifiers{};
 };
 struct Leave {};  // the cursor has left the window
+// Of a wheel, in notches, or of two fingers, in fractions of notches.
 struct Scroll {
-    double amount = 0.0;  // notches, up is positive
+    double amount = 0.0;  // up is positive
     Vec2 at{0.0};
+    double sideways = 0.0;  // to the left is positive
 };
 struct KeyDown {
     Key key = Key::none;

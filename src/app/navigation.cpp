@@ -10,34 +10,45 @@ namespace {
 // The camera turns by half a turn when the mouse moves over the window's height.
 constexpr double kTurnPerHeight = std::numbers::pi;
 constexpr double kZoomPerNotch = 0.88;
+constexpr double kMostNotches = 10.0;  // of one event
 // Moving the mouse over the window's height zooms by this factor.
 constexpr double kZoomPerHeight = 8.0;
-// Limits of the camera's distance, relative to the distance of the target from the origin. Beyond
-// them the camera loses its precision.
-constexpr double kMinDistance = 1e-9, kMaxDistance = 1e12;
+// Where the cursor is beside the surface, the eye does not come nearer to the point under it than
+// this part of the eye's distance from the surface. Else it would be caught in empty space, where
+// further zooms have hardly an effect.
+constexpr double kEmptyClearance = 0.5;
+// How exactly the farthest zoom that is allowed is found, as a number of halvings.
+constexpr int kHalvings = 24;
 
-Camera zoomed_within_limits(const Camera& camera, double factor) {
-    const double distance = camera.distance() * factor;
-    const double size = 1.0 + glm::length(camera.target);
-    if (!(distance > kMinDistance * size && distance < kMaxDistance * size)) return camera;
-    return zoomed(camera, factor);
+bool is_inside(const Vec2& pixel, const IVec2& size) {
+    return 0.0 <= pixel.x && pixel.x <= size.x && 0.0 <= pixel.y && pixel.y <= size.y;
 }
 
 }  // namespace
 
-NavigationMode navigation_mode(MouseButton button, const Modifiers& modifiers) {
-    if (button == MouseButton::middle && modifiers.control) return NavigationMode::zoom;
-    const bool alt_pans = button == MouseButton::right && modifiers.alt;
-    return modifiers.shift || alt_pans ? NavigationMode::pan : NavigationMode::orbit;
+// --- Gestures.
+
+void Navigation::begin(NavigationMode mode, MouseButton button, const Vec2& at, const IVec2& size) {
+    gesture_ = Gesture{mode, button, at, camera_.target, {camera_.target, false}};
+    prepare(*gesture_, size);
 }
 
-std::string_view navigation_hint(const Modifiers& modifiers) {
-    if (modifiers.shift) return "Drag to pan the view.";
-    return "Drag the background to rotate the view, Shift+drag to pan; wheel to zoom.";
+void Navigation::begin_orbit(MouseButton button, const Vec2& at, const IVec2& size) {
+    gesture_ = Gesture{NavigationMode::orbit, button, at, pivot(size), {camera_.target, false}};
 }
 
-void Navigation::begin(NavigationMode mode, MouseButton button, const Vec2& at) {
-    gesture_ = Gesture{mode, button, at};
+void Navigation::change_mode(NavigationMode mode, const IVec2& size) {
+    if (!gesture_ || gesture_->mode == mode) return;
+    gesture_->mode = mode;
+    prepare(*gesture_, size);
+}
+
+void Navigation::prepare(Gesture& gesture, const IVec2& size) {
+    gesture.anchor = anchor_at(gesture.last, size);
+    if (gesture.anchor.is_on_surface) touch(gesture.anchor.point);
+    gesture.pivot = pivot(size);
+    // What is at the depth of the target follows the cursor of a pan.
+    if (gesture.mode == NavigationMode::pan) focus(gesture.pivot);
 }
 
 void Navigation::move_to(const Vec2& at, const IVec2& size) {
@@ -48,14 +59,14 @@ void Navigation::move_to(const Vec2& at, const IVec2& size) {
     switch (gesture_->mode) {
         case NavigationMode::orbit: {
             const Vec2 angles = -kTurnPerHeight / height * by;
-            camera_ = orbited(camera_, angles.x, angles.y, camera_.target);
+            camera_ = orbited(camera_, angles.x, angles.y, gesture_->pivot);
             break;
         }
         case NavigationMode::pan:
             camera_ = panned(camera_, by, size);
             break;
         case NavigationMode::zoom:
-            camera_ = zoomed_within_limits(camera_, std::pow(kZoomPerHeight, by.y / height));
+            zoom_towards(gesture_->anchor, std::pow(kZoomPerHeight, by.y / height));
             break;
     }
 }
@@ -65,20 +76,119 @@ std::optional<MouseButton> Navigation::button() const {
     return gesture_->button;
 }
 
-void Navigation::scroll(double amount, const Vec2& at, const IVec2& size) {
-    const Camera nearer =
-        zoomed_within_limits(camera_, std::pow(kZoomPerNotch, std::clamp(amount, -10.0, 10.0)));
-    const double factor = nearer.distance() / camera_.distance();
-    const Vec2 from_centre = at - 0.5 * Vec2(size);
-    camera_ = panned(nearer, (1.0 - 1.0 / factor) * from_centre, size);
+std::optional<NavigationMode> Navigation::mode() const {
+    if (!gesture_) return std::nullopt;
+    return gesture_->mode;
 }
 
-void Navigation::frame(std::span<const Vec3> points, double aspect, double fraction_of_height,
+// --- Steps.
+
+void Navigation::zoom(double notches, const Vec2& at, const IVec2& size) {
+    const Anchor anchor = anchor_at(at, size);
+    if (notches > 0.0 && anchor.is_on_surface) touch(anchor.point);
+    zoom_towards(anchor, std::pow(kZoomPerNotch, std::clamp(notches, -kMostNotches, kMostNotches)));
+}
+
+void Navigation::pan(const Vec2& pixels, const IVec2& size) {
+    focus(pivot(size));
+    camera_ = panned(camera_, pixels, size);
+}
+
+void Navigation::turn(double to_right, double upwards, const IVec2& size) {
+    camera_ = orbited(camera_, to_right, -upwards, pivot(size));
+}
+
+// The point under the cursor: of the surface, else at the depth of the target.
+Navigation::Anchor Navigation::anchor_at(const Vec2& at, const IVec2& size) {
+    const Ray ray = camera_.ray_through(at, size);
+    if (const std::optional<Vec3> hit = object_.first_hit(ray)) return {*hit, true};
+    const double depth = glm::dot(camera_.target - ray.origin, camera_.forward());
+    return {ray.at(depth / glm::dot(ray.direction, camera_.forward())), false};
+}
+
+bool Navigation::may_zoom(const Camera& from, double factor, const Anchor& anchor) {
+    const Camera to = zoomed(from, factor, anchor.point);
+    const double diagonal = object_.diagonal();
+    if (factor >= 1.0) return to.distance() <= kFarthest * diagonal;
+    if (to.distance() < kClosest * diagonal) return false;
+    if (to.is_orthographic()) return true;
+    const double clearance = std::min(object_.distance(to.eye), diagonal);
+    return clearance >= kClosest * diagonal &&
+           (anchor.is_on_surface || to.distance() >= kEmptyClearance * clearance);
+}
+
+// Zooms by the factor, or as far as is allowed. The eye moves along the ray of the cursor, at whose
+// end the anchor is the first point of the surface. So it passes through nothing.
+void Navigation::zoom_towards(const Anchor& anchor, double factor) {
+    const Camera from = focused_on(camera_, anchor.point);
+    if (factor == 1.0 || !from.is_valid()) return;
+    double allowed = 1.0, last = factor;
+    if (may_zoom(from, factor, anchor)) {
+        allowed = factor;
+    } else {
+        for (int i = 0; i < kHalvings; ++i) {
+            const double middle = std::sqrt(allowed * last);
+            (may_zoom(from, middle, anchor) ? allowed : last) = middle;
+        }
+    }
+    const Camera to = zoomed(from, allowed, anchor.point);
+    if (allowed != 1.0 && to.is_valid()) camera_ = to;
+}
+
+// Moves the target to the depth of the point, unless the eye is too near to it.
+void Navigation::focus(const Vec3& point) {
+    const double closest = kClosest * object_.diagonal();
+    if (!camera_.is_orthographic() && camera_.depth(point) < closest) return;
+    const Camera focused = focused_on(camera_, point);
+    if (focused.is_valid()) camera_ = focused;
+}
+
+Vec3 Navigation::pivot(const IVec2& size) const {
+    if (!pivot_) return camera_.target;
+    const std::optional<Vec2> pixel = camera_.project(*pivot_, size);
+    return pixel && is_inside(*pixel, size) ? *pivot_ : camera_.target;
+}
+
+// --- Views.
+
+void Navigation::frame(std::span<const Vec3> points, const PictureArea& area,
                        const std::optional<Vec3>& direction) {
-    const Vec3 back = direction.value_or(camera_.eye - camera_.target);
-    Camera fitted = fit(points, aspect, back, camera_.fov);
-    fitted.up = {0.0, 1.0, 0.0};
-    camera_ = zoomed(fitted, 1.0 / fraction_of_height);
+    const Vec3 from = oriented(up_axis_, direction.value_or(this->direction()));
+    camera_ = fit(points, {.area = area,
+                           .direction = from,
+                           .up = up_vector(up_axis_),
+                           .fov = camera_.fov,
+                           .projection = camera_.projection});
+    framed_ = camera_;
+    Box box;
+    for (const Vec3& point : points) box.include(point);
+    pivot_.reset();
+    if (!box.is_empty()) pivot_ = box.centre();
+}
+
+void Navigation::frame_again(std::span<const Vec3> points, const PictureArea& area) {
+    const std::optional<Vec3> pivot = pivot_;
+    frame(points, area);
+    pivot_ = pivot;
+}
+
+void Navigation::look_from(const Vec3& direction, const IVec2& size) {
+    camera_ =
+        looking_from(camera_, oriented(up_axis_, direction), up_vector(up_axis_), pivot(size));
+}
+
+void Navigation::set_up_axis(UpAxis up, const IVec2& size) {
+    const Vec3 direction = this->direction();
+    up_axis_ = up;
+    look_from(direction, size);
+}
+
+// The eye must not be within the object when an orthographic picture becomes a perspective one. It
+// moves to the ray through the middle of the picture, before the first point of the surface there.
+void Navigation::set_projection(Projection projection, const IVec2& size) {
+    const std::optional<Vec3> hit = object_.first_hit(camera_.ray_through(0.5 * Vec2(size), size));
+    focus(hit.value_or(pivot(size)));
+    camera_.projection = projection;
 }
 
 }  // namespace pectin

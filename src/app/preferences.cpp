@@ -58,11 +58,16 @@ bool read_scale(const Json& value, double& scale) {
     return true;
 }
 
-template <typename T>
-bool read_value(const Json& value, T& into) {
-    const bool is_right = std::is_same_v<T, bool> ? value.is_boolean() : value.is_string();
-    if (is_right) into = value.get<T>();
-    return is_right;
+bool read_flag(const Json& value, bool& flag) {
+    if (value.is_boolean()) flag = value.get<bool>();
+    return value.is_boolean();
+}
+
+bool read_mouse(const Json& value, MousePreset& mouse) {
+    if (!value.is_string()) return false;
+    const auto preset = mouse_preset_named(value.get<std::string>());
+    if (preset) mouse = *preset;
+    return preset.has_value();
 }
 
 // Returns the names of the fields whose values cannot be used.
@@ -75,8 +80,8 @@ std::string read_fields(const Json& file, Preferences& p) {
     note(kTheme, read_field(file, kTheme, [&](Value v) { return read_theme(v, p.theme); }));
     note(kScale, read_field(file, kScale, [&](Value v) { return read_scale(v, p.scale); }));
     note(kHidesPanels,
-         read_field(file, kHidesPanels, [&](Value v) { return read_value(v, p.hides_panels); }));
-    note(kMouse, read_field(file, kMouse, [&](Value v) { return read_value(v, p.mouse); }));
+         read_field(file, kHidesPanels, [&](Value v) { return read_flag(v, p.hides_panels); }));
+    note(kMouse, read_field(file, kMouse, [&](Value v) { return read_mouse(v, p.mouse); }));
     return bad;
 }
 
@@ -84,7 +89,7 @@ void write_changes(Json& file, const Preferences& before, const Preferences& now
     if (now.theme != before.theme) file[kTheme] = now.theme == Theme::light ? kLight : kDark;
     if (now.scale != before.scale) file[kScale] = now.scale;
     if (now.hides_panels != before.hides_panels) file[kHidesPanels] = now.hides_panels;
-    if (now.mouse != before.mouse) file[kMouse] = now.mouse;
+    if (now.mouse != before.mouse) file[kMouse] = name(now.mouse);
 }
 
 // The object in the file; nothing if there is none in it. Throws FileError.

@@ -3,6 +3,8 @@
 
 #include <string>
 
+#include "app/mouse_preset.h"
+
 namespace pectin {
 
 enum class Theme { dark, light };
@@ -11,7 +13,7 @@ struct Preferences {
     Theme theme = Theme::dark;
     double scale = 1.0;  // of text and controls, on top of that of the screen
     bool hides_panels = false;
-    std::string mouse = "blender";  // the name of the preset that says which buttons navigate
+    MousePreset mouse = MousePreset::blender;  // which buttons move the view
     bool operator==(const Preferences&) const = default;
 };
 

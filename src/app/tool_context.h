@@ -51,6 +51,9 @@ struct Pointer {
     Vec2 at{0.0};  // in window coordinates
     Modifiers modifiers{};
     bool is_in_viewport = false;  // over the window and not over its panels
+    // Whether drags of the surface go along its normal: N is held, or Alt, unless that moves the
+    // view (see mouse_preset.h).
+    bool along_normal = false;
 };
 
 class ToolContext {
@@ -120,6 +123,8 @@ class ToolContext {
     const BrushProfile& brush_profile() const;
     // Whether drags use a cage instead of the brush.
     bool has_cage() const { return session().lattice_settings().cage.has_value(); }
+    // Takes note of a point of the surface that the user has dragged. Orbits turn about it.
+    virtual void touch(const Vec3& point) = 0;
     // The cage, if its control points are shown and can be dragged.
     std::optional<Lattice> editable_cage() const;
 

@@ -15,7 +15,7 @@ struct View {
     std::optional<Vec2> project(const Vec3& point) const { return camera.project(point, size); }
     double pixel_length(const Vec3& point) const { return camera.pixel_length(point, size); }
     // Distance from the eye along the view direction.
-    double depth(const Vec3& point) const { return glm::dot(point - camera.eye, camera.forward()); }
+    double depth(const Vec3& point) const { return camera.depth(point); }
 };
 
 }  // namespace pectin

@@ -371,7 +371,10 @@ struct Schema<Camera> {
                    "What is up in the picture, at an angle to the view."),
         make_field("fov", &Camera::fov,
                    field::Number{field::between(1.0, 170.0), field::Unit::angle}, "45",
-                   "The field of view from the lower to the upper border.")};
+                   "The field of view from the lower to the upper border."),
+        make_field("projection", &Camera::projection,
+                   field::Choice<2>{{"perspective", "orthographic"}}, "\"perspective\"",
+                   "Orthographic: what is at any depth is as large as at the target.")};
 };
 
 template <>

@@ -10,19 +10,76 @@ namespace {
 
 // The least sine of the angle between the view direction and `up`. Rounding decides below it.
 constexpr double kLeastTilt = 1e-6;
+// How far before the eye the rays of an orthographic picture begin, in distances of the target.
+constexpr double kRayStart = 1e6;
 // The least near distance as a fraction of the far one. A depth buffer of 24 bits then still
 // resolves 1e-3 of an object.
 constexpr double kLeastNear = 1e-4;
+// fit() chooses another `up` if the sine of its angle to the view direction is smaller.
+constexpr double kLeastFitTilt = 1e-5;
 // The margin that fit() leaves around the object, as a factor.
 constexpr double kFitMargin = 1.14;
 // The largest sine of the pitch of an orbit: 0.6 degrees from straight up and down.
 constexpr double kSteepest = 0.99995;
+// The least distance of an eye that fit() places from the points, in diagonals of their box.
+constexpr double kFitClearance = 1e-3;
 
-double half_height(const Camera& camera) { return std::tan(glm::radians(camera.fov) / 2.0); }
+double tangent(double fov) { return std::tan(glm::radians(fov) / 2.0); }
+
+// Half the height of the picture in world lengths, at this depth.
+double half_height(const Camera& camera, double depth) {
+    return tangent(camera.fov) * (camera.is_orthographic() ? camera.distance() : depth);
+}
 
 Vec3 corner(const Box& box, int i) {
     return {(i & 1) ? box.max.x : box.min.x, (i & 2) ? box.max.y : box.min.y,
             (i & 4) ? box.max.z : box.min.z};
+}
+
+std::array<Vec3, 8> corners(const Box& box) {
+    std::array<Vec3, 8> all{};
+    for (int i = 0; i < 8; ++i) all[static_cast<std::size_t>(i)] = corner(box, i);
+    return all;
+}
+
+// The eye's position, relative to the target of `camera`, from which all points are seen in the
+// area: to the right, upwards, and back.
+//
+// With z towards the eye, a point (x, y, z) is seen between the tangents `low` and `high` from (ex,
+// ey, d) if low (d - z) <= x - ex <= high (d - z), and likewise for y. So the greatest x + z high
+// and the least x + z low determine d and ex. In an orthographic picture z counts as 0.
+Vec3 fitting_eye(std::span<const Vec3> points, double diagonal, const Camera& camera,
+                 const PictureArea& area) {
+    const Vec3 right = camera.right(), up = camera.true_up(), back = -camera.forward();
+    const Vec2 middle = 0.5 * (area.min + area.max);
+    const Vec2 half = 0.5 / kFitMargin * (area.max - area.min);
+    const Vec2 low = tangent(camera.fov) * (middle - half);
+    const Vec2 high = tangent(camera.fov) * (middle + half);
+    const double none = -std::numeric_limits<double>::infinity();
+    Vec2 above{none}, below{-none};
+    double nearest = none;
+    for (const Vec3& p : points) {
+        const Vec2 at{glm::dot(p - camera.target, right), glm::dot(p - camera.target, up)};
+        const double z = glm::dot(p - camera.target, back);
+        const double reach = camera.is_orthographic() ? 0.0 : z;
+        above = glm::max(above, at + reach * high);
+        below = glm::min(below, at + reach * low);
+        nearest = std::max(nearest, z);
+    }
+    const Vec2 distances = (above - below) / (high - low);
+    double distance = std::max(distances.x, distances.y);
+    if (camera.is_orthographic()) nearest = 0.0;
+    distance = std::max(distance, nearest + kFitClearance * diagonal);
+    return Vec3(0.5 * (above + below - distance * (high + low)), distance);
+}
+
+// Moves eye and target by a map of their positions relative to the pivot.
+template <typename Map>
+Camera moved_about(const Camera& camera, const Vec3& pivot, const Map& map) {
+    Camera result = camera;
+    result.eye = pivot + map(camera.eye - pivot);
+    result.target = pivot + map(camera.target - pivot);
+    return result;
 }
 
 }  // namespace
@@ -60,76 +117,83 @@ Mat4 Camera::view() const {
             1.0};
 }
 
-Mat4 Camera::projection(double aspect, const DepthRange& depths) const {
-    return glm::perspective(glm::radians(fov), aspect, depths.near, depths.far);
+Mat4 Camera::projection_matrix(double aspect, const DepthRange& depths) const {
+    if (!is_orthographic()) {
+        return glm::perspective(glm::radians(fov), aspect, depths.near, depths.far);
+    }
+    const double y = half_height(*this, 0.0), x = aspect * y;
+    return glm::ortho(-x, x, -y, y, depths.near, depths.far);
 }
 
 Ray Camera::ray_through(const Vec2& pixel, const IVec2& size) const {
-    const double height = size.y, scale = 2.0 * half_height(*this) / height;
+    const double height = size.y, scale = 2.0 * half_height(*this, 1.0) / height;
     const double x = (pixel.x - 0.5 * size.x) * scale, y = (0.5 * height - pixel.y) * scale;
-    return {eye, glm::normalize(forward() + x * right() + y * true_up())};
+    const Vec3 aside = x * right() + y * true_up();
+    if (is_orthographic()) return {eye + aside - kRayStart * distance() * forward(), forward()};
+    return {eye, glm::normalize(forward() + aside)};
 }
 
 std::optional<Vec2> Camera::project(const Vec3& point, const IVec2& size) const {
+    const double depth = this->depth(point);
+    if (!is_orthographic() && !(depth > 0.0)) return std::nullopt;
     const Vec3 to = point - eye;
-    const double depth = glm::dot(to, forward());
-    if (!(depth > 0.0)) return std::nullopt;
-    const double scale = size.y / (2.0 * half_height(*this) * depth);
+    const double scale = size.y / (2.0 * half_height(*this, depth));
     return Vec2{0.5 * size.x + glm::dot(to, right()) * scale,
                 0.5 * size.y - glm::dot(to, true_up()) * scale};
 }
 
 double Camera::pixel_length(const Vec3& point, const IVec2& size) const {
-    return 2.0 * half_height(*this) * glm::dot(point - eye, forward()) / size.y;
+    return 2.0 * half_height(*this, depth(point)) / size.y;
 }
 
 DepthRange depth_range(const Camera& camera, const Box& box) {
     if (box.is_empty()) return {};
     double least = std::numeric_limits<double>::infinity(), most = -least;
     for (int i = 0; i < 8; ++i) {
-        const double depth = glm::dot(corner(box, i) - camera.eye, camera.forward());
+        const double depth = camera.depth(corner(box, i));
         least = std::min(least, depth);
         most = std::max(most, depth);
     }
     // The slack keeps rounding from clipping a flat box.
     const double slack = 1e-3 * (most - least) + 1e-6 * std::abs(most);
+    if (camera.is_orthographic()) return {least - slack, most + slack};
     if (!(most + slack > 0.0)) return {};  // all of it is behind the eye
     return {std::max(least - slack, kLeastNear * (most + slack)), most + slack};
 }
 
-Camera fit(std::span<const Vec3> points, double aspect, const Vec3& direction, double fov) {
+Camera fit(std::span<const Vec3> points, const FitOptions& options) {
     Box box;
     for (const Vec3& p : points) box.include(p);
     if (!(box.diagonal() > 0.0)) {
         const Vec3 centre = box.is_empty() ? Vec3{0.0} : box.centre();
-        return fit(Box{.min = centre - 0.5, .max = centre + 0.5}, aspect, direction, fov);
+        return fit(corners(Box{.min = centre - 0.5, .max = centre + 0.5}), options);
     }
-    const Vec3 target = box.centre(), back = glm::normalize(direction);
-    const Vec3 up = std::abs(back.y) > kSteepest ? Vec3{0.0, 0.0, -back.y} : Vec3{0.0, 1.0, 0.0};
-    Camera camera{.eye = target + back, .target = target, .up = up, .fov = fov};
-    // With z towards the eye, a point (x, y, z) is visible from (ex, ey, d) if |x - ex| <= (d - z)
-    // tan, and likewise for y. So the extremes of z tan + x and z tan - x determine the eye.
-    const Vec3 right = camera.right(), true_up = camera.true_up();
-    const double tan_y = half_height(camera) / kFitMargin, tan_x = tan_y * aspect;
-    const double none = -std::numeric_limits<double>::infinity();
-    Vec2 above{none}, below{none};
-    for (const Vec3& p : points) {
-        const Vec2 at{glm::dot(p - target, right), glm::dot(p - target, true_up)};
-        const Vec2 reach = glm::dot(p - target, back) * Vec2{tan_x, tan_y};
-        above = glm::max(above, reach + at);
-        below = glm::max(below, reach - at);
+    const Vec3 target = box.centre(), back = glm::normalize(options.direction);
+    Camera camera{.eye = target + back,
+                  .target = target,
+                  .up = glm::normalize(options.up),
+                  .fov = options.fov,
+                  .projection = options.projection};
+    if (glm::length(glm::cross(back, camera.up)) < kLeastFitTilt) {
+        // Looking down, what is at the back of the model is up in the picture.
+        const double down = glm::dot(back, camera.up);
+        camera.up = std::abs(camera.up.y) > 0.5 ? Vec3{0.0, 0.0, -down} : Vec3{0.0, down, 0.0};
     }
-    const Vec2 middle = 0.5 * (above - below), half = 0.5 * (above + below);
-    camera.target += middle.x * right + middle.y * true_up;
-    camera.eye = camera.target + std::max(half.x / tan_x, half.y / tan_y) * back;
+    const Vec3 eye = fitting_eye(points, box.diagonal(), camera, options.area);
+    camera.target = target + eye.x * camera.right() + eye.y * camera.true_up();
+    camera.eye = camera.target + eye.z * back;
     return camera;
 }
 
+Camera fit(std::span<const Vec3> points, double aspect, const Vec3& direction, double fov) {
+    return fit(points, {.area = {.min = {-aspect, -1.0}, .max = {aspect, 1.0}},
+                        .direction = direction,
+                        .fov = fov});
+}
+
 Camera fit(const Box& box, double aspect, const Vec3& direction, double fov) {
-    std::array<Vec3, 8> corners{};
-    for (int i = 0; i < 8 && !box.is_empty(); ++i)
-        corners[static_cast<std::size_t>(i)] = corner(box, i);
-    return fit(std::span<const Vec3>(corners), aspect, direction, fov);
+    if (box.is_empty()) return fit(std::span<const Vec3>{}, aspect, direction, fov);
+    return fit(corners(box), aspect, direction, fov);
 }
 
 Camera orbited(const Camera& camera, double yaw, double pitch, const Vec3& pivot) {
@@ -138,10 +202,17 @@ Camera orbited(const Camera& camera, double yaw, double pitch, const Vec3& pivot
     const double steepest = std::max(std::asin(kSteepest), std::abs(now));
     const double tilt = std::clamp(now + pitch, -steepest, steepest) - now;
     const Mat4 rotation = glm::rotate(glm::rotate(Mat4{1.0}, yaw, up), tilt, camera.right());
-    const auto rotated = [&](const Vec3& p) { return pivot + Mat3(rotation) * (p - pivot); };
-    Camera result = camera;
-    result.eye = rotated(camera.eye);
-    result.target = rotated(camera.target);
+    return moved_about(camera, pivot, [&](const Vec3& p) { return Mat3(rotation) * p; });
+}
+
+Camera looking_from(const Camera& camera, const Vec3& direction, const Vec3& up,
+                    const Vec3& pivot) {
+    const Camera goal{.eye = direction, .target = Vec3{0.0}, .up = up};
+    const Mat3 from{camera.right(), camera.true_up(), camera.forward()};
+    const Mat3 to{goal.right(), goal.true_up(), goal.forward()};
+    Camera result =
+        moved_about(camera, pivot, [&](const Vec3& p) { return to * (glm::transpose(from) * p); });
+    result.up = up;
     return result;
 }
 
@@ -154,9 +225,20 @@ Camera panned(const Camera& camera, const Vec2& pixels, const IVec2& size) {
     return result;
 }
 
-Camera zoomed(const Camera& camera, double factor) {
+Camera zoomed(const Camera& camera, double factor, const Vec3& anchor) {
+    return moved_about(camera, anchor, [&](const Vec3& p) { return factor * p; });
+}
+
+Camera focused_on(const Camera& camera, const Vec3& point) {
+    const double depth = camera.depth(point);
     Camera result = camera;
-    result.eye = camera.target + factor * (camera.eye - camera.target);
+    if (camera.is_orthographic()) {
+        const Vec3 shift = (depth - camera.distance()) * camera.forward();
+        result.eye += shift;
+        result.target += shift;
+    } else if (depth > 0.0) {
+        result.target = camera.eye + depth * camera.forward();
+    }
     return result;
 }
 

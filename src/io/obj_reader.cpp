@@ -19,6 +19,7 @@
 #include "io/obj_polypaint.h"
 #include "io/obj_statements.h"
 #include "io/read_file.h"
+#include "io/up_axis_hint.h"
 
 namespace pectin {
 namespace {
@@ -377,6 +378,7 @@ IndexedFaceSet parse_obj(std::string_view text, const std::string& name, const P
     ReadReport found;
     try {
         IndexedFaceSet faces = ObjParser(text, name, progress, limits, found).parse();
+        found.up_axis = up_axis_hint(text);
         if (report != nullptr) *report = std::move(found);
         return faces;
     } catch (const FileError&) {

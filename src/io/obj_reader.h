@@ -39,7 +39,8 @@ struct ObjLimits {
 // Material libraries are not read, so names of unknown materials are kept. Parts are listed in the
 // order of their first faces, lines or points.
 //
-// report: receives what was dropped, if not null; unchanged if the function throws.
+// report: receives what was dropped and which axis is up, if not null; unchanged if the function
+// throws.
 //
 // Throws FileError as read_whole_file() does; with the line if a position is malformed, missing or
 // not finite, or its index is malformed, 0 or out of range; and for a text that has no faces or is

@@ -3,7 +3,10 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <optional>
 #include <string>
+
+#include "geometry/up_axis.h"
 
 namespace pectin {
 
@@ -37,6 +40,9 @@ struct ReadReport {
 
     std::string unknown_keyword;  // the first unknown keyword
     std::string likely_keyword;   // what it should be; empty if that cannot be guessed
+
+    // Not dropped: the axis that points upwards, where comments of the file say or imply it.
+    std::optional<UpAxis> up_axis{};
 
     bool operator==(const ReadReport&) const = default;
 };

@@ -1,6 +1,5 @@
 #include "render/renderer.h"
 
-#include <cmath>
 #include <cstddef>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -11,8 +10,9 @@ namespace {
 
 constexpr float kEdgeWidth = 1.1f;        // pixels
 constexpr float kHiddenStrength = 0.28f;  // opacity of overlays behind the object
-constexpr double kNearMargin =
-    0.5;  // factor of the near plane: overlays are drawn nearer than they are
+// Overlays are drawn nearer than they are. So the near plane is nearer by this factor, or in an
+// orthographic picture by this many pixels.
+constexpr double kNearMargin = 0.5, kNearPixels = 32.0;
 
 const void* offset(std::size_t bytes) { return reinterpret_cast<const void*>(bytes); }
 
@@ -65,13 +65,20 @@ Renderer::View Renderer::view(const GpuMesh& mesh, const Scene& scene, const Can
     Box shown = mesh.bounds();
     shown.include(scene.overlay.bounds());
     DepthRange depths = depth_range(scene.camera, shown);
-    depths.near *= kNearMargin;
+    const Camera& camera = scene.camera;
+    const double pixel = camera.pixel_length(camera.target, canvas.size()) /
+                         (camera.is_orthographic() ? 1.0 : camera.distance());
+    if (camera.is_orthographic()) {
+        depths.near -= kNearPixels * scene.pixel_scale * pixel;
+    } else {
+        depths.near *= kNearMargin;
+    }
     const double aspect = static_cast<double>(canvas.size().x) / canvas.size().y;
-    return {.to_camera = glm::translate(scene.camera.view(), mesh.centre()),
-            .projection = scene.camera.projection(aspect, depths),
+    return {.to_camera = glm::translate(camera.view(), mesh.centre()),
+            .projection = camera.projection_matrix(aspect, depths),
             .depths = depths,
-            .pixel = static_cast<float>(2.0 * std::tan(glm::radians(scene.camera.fov) / 2.0) /
-                                        canvas.size().y)};
+            .is_orthographic = camera.is_orthographic(),
+            .pixel = static_cast<float>(pixel)};
 }
 
 void Renderer::draw_background(const Background& background) const {
@@ -92,6 +99,7 @@ void Renderer::draw_object(const GpuMesh& mesh, const Scene& scene, const View& 
     program.use();
     program.set("to_camera", glm::mat4(view.to_camera));
     program.set("to_clip", glm::mat4(view.projection * view.to_camera));
+    program.set("orthographic", view.is_orthographic ? 1 : 0);
     program.set("show_levels", scene.levels ? 1 : 0);
     program.set("line_width", scene.wireframe ? kEdgeWidth * scene.pixel_scale : 0.0f);
     set_tint(program, mesh, scene, view);
@@ -166,6 +174,7 @@ void Renderer::draw_overlay_part(const ShaderProgram& program, GLenum mode, GLin
     program.set("to_camera", glm::mat4(view.to_camera));
     program.set("projection", glm::mat4(view.projection));
     program.set("picture_size", glm::vec2(canvas.size()));
+    program.set("orthographic", view.is_orthographic ? 1 : 0);
     program.set("pixel", view.pixel);
     program.set("near", static_cast<float>(view.depths.near));
     program.set("strength", kHiddenStrength);

@@ -55,7 +55,8 @@ class Renderer {
     struct View {
         Mat4 to_camera, projection;
         DepthRange depths;
-        float pixel;  // height of a pixel at distance 1
+        bool is_orthographic;
+        float pixel;  // height of a pixel: at distance 1, or everywhere if it is orthographic
     };
     // The layout that line.vert and point.vert read.
     struct OverlayVertex {

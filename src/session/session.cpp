@@ -220,6 +220,16 @@ std::optional<Pick> Session::pick(const Ray& ray) {
                 area_normal / glm::length(area_normal)};
 }
 
+std::optional<double> Session::distance_to_surface(const Vec3& point) {
+    if (!state_->has_object() || is_dragging()) return {};
+    const std::optional<FaceId> face = state_->face_tree().nearest(point, mesh());
+    if (!face) return {};
+    const auto corner = [&](int i) {
+        return mesh().position(mesh().origin(TriMesh::half_edge(*face, i)));
+    };
+    return glm::distance(point, nearest_on_triangle(point, corner(0), corner(1), corner(2)));
+}
+
 void Session::prepare_for_drags() noexcept {
     if (!state_->has_object() || is_dragging()) return;
     try {

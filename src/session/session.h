@@ -137,6 +137,9 @@ class Session {
     // Returns the first point of the surface on the ray; nothing during a gesture. Cost: O(log n);
     // O(n log n) for the first pick of an object.
     std::optional<Pick> pick(const Ray& ray);
+    // Returns the distance of a point from the surface; nothing without an object and during a
+    // gesture. Cost: that of pick().
+    std::optional<double> distance_to_surface(const Vec3& point);
     // Does now what the next pick and the first drag would have to do first, as far as there is
     // memory for it: builds the face tree, and takes memory for kPreparedSplits splits from the
     // system. Cost: O(n log n) where the object is another one since the last call, else less than

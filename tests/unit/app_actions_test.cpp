@@ -117,9 +117,7 @@ TEST_F(ActionKeysTest, SwitchesTurnWhatTheyShowOnAndOff) {
     auto editor = this->editor();
     int switches = 0;
     for (const ActionInfo& info : all_actions()) {
-        // Of the tools, one is chosen, and choosing it again changes nothing.
-        const bool is_choice = info.action == Action::use_brush || info.action == Action::use_cage;
-        if (!info.is_on || is_choice) continue;
+        if (!info.is_on || info.is_choice) continue;
         SCOPED_TRACE(info.name);
         const bool before = info.is_on(editor);
         editor.perform(info.action);
@@ -128,7 +126,25 @@ TEST_F(ActionKeysTest, SwitchesTurnWhatTheyShowOnAndOff) {
         EXPECT_EQ(info.is_on(editor), before);
         ++switches;
     }
-    EXPECT_EQ(switches, 11);
+    EXPECT_EQ(switches, 12);
+}
+
+TEST_F(ActionKeysTest, ChoicesAreOnUntilAnotherIsPerformed) {
+    auto editor = this->editor();
+    const auto ones_on = [&] {
+        std::vector<Action> on;
+        for (const ActionInfo& info : all_actions()) {
+            const bool is_preset = info.menu == Menu::navigation && info.is_choice;
+            if (is_preset && info.is_on(editor)) on.push_back(info.action);
+        }
+        return on;
+    };
+    EXPECT_EQ(ones_on(), std::vector{Action::navigate_as_blender});
+    for (const Action action : {Action::navigate_as_zbrush, Action::navigate_as_maya,
+                                Action::navigate_as_maya, Action::navigate_as_blender}) {
+        editor.perform(action);
+        EXPECT_EQ(ones_on(), std::vector{action});
+    }
 }
 
 TEST_F(ActionKeysTest, OnlyUndoAndRedoRepeatWhileTheKeyIsHeld) {
@@ -171,9 +187,9 @@ class MenuBarTest : public EditorTest {
         click({title, kTop});
         return entries_at(title + 12.0);
     }
-    std::vector<Action> entries_at(double x) {
+    std::vector<Action> entries_at(double x, double top = 26.0) {
         std::vector<Action> found;
-        for (double y = 26.0; y < 430.0; y += 5.0) {
+        for (double y = top; y < 450.0; y += 5.0) {
             const std::optional<Action> entry = hover({x, y});
             if (entry && (found.empty() || found.back() != *entry)) found.push_back(*entry);
         }
@@ -219,20 +235,30 @@ TEST_F(MenuBarTest, EachMenuHasTheEntriesOfTheTableInItsOrder) {
         close_menus();
         close_menus();
     }
-    EXPECT_EQ(count + table(Menu::new_object).size(), kActionCount) << "actions of no menu";
+    for (const Menu submenu : {Menu::new_object, Menu::viewpoint, Menu::navigation}) {
+        count += table(submenu).size();
+    }
+    EXPECT_EQ(count, kActionCount) << "actions of no menu";
 }
 
-TEST_F(MenuBarTest, TheSubmenuOfNewObjectsHasTheEntriesOfTheTable) {
-    click({kFile, kTop});
-    hover({kFile + 10.0, 36.0});  // New, which opens its submenu
-    std::vector<Action> found;
-    for (double x = 100.0; x < 400.0 && found.empty(); x += 25.0) {
-        hover({kFile + 10.0, 36.0});
-        hover({x, 36.0});
-        found = entries_at(x);
-        if (!found.empty() && info_of(found.front()).menu != Menu::new_object) found.clear();
+TEST_F(MenuBarTest, SubmenusHaveTheEntriesOfTheTable) {
+    const std::vector<std::pair<double, Menu>> submenus{
+        {kFile, Menu::new_object}, {kView, Menu::viewpoint}, {kView, Menu::navigation}};
+    for (const auto& [title, submenu] : submenus) {
+        SCOPED_TRACE(info_of(table(submenu).front()).name);
+        click({title, kTop});
+        std::vector<Action> found;
+        // An entry of the menu opens the submenu, whose first entry is on its right.
+        for (double y = 26.0; y < 330.0 && found.empty(); y += 8.0) {
+            for (double x = title + 80.0; x < title + 300.0 && found.empty(); x += 25.0) {
+                hover({title + 12.0, y});
+                const std::optional<Action> first = hover({x, y});
+                if (first == table(submenu).front()) found = entries_at(x, y);
+            }
+        }
+        EXPECT_EQ(names(found), names(table(submenu)));
+        click({640.0, 795.0});  // beside the menus, which closes them
     }
-    EXPECT_EQ(names(found), names(table(Menu::new_object)));
 }
 
 TEST_F(MenuBarTest, EscapeClosesAMenuWithItsSubmenu) {

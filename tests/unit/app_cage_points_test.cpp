@@ -99,7 +99,7 @@ TEST_F(CagePointsTest, ClicksSelectOnePointAndWithShiftSeveral) {
 
 TEST_F(CagePointsTest, ABoxSelectsAllPointsInsideIt) {
     auto editor = caged();
-    editor.handle(event::Scroll{-8.0, kMiddle});  // so that the whole cage is in the window
+    editor.handle(event::Scroll{-10.0, kMiddle});  // so that the whole cage is in the window
     const Vec2 at = seen(editor, kCorner);
     drag(editor, at - Vec2(5, 5), at + Vec2(5, 5), {.control = true});
     EXPECT_EQ(test::cage_points(editor).selected(), std::vector{kCorner});

@@ -29,7 +29,7 @@ TEST_F(PreferencesTest, AreReadAsTheyWereSaved) {
     PreferencesFile file(path());
     EXPECT_EQ(file.load().preferences, Preferences{});
     const Preferences chosen{
-        .theme = Theme::light, .scale = 1.25, .hides_panels = true, .mouse = "maya"};
+        .theme = Theme::light, .scale = 1.25, .hides_panels = true, .mouse = MousePreset::maya};
     file.save(chosen);
     const PreferencesFile::Loaded again = loaded();
     EXPECT_EQ(again.preferences, chosen);

@@ -39,6 +39,16 @@ TEST(ScreenshotCommand, UsesDefaultsForAMissingUpVectorAndFieldOfView) {
     EXPECT_EQ(camera->fov, 45.0);
 }
 
+TEST(ScreenshotCommand, IsDrawnInPerspectiveUnlessItSaysOtherwise) {
+    const std::string camera =
+        R"("path": "a.png", "camera": {"eye": [0, 0, 3], "target": [0, 0, 0])";
+    EXPECT_EQ(parsed(camera + "}").camera->projection, Projection::perspective);
+    const command::Screenshot flat = parsed(camera + R"(, "projection": "orthographic"})");
+    EXPECT_EQ(flat.camera->projection, Projection::orthographic);
+    EXPECT_NE(format_command(flat).find(R"("projection": "orthographic")"), std::string::npos);
+    EXPECT_EQ(format_command(parsed(camera + "}")).find("projection"), std::string::npos);
+}
+
 TEST(ScreenshotCommand, ShowsTheListedParts) {
     const auto show = parsed(R"("path": "a.png", "show": ["levels", "wireframe", "levels"])").show;
     EXPECT_TRUE(show == (command::Screenshot::Show{.wireframe = true, .levels = true}));
@@ -68,6 +78,9 @@ TEST(ScreenshotCommand, RefusesInvalidPictures) {
               "an angle from 1 to 170"},
              {R"("path": "a.png", "camera": {"eye": [0, 0, 1], "target": [0, 0, 0], "roll": 1})",
               "unknown field \"roll\""},
+             {R"("path": "a.png", "camera": {"eye": [0, 0, 1], "target": [0, 0, 0],)"
+              R"( "projection": "isometric"})",
+              "perspective or orthographic"},
              {R"("path": "a.png", "show": "levels")", "an array of any of wireframe"},
              {R"("path": "a.png", "show": ["level"])", "show[0] must be wireframe"}}) {
         const auto result = parse_command(R"({"cmd": "screenshot", )" + bad.fields + "}");

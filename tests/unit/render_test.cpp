@@ -232,6 +232,29 @@ TEST_F(RenderTest, DrawsLinesThatPassBesideTheEye) {
     EXPECT_LT(pixel(image, 80, 20).green, pixel(image, 80, 20).red + 50);
 }
 
+// Lines and points are drawn nearer than they are, so that those on the surface do not flicker.
+TEST_F(RenderTest, DrawsLinesAndPointsOnTheSurfaceFullyInBothProjections) {
+    const TriMesh cube = build_mesh(make_shape(ShapeKind::cube, 4)).mesh;
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        for (const double distance : {3.0, 300.0}) {
+            SCOPED_TRACE(testing::Message() << static_cast<int>(projection) << ' ' << distance);
+            Scene scene{.camera = {.eye = Vec3(0, 0, 1.0 + distance),
+                                   .target = Vec3(0, 0, 1),
+                                   .fov = glm::degrees(2.0 * std::atan(1.0 / distance)),
+                                   .projection = projection}};
+            const Colour green{0, 255, 0, 255};
+            scene.overlay.lines.push_back(
+                {.from = Vec3(-0.9, 0.2, 1), .to = Vec3(0.9, 0.2, 1), .colour = green});
+            scene.overlay.lines.back().width = 3.0f;
+            scene.overlay.points.push_back({Vec3(0, -0.2, 1), green, 9.0f});
+            const Image image = draw(gl(), cube, scene, kSize);
+            for (const int x : {40, 80, 120}) EXPECT_GT(pixel(image, x, 48).green, 250) << x;
+            EXPECT_GT(pixel(image, 80, 72).green, 250);
+            EXPECT_LT(pixel(image, 80, 72).red, 10);
+        }
+    }
+}
+
 // ---- Screenshots
 
 class ScreenshotTest : public OffscreenTest {
@@ -279,6 +302,42 @@ TEST_F(ScreenshotTest, ShowsTheUnitSphereWithTheRadiusThatFollowsFromTheCamera) 
             EXPECT_NEAR(std::sqrt(area / std::numbers::pi), radius + 0.5, 0.5)
                 << "from " << distance << " at " << fov << " degrees";
             EXPECT_NEAR(0.5 * across, radius, 1.0);
+        }
+    }
+}
+
+// Also from within the object: without perspective everything is drawn, and all of it can be
+// picked.
+TEST_F(ScreenshotTest, PicksWhatItDraws) {
+    execute(session_, {R"({"cmd": "shape", "kind": "torus", "resolution": 12})"});
+    constexpr IVec2 kPicture{96, 72};
+    for (const Projection projection : {Projection::perspective, Projection::orthographic}) {
+        for (const double distance : {0.05, 0.4, 3.0}) {
+            const Vec3 target{0.9, 0.1, 0.0};  // within the tube
+            const Camera camera{.eye = target + distance * Vec3(-0.3, 0.8, 0.5),
+                                .target = target,
+                                .fov = 60.0,
+                                .projection = projection};
+            command::Screenshot screenshot{.size = kPicture, .camera = camera};
+            const PngPixels shown = shoot(screenshot);
+            screenshot.camera->eye += Vec3(1e3, 0, 0);
+            screenshot.camera->target += Vec3(1e3, 0, 0);
+            const PngPixels background = shoot(screenshot);
+            int hits = 0, disagreements = 0;
+            for (int y = 0; y < kPicture.y; ++y) {
+                for (int x = 0; x < kPicture.x; ++x) {
+                    const auto at = static_cast<std::size_t>(4 * (y * kPicture.x + x));
+                    const bool is_drawn = shown.rgba[at] != background.rgba[at] ||
+                                          shown.rgba[at + 2] != background.rgba[at + 2];
+                    const bool is_hit =
+                        session_.pick(camera.ray_through({x + 0.5, y + 0.5}, kPicture)).has_value();
+                    hits += is_hit;
+                    disagreements += is_drawn != is_hit;
+                }
+            }
+            // Pixels on outlines are covered in part.
+            EXPECT_GT(hits, 200) << distance;
+            EXPECT_LT(disagreements, 0.05 * kPicture.x * kPicture.y) << distance;
         }
     }
 }

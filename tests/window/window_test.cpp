@@ -1,7 +1,6 @@
 // Drags, keys and panels in the real window, and the record of what is done there.
 #include <gtest/gtest.h>
 
-#include <cstdio>
 #include <string>
 
 #include "window/window_fixture.h"

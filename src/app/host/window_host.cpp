@@ -71,16 +71,33 @@ Key named_key_of(int key) {
         Key key;
     };
     static constexpr std::array kNamed{
-        Named{GLFW_KEY_ESCAPE, Key::escape},   Named{GLFW_KEY_ENTER, Key::enter},
-        Named{GLFW_KEY_KP_ENTER, Key::enter},  Named{GLFW_KEY_TAB, Key::tab},
-        Named{GLFW_KEY_SPACE, Key::space},     Named{GLFW_KEY_BACKSPACE, Key::backspace},
-        Named{GLFW_KEY_INSERT, Key::insert},   Named{GLFW_KEY_DELETE, Key::delete_key},
-        Named{GLFW_KEY_LEFT, Key::left},       Named{GLFW_KEY_RIGHT, Key::right},
-        Named{GLFW_KEY_UP, Key::up},           Named{GLFW_KEY_DOWN, Key::down},
-        Named{GLFW_KEY_HOME, Key::home},       Named{GLFW_KEY_END, Key::end},
-        Named{GLFW_KEY_PAGE_UP, Key::page_up}, Named{GLFW_KEY_PAGE_DOWN, Key::page_down},
-        Named{GLFW_KEY_KP_1, Key::keypad_1},   Named{GLFW_KEY_KP_3, Key::keypad_3},
-        Named{GLFW_KEY_KP_7, Key::keypad_7},   Named{GLFW_KEY_F10, Key::f10},
+        Named{GLFW_KEY_ESCAPE, Key::escape},
+        Named{GLFW_KEY_ENTER, Key::enter},
+        Named{GLFW_KEY_KP_ENTER, Key::enter},
+        Named{GLFW_KEY_TAB, Key::tab},
+        Named{GLFW_KEY_SPACE, Key::space},
+        Named{GLFW_KEY_BACKSPACE, Key::backspace},
+        Named{GLFW_KEY_INSERT, Key::insert},
+        Named{GLFW_KEY_DELETE, Key::delete_key},
+        Named{GLFW_KEY_LEFT, Key::left},
+        Named{GLFW_KEY_RIGHT, Key::right},
+        Named{GLFW_KEY_UP, Key::up},
+        Named{GLFW_KEY_DOWN, Key::down},
+        Named{GLFW_KEY_HOME, Key::home},
+        Named{GLFW_KEY_END, Key::end},
+        Named{GLFW_KEY_PAGE_UP, Key::page_up},
+        Named{GLFW_KEY_PAGE_DOWN, Key::page_down},
+        Named{GLFW_KEY_KP_1, Key::keypad_1},
+        Named{GLFW_KEY_KP_2, Key::keypad_2},
+        Named{GLFW_KEY_KP_3, Key::keypad_3},
+        Named{GLFW_KEY_KP_4, Key::keypad_4},
+        Named{GLFW_KEY_KP_5, Key::keypad_5},
+        Named{GLFW_KEY_KP_6, Key::keypad_6},
+        Named{GLFW_KEY_KP_7, Key::keypad_7},
+        Named{GLFW_KEY_KP_8, Key::keypad_8},
+        Named{GLFW_KEY_KP_ADD, Key::keypad_add},
+        Named{GLFW_KEY_KP_SUBTRACT, Key::keypad_subtract},
+        Named{GLFW_KEY_F10, Key::f10},
     };
     const auto found = std::find_if(kNamed.begin(), kNamed.end(),
                                     [key](const Named& named) { return named.glfw == key; });
@@ -294,9 +311,9 @@ void WindowHost::listen_to_mouse() {
             host.add(event::Release{*which, host.cursor_, modifiers_of(mods)});
         }
     });
-    glfwSetScrollCallback(window, [](GLFWwindow* w, double, double y) {
+    glfwSetScrollCallback(window, [](GLFWwindow* w, double x, double y) {
         WindowHost& host = host_of(w);
-        host.add(event::Scroll{y, host.cursor_});
+        host.add(event::Scroll{y, host.cursor_, x});
     });
 }
 

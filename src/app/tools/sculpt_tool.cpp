@@ -63,6 +63,7 @@ bool SculptTool::begin(ToolContext& context) {
         return true;
     }
     workspace.clear_command_message();
+    context.touch(handle.point);
     cursor_path_.assign(1, context.pointer().at);
     context.drag_figures().reset_drag();
     return true;
@@ -86,8 +87,7 @@ void SculptTool::find_positions(const ToolContext& context) {
 
 void SculptTool::update(ToolContext& context) {
     const auto start = std::chrono::steady_clock::now();
-    const bool is_along_normal = context.pointer().modifiers.alt;
-    const DragPath path = is_along_normal ? DragPath::normal : DragPath::view_plane;
+    const DragPath path = context.pointer().along_normal ? DragPath::normal : DragPath::view_plane;
     find_positions(context);
     Workspace& workspace = context.workspace();
     const View view = context.view();
@@ -107,6 +107,7 @@ void SculptTool::update(ToolContext& context) {
     if (!last) return workspace.set_message(words_of(last.refusal()));
     workspace.clear_command_message();
     if (!has_moved) return;
+    context.touch(sculptor_.to());
     FrameFigures& figures = context.drag_figures();
     figures.record(workspace.session().last_frame(), std::chrono::steady_clock::now() - start);
     figures.steps = workspace.session().active_drag().via.size() + 1;
@@ -159,17 +160,19 @@ void SculptTool::overlay(const ToolContext& context, Overlay& overlay) const {
 
 std::string_view SculptTool::status_hint(const ToolContext& context) const {
     const Modifiers& modifiers = context.pointer().modifiers;
+    const bool is_along_normal = context.pointer().along_normal;
     if (is_active()) {
         if (!constraint_hint_.empty()) return constraint_hint_;
-        if (modifiers.alt) return "The point moves along the normal of the surface.";
+        if (is_along_normal) return "The point moves along the normal of the surface.";
         if (modifiers.shift) return "Turn the wheel to scale the area around the point.";
-        return "Alt: along the normal · Wheel: twist · Shift+wheel: scale · X, Y, Z: along an axis · "
-               "Digits: distance · Esc: give up the drag";
+        return "N or Alt: along the normal · Wheel: twist · Shift+wheel: scale · X, Y, Z: along an "
+               "axis · Digits: distance · Esc: give up the drag";
     }
     if (!context.hover()) return {};
-    if (modifiers.alt) return "Drag the surface to pull it along its normal.";
-    return "Drag the surface to pull it; the area around it follows. · Alt: along the normal · F: "
-           "radius · P: pin";
+    if (is_along_normal) return "Drag the surface to pull it along its normal.";
+    return "Drag the surface to pull it; the area around it follows. · N or Alt: along the normal "
+           "· "
+           "F: radius · P: pin";
 }
 
 ShownSettings SculptTool::settings() const {

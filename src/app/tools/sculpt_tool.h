@@ -10,9 +10,9 @@
 namespace pectin {
 
 // A press on the surface grabs the point under the cursor, or the pin whose marker is there. The
-// point moves parallel to the picture, with Alt along the normal. The wheel twists the surroundings
-// of the point, with Shift it scales them. X, Y and Z keep the point to an axis, with Shift to the
-// plane across it, and digits set the distance.
+// point moves parallel to the picture, with N or Alt along the normal. The wheel twists the
+// surroundings of the point, with Shift it scales them. X, Y and Z keep the point to an axis, with
+// Shift to the plane across it, and digits set the distance.
 class SculptTool final : public DragTool {
   public:
     bool key(ToolContext& context, const event::KeyDown& key) override;

@@ -98,10 +98,11 @@ void set_button(MouseButton button, bool is_down) {
 #endif
 }
 
-void scroll_wheel(double amount) {
+void scroll_wheel(double sideways, double amount) {
 #if PECTIN_IMGUI_HAS_EVENTS
-    ImGui::GetIO().AddMouseWheelEvent(0.0f, static_cast<float>(amount));
+    ImGui::GetIO().AddMouseWheelEvent(static_cast<float>(sideways), static_cast<float>(amount));
 #else
+    ImGui::GetIO().MouseWheelH += static_cast<float>(sideways);
     ImGui::GetIO().MouseWheel += static_cast<float>(amount);
 #endif
 }
@@ -133,7 +134,7 @@ struct PassToImGui {
     }
     void operator()(const event::Scroll& scroll) const {
         set_mouse(scroll.at);
-        scroll_wheel(scroll.amount);
+        scroll_wheel(scroll.sideways, scroll.amount);
     }
     void operator()(const event::KeyDown& down) const {
         set_modifiers(down.modifiers);

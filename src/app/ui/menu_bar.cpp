@@ -32,6 +32,10 @@ const char* title(Menu menu) {
             return "Memory for undo";
         case Menu::view:
             return "View";
+        case Menu::viewpoint:
+            return "Viewpoint";
+        case Menu::navigation:
+            return "Navigation";
         case Menu::tools:
             return "Tools";
     }

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/ui/action_widgets.h"
+#include "app/ui/axes_view.h"
 #include "app/ui/file_panel.h"
 #include "app/ui/progress_panel.h"
 #include "app/ui/questions.h"
@@ -77,6 +78,8 @@ void Panels::draw(Editor& editor, const PictureFigures& figures, float scale) {
     draw_questions(editor, scale);
     draw_file_panel(editor.document(), scale);
     draw_progress_panel(editor, scale);
+    editor.set_free_area({free_.min, free_.max}, static_cast<double>(scale));
+    draw_axes(editor, scale);
     // The control that was setting the radius may not be shown any more.
     if (!ImGui::IsAnyItemActive()) editor.radius_preview.reset();
     // A dialog that was closed in this frame claims no input, though Dear ImGui still counts it.

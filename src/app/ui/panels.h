@@ -40,7 +40,6 @@ class Panels {
   private:
     // Claims the mouse over the ImGui window that is being drawn.
     void claim_window();
-
     void close_menu_if_wanted(const Editor& editor);
     void draw_menus(Editor& editor);
     void draw_status(const Editor& editor, const PictureFigures& figures);
