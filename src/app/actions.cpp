@@ -1,7 +1,5 @@
 #include "app/actions.h"
 
-#include <algorithm>
-
 #include "app/editor.h"
 #include "app/tools/pin_tool.h"
 
@@ -71,6 +69,16 @@ bool drags(const Editor& editor) {
 template <bool DragOptions::*kOption>
 void toggle(Editor& editor) {
     editor.drag_options.*kOption = !(editor.drag_options.*kOption);
+}
+
+template <HelpPage kPage>
+void show_help(Editor& editor) {
+    editor.show_help(kPage);
+}
+
+template <Example kExample>
+void begin_example(Editor& editor) {
+    editor.document().begin_example(kExample);
 }
 
 constexpr std::array<ActionInfo, kActionCount> kActions{{
@@ -160,6 +168,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .repeats = true,
      .tooltip = "Takes back the last change of the object.",
      .is_enabled = can_undo,
+     .needs = "There is nothing to undo.",
      .perform = [](Editor& editor) { editor.undo(); }},
     {.action = Action::redo,
      .name = "Redo",
@@ -168,6 +177,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .repeats = true,
      .tooltip = "Does again what was undone last.",
      .is_enabled = can_redo,
+     .needs = "There is nothing to redo.",
      .perform = [](Editor& editor) { editor.execute(command::Redo{}); }},
     {.action = Action::toggle_symmetry,
      .name = "Symmetry",
@@ -184,6 +194,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .menu = Menu::edit,
      .tooltip = "Removes all pins, so that drags move all of the surface again.",
      .is_enabled = has_pins,
+     .needs = "There are no pins.",
      .perform = [](Editor& editor) { editor.remove_pins(); }},
     {.action = Action::bake,
      .name = "Bake refinement",
@@ -191,6 +202,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .begins_group = true,
      .tooltip = "Makes all triangles part of the base mesh, so that none of them is merged again.",
      .is_enabled = is_refined,
+     .needs = "Nothing is refined.",
      .perform = [](Editor& editor) { editor.execute(command::Bake{}); }},
 
     // --- The view.
@@ -287,6 +299,7 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .shortcuts = {plain('P')},
      .tooltip = "The key sets a pin where the cursor is on the surface, or removes the one there.",
      .is_enabled = has_cursor,
+     .needs = "Put the cursor on the surface and press the key.",
      .perform = [](Editor& editor) { toggle_pin_at_cursor(editor); }},
     {.action = Action::smaller_radius,
      .name = "Smaller radius",
@@ -305,6 +318,54 @@ constexpr std::array<ActionInfo, kActionCount> kActions{{
      .is_enabled = always,
      .perform =
          [](Editor& editor) { editor.set_radius(editor.workspace().radius() * kRadiusStep); }},
+
+    // --- Help.
+    {.action = Action::show_inputs,
+     .name = "Mouse and keys",
+     .menu = Menu::help,
+     .shortcuts = {plain(Key::f1)},
+     .tooltip = "List everything that the mouse and the keys do.",
+     .is_enabled = always,
+     .perform = show_help<HelpPage::inputs>},
+    {.action = Action::show_actions,
+     .name = "Find an action…",
+     .menu = Menu::help,
+     .shortcuts = {plain(Key::f3), control_shift('P')},
+     .tooltip = "Find an action by its name and do it.",
+     .is_enabled = always,
+     .perform = show_help<HelpPage::actions>},
+    {.action = Action::example_nose,
+     .name = "A nose",
+     .menu = Menu::examples,
+     .tooltip = "Show step by step how a face gets a nose.",
+     .is_enabled = always,
+     .perform = begin_example<Example::nose>},
+    {.action = Action::example_elephant,
+     .name = "An elephant",
+     .menu = Menu::examples,
+     .tooltip = "Show step by step how a ball becomes an elephant.",
+     .is_enabled = always,
+     .perform = begin_example<Example::elephant>},
+    {.action = Action::example_cage,
+     .name = "A cage",
+     .menu = Menu::examples,
+     .tooltip = "Show step by step how a cage deforms all of an object.",
+     .is_enabled = always,
+     .perform = begin_example<Example::cage>},
+    {.action = Action::show_reference,
+     .name = "Reference of scripts",
+     .menu = Menu::help,
+     .submenu_before = Menu::examples,
+     .begins_group = true,
+     .tooltip = "List all commands of scripts and their fields.",
+     .is_enabled = always,
+     .perform = show_help<HelpPage::reference>},
+    {.action = Action::show_about,
+     .name = "About pectin",
+     .menu = Menu::help,
+     .tooltip = "Show the version, the licence and what pectin is built on.",
+     .is_enabled = always,
+     .perform = show_help<HelpPage::about>},
 }};
 
 constexpr bool is_in_order() {
@@ -315,66 +376,10 @@ constexpr bool is_in_order() {
 }
 static_assert(is_in_order(), "each row stands at the place of its action in the enumeration");
 
-template <typename Matches>
-std::optional<Action> find_action(const Matches& matches) {
-    for (const ActionInfo& info : kActions) {
-        if (std::ranges::any_of(info.shortcuts, matches)) return info.action;
-    }
-    return std::nullopt;
-}
-
-std::string key_name(const Shortcut& shortcut) {
-    if (shortcut.character != 0) return std::string(1, shortcut.character);
-    switch (shortcut.key) {
-        case Key::home:
-            return "Home";
-        case Key::keypad_1:
-            return "Keypad 1";
-        case Key::keypad_3:
-            return "Keypad 3";
-        case Key::keypad_7:
-            return "Keypad 7";
-        default:
-            return std::string(1, static_cast<char>(shortcut.key));
-    }
-}
-
 }  // namespace
 
 std::span<const ActionInfo, kActionCount> all_actions() { return kActions; }
 
 const ActionInfo& info_of(Action action) { return kActions[static_cast<std::size_t>(action)]; }
-
-std::optional<Action> action_for(Key key, const Modifiers& modifiers) {
-    if (key == Key::none) return std::nullopt;
-    return find_action([&](const Shortcut& shortcut) {
-        return shortcut.key == key && shortcut.modifiers.shift == modifiers.shift &&
-               shortcut.modifiers.control == modifiers.control;
-    });
-}
-
-std::optional<Action> action_for(unsigned int character) {
-    if (character == 0) return std::nullopt;
-    return find_action([&](const Shortcut& shortcut) {
-        return static_cast<unsigned char>(shortcut.character) == character;
-    });
-}
-
-std::string label_of(const Shortcut& shortcut) {
-    if (!shortcut.exists()) return {};
-    return std::string(shortcut.modifiers.control ? "Ctrl+" : "") +
-           (shortcut.modifiers.shift ? "Shift+" : "") + key_name(shortcut);
-}
-
-std::string shortcut_label(Action action) { return label_of(info_of(action).shortcuts.front()); }
-
-std::string tooltip_with_shortcuts(Action action) {
-    const ActionInfo& info = info_of(action);
-    std::string labels;
-    for (const Shortcut& shortcut : info.shortcuts) {
-        if (shortcut.exists()) labels += (labels.empty() ? "" : ", ") + label_of(shortcut);
-    }
-    return info.tooltip + (labels.empty() ? "" : " (" + labels + ")");
-}
 
 }  // namespace pectin

@@ -5,12 +5,21 @@
 
 #include "app/command_kind.h"
 #include "app/picture.h"
+#include "io/file_error.h"
 
 namespace pectin {
 namespace {
 
 // The part of the window between the panels on both sides, centred in the window.
 constexpr double kFreeWidth = 0.56, kFreeHeight = 0.78;
+// The space below an example for its panel, in heights of what is shown.
+constexpr double kSpaceBelow = 0.35;
+
+Vec3 below(const std::vector<Vec3>& points) {
+    Box box;
+    for (const Vec3& point : points) box.include(point);
+    return box.centre() - Vec3{0.0, (0.5 + kSpaceBelow) * (box.max.y - box.min.y), 0.0};
+}
 
 }  // namespace
 
@@ -30,6 +39,7 @@ void Editor::begin(const std::string& model) {
 
 void Editor::add_overlays(Overlay& overlay) const {
     for (const auto& tool : tools_) tool->overlay(*this, overlay);
+    example_.overlay(overlay);
 }
 
 std::optional<ScreenBox> Editor::selection_box() const {
@@ -71,6 +81,7 @@ void Editor::command_done(const Command& command) {
     hover_.reset();
     if (makes_object(command)) reset_for_new_object();
     if (is_any_of<command::Undo, command::Redo>(command)) figures_.folded = 0;
+    example_.command_done(command);
 }
 
 // Discards what belonged to the object before.
@@ -103,6 +114,21 @@ void Editor::restoration_ended() {
     figures_ = {};
     pins_.clear();
     frame_all(kFitDirection);
+}
+
+void Editor::begin_example(Example example) {
+    try {
+        example_.begin(title_of(example), read_example(example, example_folders()));
+    } catch (const FileError& error) {
+        return workspace_.set_message(error.what());
+    }
+    shows_hint_ = false;
+    // The view stays as it is while the example plays, so it shows all that will be there.
+    std::vector<Vec3> points = referenced_positions(session().mesh());
+    const std::vector<Vec3> targets = drag_targets(example_.steps());
+    points.insert(points.end(), targets.begin(), targets.end());
+    points.push_back(below(points));  // the panel with the caption
+    frame(points, kFitDirection);
 }
 
 command::Screenshot Editor::picture_command(const std::string& path) const {
@@ -148,6 +174,7 @@ void Editor::set_cage(const Box& box, const IVec3& counts) {
 // --- Actions.
 
 void Editor::perform(Action action) {
+    example_.interrupt();
     const ActionInfo& info = info_of(action);
     if (!is_busy() && info.is_enabled(*this)) info.perform(*this);
 }
@@ -163,8 +190,20 @@ void Editor::undo() {
 }
 
 void Editor::frame_all(const std::optional<Vec3>& direction) {
+    frame(referenced_positions(session().mesh()), direction);
+}
+
+void Editor::frame(std::span<const Vec3> points, const std::optional<Vec3>& direction) {
     const double aspect = kFreeWidth * size_.x / (kFreeHeight * size_.y);
-    navigation_.frame(referenced_positions(session().mesh()), aspect, kFreeHeight, direction);
+    navigation_.frame(points, aspect, kFreeHeight, direction);
+}
+
+// --- Help.
+
+void Editor::show_help(HelpPage page) {
+    const bool closes = help_page_ == page;
+    help_page_.reset();
+    if (!closes && !document_.has_dialog()) help_page_ = page;
 }
 
 }  // namespace pectin

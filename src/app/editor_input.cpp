@@ -28,7 +28,7 @@ Tool* Editor::active_tool() const {
 
 bool Editor::is_dragging() const {
     const Tool* const tool = active_tool();
-    return tool && tool->is_dragging();
+    return (tool && tool->is_dragging()) || example_.is_moving();
 }
 
 // Runs something that a tool does. If it throws, the tool's gesture is cancelled. Returns whether
@@ -54,6 +54,7 @@ bool Editor::run(Part part) {
 // Offers an event to the tools, one after the other. Returns whether one has taken it.
 template <typename Offer>
 bool Editor::offer_to_tools(Offer offer) {
+    if (example_.is_moving()) return false;  // the view can still be moved
     bool is_taken = false;
     const bool is_done = run([&] {
         is_taken = std::ranges::any_of(tools_, [&](const auto& tool) { return offer(*tool); });
@@ -63,6 +64,7 @@ bool Editor::offer_to_tools(Offer offer) {
 
 void Editor::cancel_gesture() noexcept {
     if (Tool* const tool = active_tool()) tool->cancel(*this);
+    example_.cancel();
 }
 
 void Editor::handle_out_of_memory(const char* what) noexcept {
@@ -82,12 +84,17 @@ void Editor::advance() {
         advance_work();
     } else if (Tool* const tool = active_tool()) {
         run([&] { tool->advance(*this); });
+    } else if (!has_dialog()) {
+        run([&] { example_.advance(std::chrono::steady_clock::now()); });
     }
+    if (document_.has_dialog()) help_page_.reset();  // only one may be open
     update_hover();
 }
 
 bool Editor::has_unfinished_frame() const {
-    return !is_working() && session().has_unfinished_frame();
+    if (is_working()) return false;
+    return session().has_unfinished_frame() ||
+           (!has_dialog() && example_.needs_frame(std::chrono::steady_clock::now()));
 }
 
 void Editor::advance_work() {
@@ -96,13 +103,18 @@ void Editor::advance_work() {
     if (!is_end_of_drag) return document_.advance();
     const Workspace::Outcome outcome = workspace_.poll();
     if (outcome == Workspace::Outcome::in_progress) return;
-    if (Tool* const tool = active_tool()) run([&] { tool->finish(*this, outcome); });
+    if (Tool* const tool = active_tool()) {
+        run([&] { tool->finish(*this, outcome); });
+    } else {
+        example_.finish();
+    }
     document_.continue_quitting();
 }
 
 void Editor::update_hover() {
     if (active_tool()) return;
     hover_.reset();
+    if (example_.is_moving()) return;
     bool is_free = pointer_.is_in_viewport && !navigation_.is_active() && !has_dialog();
     if (is_free) hover_ = pick_at_cursor();
     for (const auto& tool : tools_) {
@@ -160,6 +172,8 @@ void Editor::on(const event::KeyDown& key, const UiClaims& claims) {
     if (key.key == Key::enter && !key.is_repeat) document_.press_enter();
     const auto action = action_for(key.key, key.modifiers);
     if (is_working() && action == Action::quit) return document_.quit();
+    const bool is_help = action && info_of(*action).menu == Menu::help;
+    if (help_page_ && is_help && !key.is_repeat) return perform(*action);
     if (claims.keyboard || is_working()) return;
     if (Tool* const tool = active_tool()) {
         run([&] { tool->key(*this, key); });
@@ -181,7 +195,9 @@ void Editor::on(const event::Character& character, const UiClaims& claims) {
 
 // Escape ends one thing at a time.
 void Editor::escape(bool is_claimed) {
-    if (!escape_gesture() && !document_.escape() && !is_claimed) escape_state();
+    if (escape_gesture() || document_.escape()) return;
+    if (help_page_) return close_help();
+    if (!is_claimed) escape_state();
 }
 
 // Returns whether there was a gesture to cancel.
@@ -194,6 +210,7 @@ bool Editor::escape_gesture() {
 // The last tool is asked first. So Esc ends the setting of pins before it clears a selection of
 // control points.
 void Editor::escape_state() {
+    if (example_.is_open()) return example_.stop();
     if (!workspace_.message().empty()) return workspace_.dismiss();
     for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
         if ((*tool)->escape(*this)) return;
@@ -203,7 +220,9 @@ void Editor::escape_state() {
 // --- Window.
 
 void Editor::on(const event::Drop& drop, const UiClaims&) {
-    if (!drop.paths.empty()) document_.open(drop.paths.front());
+    if (drop.paths.empty()) return;
+    example_.interrupt();
+    document_.open(drop.paths.front());
 }
 
 void Editor::on(const event::Resize& resize, const UiClaims&) {
@@ -212,6 +231,9 @@ void Editor::on(const event::Resize& resize, const UiClaims&) {
 
 void Editor::on(const event::Focus&, const UiClaims&) {}
 
-void Editor::on(const event::Close&, const UiClaims&) { document_.quit(); }
+void Editor::on(const event::Close&, const UiClaims&) {
+    example_.interrupt();
+    document_.quit();
+}
 
 }  // namespace pectin

@@ -40,7 +40,9 @@ enum class Key : int {
     page_down,
     keypad_1,
     keypad_3,
-    keypad_7
+    keypad_7,
+    f1,
+    f3
 };
 
 // The shape of the mouse cursor.

@@ -1,6 +1,7 @@
 #include "app/navigation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -15,6 +16,16 @@ constexpr double kZoomPerHeight = 8.0;
 // Limits of the camera's distance, relative to the distance of the target from the origin. Beyond
 // them the camera loses its precision.
 constexpr double kMinDistance = 1e-9, kMaxDistance = 1e12;
+
+constexpr std::array<InputReference, 7> kInputs{{
+    {"Drag the background", "Rotates the view."},
+    {"Middle or right button and drag", "Rotates the view, also over the object."},
+    {"Shift+drag the background", "Pans the view."},
+    {"Shift+middle or right button and drag", "Pans the view, also over the object."},
+    {"Alt+right button and drag", "Pans the view."},
+    {"Wheel", "Zooms to what is under the cursor."},
+    {"Ctrl+middle button and drag", "Zooms."},
+}};
 
 Camera zoomed_within_limits(const Camera& camera, double factor) {
     const double distance = camera.distance() * factor;
@@ -35,6 +46,8 @@ std::string_view navigation_hint(const Modifiers& modifiers) {
     if (modifiers.shift) return "Drag to move the object across the window.";
     return "Drag to turn the object, with Shift to move it, and turn the wheel to zoom.";
 }
+
+InputGroup navigation_inputs() { return {"View", kInputs, 2}; }
 
 void Navigation::begin(NavigationMode mode, MouseButton button, const Vec2& at) {
     gesture_ = Gesture{mode, button, at};

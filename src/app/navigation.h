@@ -6,6 +6,7 @@
 #include <string_view>
 
 #include "app/input_event.h"
+#include "app/input_reference.h"
 #include "geometry/camera.h"
 
 namespace pectin {
@@ -16,6 +17,8 @@ enum class NavigationMode { orbit, pan, zoom };
 NavigationMode navigation_mode(MouseButton button, const Modifiers& modifiers);
 // One sentence about what a drag with the left button then does.
 std::string_view navigation_hint(const Modifiers& modifiers);
+// What the mouse does with the view, for help.
+InputGroup navigation_inputs();
 
 class Navigation {
   public:

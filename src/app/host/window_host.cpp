@@ -80,7 +80,8 @@ Key named_key_of(int key) {
         Named{GLFW_KEY_HOME, Key::home},       Named{GLFW_KEY_END, Key::end},
         Named{GLFW_KEY_PAGE_UP, Key::page_up}, Named{GLFW_KEY_PAGE_DOWN, Key::page_down},
         Named{GLFW_KEY_KP_1, Key::keypad_1},   Named{GLFW_KEY_KP_3, Key::keypad_3},
-        Named{GLFW_KEY_KP_7, Key::keypad_7},
+        Named{GLFW_KEY_KP_7, Key::keypad_7},   Named{GLFW_KEY_F1, Key::f1},
+        Named{GLFW_KEY_F3, Key::f3},
     };
     const auto found = std::find_if(kNamed.begin(), kNamed.end(),
                                     [key](const Named& named) { return named.glfw == key; });

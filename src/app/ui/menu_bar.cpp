@@ -16,24 +16,6 @@ namespace {
 constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, History::kDefaultLimit,
                                                  3'000'000'000, 10'000'000'000};
 
-const char* title(Menu menu) {
-    switch (menu) {
-        case Menu::file:
-            return "File";
-        case Menu::new_object:
-            return "New";
-        case Menu::edit:
-            return "Edit";
-        case Menu::undo_memory:
-            return "Memory for undo";
-        case Menu::view:
-            return "View";
-        case Menu::tools:
-            return "Tools";
-    }
-    return "";
-}
-
 void draw_undo_limits(Editor& editor) {
     const ObjectFigures object = editor.workspace().object_figures();
     ImGui::TextDisabled("%s in use", undo_memory(object).c_str());
@@ -51,13 +33,11 @@ void draw_undo_limits(Editor& editor) {
 
 void MenuBar::draw(Editor& editor) {
     hovered_.reset();
-    for (const Menu menu : {Menu::file, Menu::edit, Menu::view, Menu::tools}) {
-        draw_menu(editor, menu);
-    }
+    for (const Menu menu : kMenuBar) draw_menu(editor, menu);
 }
 
 void MenuBar::draw_menu(Editor& editor, Menu menu) {
-    if (!ImGui::BeginMenu(title(menu))) return;
+    if (!ImGui::BeginMenu(menu_title(menu))) return;
     if (menu == Menu::undo_memory) {
         draw_undo_limits(editor);
     } else {

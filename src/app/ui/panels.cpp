@@ -6,6 +6,7 @@
 #include <array>
 
 #include "app/ui/action_widgets.h"
+#include "app/ui/example_panel.h"
 #include "app/ui/figure_text.h"
 #include "app/ui/file_panel.h"
 #include "app/ui/progress_panel.h"
@@ -47,6 +48,8 @@ void Panels::draw(Editor& editor, const PictureFigures& figures) {
     draw_tools(editor);
     draw_settings(editor);
     draw_message(editor);
+    draw_example(editor);
+    help_.draw(editor, scale_);
     draw_question(editor);
     draw_recovery_question(editor.document());
     draw_file_panel(editor.document(), scale_);
@@ -281,6 +284,14 @@ void Panels::draw_hint(const Editor& editor) {
     ImGui::Begin("hint", nullptr,
                  kBare | ImGuiWindowFlags_AlwaysAutoResize | ImGuiWindowFlags_NoInputs);
     for (const std::string& line : hint_lines()) ImGui::TextUnformatted(line.c_str());
+    ImGui::End();
+}
+
+void Panels::draw_example(Editor& editor) {
+    const float bottom = ImGui::GetIO().DisplaySize.y - status_height_ - scaled(kMargin);
+    if (!begin_example_panel(editor, bottom, scale_)) return;
+    claim_window();
+    draw_example_panel(editor.example());
     ImGui::End();
 }
 

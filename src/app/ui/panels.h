@@ -8,6 +8,7 @@
 
 #include "app/editor.h"
 #include "app/ui/cage_panel.h"
+#include "app/ui/help_windows.h"
 #include "app/ui/menu_bar.h"
 #include "app/ui/refine_panel.h"
 #include "app/ui/tool_panel.h"
@@ -35,6 +36,9 @@ class Panels {
     // The entry of a menu under the cursor in the last frame, also if it is disabled.
     std::optional<Action> hovered_action() const { return menus_.hovered(); }
 
+    // What draws the pictures, for the window about the program.
+    void set_renderer(const std::string& renderer) { help_.set_renderer(renderer); }
+
   private:
     struct Area {
         Vec2 min, max;
@@ -56,6 +60,7 @@ class Panels {
     void draw_selection(const Editor& editor) const;
     void draw_message(Editor& editor);
     void draw_hint(const Editor& editor);
+    void draw_example(Editor& editor);
     void draw_question(Editor& editor);
     void draw_recovery_question(DocumentController& document);
     float scaled(float pixels) const { return pixels * scale_; }
@@ -70,6 +75,7 @@ class Panels {
     ToolPanel tools_;
     RefinePanel refine_;
     CagePanel cage_;
+    HelpWindows help_;
 };
 
 }  // namespace pectin

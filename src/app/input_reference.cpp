@@ -1,0 +1,90 @@
+#include "app/input_reference.h"
+
+#include <algorithm>
+#include <array>
+#include <utility>
+
+#include "app/actions.h"
+#include "app/navigation.h"
+#include "app/tools/tool.h"
+
+namespace pectin {
+namespace {
+
+// What the window does with input itself, whatever the tools are.
+constexpr std::array<InputReference, 4> kWindowInputs{{
+    {"Esc", "Cancels what is going on, closes what is open, or dismisses the message."},
+    {"Enter", "Accepts the dialog."},
+    {"Drop a file on the window", "Opens the model."},
+    {"Mouse over a control", "Explains it."},
+}};
+
+InputSection section_of(const InputGroup& group) {
+    InputSection section{std::string(group.title)};
+    for (const InputReference& reference : group.inputs) {
+        section.lines.push_back({std::string(reference.input), std::string(reference.effect)});
+    }
+    return section;
+}
+
+std::string all_shortcuts(const ActionInfo& info) {
+    std::string labels;
+    for (const Shortcut& shortcut : info.shortcuts) {
+        if (shortcut.exists()) labels += (labels.empty() ? "" : " or ") + label_of(shortcut);
+    }
+    return labels;
+}
+
+// Appends the shortcuts of all actions, in the order of the table. Actions of a submenu stand with
+// the menu that has it.
+void append_shortcuts(std::vector<InputSection>& sections) {
+    for (const ActionInfo& info : all_actions()) {
+        const std::string keys = all_shortcuts(info);
+        if (keys.empty()) continue;
+        const std::string title = "Menu " + std::string(menu_title(top_menu(info.menu)));
+        auto section = std::ranges::find(sections, title, &InputSection::title);
+        if (section == sections.end()) section = sections.insert(section, {title});
+        section->lines.push_back({keys, info.name, info.tooltip});
+    }
+}
+
+// Vertical bars separate the columns of a table, so those of a text are escaped.
+std::string cell(const std::string& text) {
+    std::string escaped;
+    for (const char c : text) escaped += c == '|' ? std::string("\\|") : std::string(1, c);
+    return escaped;
+}
+
+}  // namespace
+
+std::vector<InputSection> input_sections(std::vector<InputGroup> groups) {
+    std::ranges::stable_sort(groups, {}, &InputGroup::place);
+    std::vector<InputSection> sections;
+    for (const InputGroup& group : groups) {
+        if (!group.inputs.empty()) sections.push_back(section_of(group));
+    }
+    sections.push_back(section_of({"Window", kWindowInputs}));
+    append_shortcuts(sections);
+    return sections;
+}
+
+std::vector<InputSection> input_sections() {
+    const Tools tools = all_tools();
+    std::vector<InputGroup> groups;
+    for (const auto& tool : tools) groups.push_back(tool->inputs());
+    groups.push_back(navigation_inputs());
+    return input_sections(std::move(groups));
+}
+
+std::string input_table() {
+    std::string table = "| input | effect |\n|---|---|\n";
+    for (const InputSection& section : input_sections()) {
+        table += "| **" + section.title + "** | |\n";
+        for (const InputLine& line : section.lines) {
+            table += "| " + cell(line.input) + " | " + cell(line.effect) + " |\n";
+        }
+    }
+    return table;
+}
+
+}  // namespace pectin
