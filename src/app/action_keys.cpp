@@ -1,4 +1,5 @@
-// The shortcuts of actions: which action a key means, and how menus and tooltips name it.
+// The keys of actions, and what menus and tooltips say about them.
+
 #include <algorithm>
 
 #include "app/actions.h"
@@ -43,12 +44,65 @@ std::string key_name(const Shortcut& shortcut) {
             return "Keypad -";
         case Key::f10:
             return "F10";
+        case Key::f1:
+            return "F1";
+        case Key::f3:
+            return "F3";
         default:
             return std::string(1, static_cast<char>(shortcut.key));
     }
 }
 
+// The menu that has this one as a submenu, or itself.
+Menu parent_of(Menu menu) {
+    const auto actions = all_actions();
+    const auto row = std::ranges::find_if(
+        actions, [menu](const ActionInfo& info) { return info.submenu_before == menu; });
+    return row == actions.end() ? menu : row->menu;
+}
+
 }  // namespace
+
+const char* menu_title(Menu menu) {
+    switch (menu) {
+        case Menu::file:
+            return "File";
+        case Menu::new_object:
+            return "New";
+        case Menu::edit:
+            return "Edit";
+        case Menu::undo_memory:
+            return "Memory for undo";
+        case Menu::view:
+            return "View";
+        case Menu::viewpoint:
+            return "Viewpoint";
+        case Menu::navigation:
+            return "Navigation";
+        case Menu::tools:
+            return "Tools";
+        case Menu::help:
+            return "Help";
+        case Menu::examples:
+            return "Examples";
+    }
+    return "";
+}
+
+Menu top_menu(Menu menu) {
+    const Menu parent = parent_of(menu);
+    return parent == menu ? menu : top_menu(parent);
+}
+
+std::string menu_path(Action action) {
+    Menu menu = info_of(action).menu;
+    std::string path = menu_title(menu);
+    for (Menu parent = parent_of(menu); parent != menu; parent = parent_of(menu)) {
+        path = std::string(menu_title(parent)) + " > " + path;
+        menu = parent;
+    }
+    return path;
+}
 
 std::optional<Action> action_for(Key key, const Modifiers& modifiers) {
     if (key == Key::none) return std::nullopt;

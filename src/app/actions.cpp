@@ -1,33 +1,23 @@
 #include "app/actions.h"
 
+#include "app/action_rows.h"
 #include "app/editor.h"
-#include "app/tools/pin_tool.h"
-#include "app/tools/repeat_drag.h"
+#include "app/help_actions.h"
+#include "app/tool_actions.h"
 #include "app/view_actions.h"
 
 namespace pectin {
 namespace {
 
+using action_rows::always;
+using action_rows::control;
+using action_rows::control_shift;
+using action_rows::plain;
+using action_rows::typed;
 using Kind = command::Shape::Kind;
-
-// The brackets change the brush's radius by this factor.
-constexpr double kRadiusStep = 1.12;
-
-constexpr Shortcut plain(char letter) { return {.key = Key{letter}}; }
-constexpr Shortcut shift(char letter) { return {.key = Key{letter}, .modifiers = {.shift = true}}; }
-constexpr Shortcut plain(Key key) { return {.key = key}; }
-constexpr Shortcut control(char letter) {
-    return {.key = Key{letter}, .modifiers = {.control = true}};
-}
-constexpr Shortcut control_shift(char letter) {
-    return {.key = Key{letter}, .modifiers = {.shift = true, .control = true}};
-}
-constexpr Shortcut typed(char character) { return {.character = character}; }
 
 // --- When an action is enabled. During work in the background only settings of the session may be
 // read, and the figures of the workspace.
-
-bool always(const Editor&) { return true; }
 
 // If the limit of the history has dropped steps, undo says so.
 bool can_undo(const Editor& editor) {
@@ -38,13 +28,6 @@ bool can_undo(const Editor& editor) {
 bool can_redo(const Editor& editor) { return editor.workspace().object_figures().redo_steps > 0; }
 bool is_refined(const Editor& editor) { return editor.workspace().object_figures().is_refined; }
 bool has_pins(const Editor& editor) { return !editor.pins().is_empty(); }
-bool has_cage(const Editor& editor) { return editor.has_cage(); }
-bool has_brush(const Editor& editor) { return !editor.has_cage(); }
-bool can_repeat(const Editor& editor) {
-    return editor.last_drag && has_brush(editor) && editor.pointer().is_in_viewport;
-}
-bool has_cursor(const Editor& editor) { return editor.pointer().is_in_viewport; }
-
 bool has_symmetry(const Editor& editor) { return editor.session().symmetry().has_value(); }
 
 // --- What an action does, where it is more than one call.
@@ -80,21 +63,7 @@ void toggle(Editor& editor) {
     editor.display.*kSetting = !(editor.display.*kSetting);
 }
 
-template <bool DragOptions::*kOption>
-bool drags(const Editor& editor) {
-    return editor.drag_options.*kOption;
-}
-
-template <bool DragOptions::*kOption>
-void toggle(Editor& editor) {
-    editor.drag_options.*kOption = !(editor.drag_options.*kOption);
-}
-
-void repeat_drag(Editor& editor) {
-    if (const auto drag = repeated_drag(editor)) editor.execute(*drag);
-}
-
-// Actions before those that move the view, and after them.
+// Actions before those that move the view, and between them and the tools.
 constexpr std::array<ActionInfo, kFirstViewAction> kEarlierActions{{
     // --- New objects.
     {.action = Action::new_sphere,
@@ -175,6 +144,7 @@ constexpr std::array<ActionInfo, kFirstViewAction> kEarlierActions{{
      .repeats = true,
      .tooltip = "Take back the last change of the object.",
      .is_enabled = can_undo,
+     .needs = "There is nothing to undo.",
      .perform = [](Editor& editor) { editor.undo(); }},
     {.action = Action::redo,
      .name = "Redo",
@@ -183,6 +153,7 @@ constexpr std::array<ActionInfo, kFirstViewAction> kEarlierActions{{
      .repeats = true,
      .tooltip = "Do again what was undone last.",
      .is_enabled = can_redo,
+     .needs = "There is nothing to redo.",
      .perform = [](Editor& editor) { editor.execute(command::Redo{}); }},
     {.action = Action::toggle_symmetry,
      .name = "Symmetry",
@@ -199,6 +170,7 @@ constexpr std::array<ActionInfo, kFirstViewAction> kEarlierActions{{
      .menu = Menu::edit,
      .tooltip = "Remove all pins, so that drags move the whole surface again.",
      .is_enabled = has_pins,
+     .needs = "There are no pins.",
      .perform = [](Editor& editor) { editor.remove_pins(); }},
     {.action = Action::readapt,
      .name = "Apply detail to the whole object",
@@ -213,194 +185,113 @@ constexpr std::array<ActionInfo, kFirstViewAction> kEarlierActions{{
      .menu = Menu::edit,
      .tooltip = "Keep the present triangles for good: none of them is merged again.",
      .is_enabled = is_refined,
+     .needs = "Nothing is refined.",
      .perform = [](Editor& editor) { editor.execute(command::Bake{}); }},
 }};
 
-constexpr std::array<ActionInfo, kActionCount - kFirstViewAction - kViewActionCount> kLaterActions{{
-    // --- What the view shows.
-    {.action = Action::toggle_wireframe,
-     .name = "Wireframe",
-     .menu = Menu::view,
-     .submenu_before = Menu::navigation,
-     .begins_group = true,
-     .shortcuts = {plain('W')},
-     .tooltip = "Show the edges of the triangles.",
-     .is_enabled = always,
-     .is_on = shows<&Display::wireframe>,
-     .perform = toggle<&Display::wireframe>},
-    {.action = Action::toggle_lattice,
-     .name = "Lattice",
-     .menu = Menu::view,
-     .shortcuts = {plain('L')},
-     .tooltip =
-         "Show the lattice: that of the next drag, or the cage, whose points can then be dragged.",
-     .is_enabled = always,
-     .is_on = shows<&Display::lattice>,
-     .perform = toggle<&Display::lattice>},
-    {.action = Action::toggle_levels,
-     .name = "Refinement levels",
-     .menu = Menu::view,
-     .shortcuts = {plain('V')},
-     .tooltip = "Colour the surface by how often its triangles were split.",
-     .is_enabled = always,
-     .is_on = shows<&Display::levels>,
-     .perform = toggle<&Display::levels>},
-    {.action = Action::toggle_drag_lattice,
-     .name = "Lattice during drags",
-     .menu = Menu::view,
-     .tooltip = "Show the lattice that deforms the object during a drag.",
-     .is_enabled = always,
-     .is_on = shows<&Display::drag_lattice>,
-     .perform = toggle<&Display::drag_lattice>},
-    {.action = Action::toggle_symmetry_plane,
-     .name = "Symmetry plane",
-     .menu = Menu::view,
-     .tooltip = "Show the plane of symmetry while symmetry is on.",
-     .is_enabled = always,
-     .is_on = shows<&Display::symmetry_plane>,
-     .perform = toggle<&Display::symmetry_plane>},
+constexpr std::array<ActionInfo, kFirstToolAction - kFirstViewAction - kViewActionCount>
+    kDisplayActions{{
+        // --- What the view shows.
+        {.action = Action::toggle_wireframe,
+         .name = "Wireframe",
+         .menu = Menu::view,
+         .submenu_before = Menu::navigation,
+         .begins_group = true,
+         .shortcuts = {plain('W')},
+         .tooltip = "Show the edges of the triangles.",
+         .is_enabled = always,
+         .is_on = shows<&Display::wireframe>,
+         .perform = toggle<&Display::wireframe>},
+        {.action = Action::toggle_lattice,
+         .name = "Lattice",
+         .menu = Menu::view,
+         .shortcuts = {plain('L')},
+         .tooltip = "Show the lattice: that of the next drag, or the cage, whose points can then "
+                    "be dragged.",
+         .is_enabled = always,
+         .is_on = shows<&Display::lattice>,
+         .perform = toggle<&Display::lattice>},
+        {.action = Action::toggle_levels,
+         .name = "Refinement levels",
+         .menu = Menu::view,
+         .shortcuts = {plain('V')},
+         .tooltip = "Colour the surface by how often its triangles were split.",
+         .is_enabled = always,
+         .is_on = shows<&Display::levels>,
+         .perform = toggle<&Display::levels>},
+        {.action = Action::toggle_drag_lattice,
+         .name = "Lattice during drags",
+         .menu = Menu::view,
+         .tooltip = "Show the lattice that deforms the object during a drag.",
+         .is_enabled = always,
+         .is_on = shows<&Display::drag_lattice>,
+         .perform = toggle<&Display::drag_lattice>},
+        {.action = Action::toggle_symmetry_plane,
+         .name = "Symmetry plane",
+         .menu = Menu::view,
+         .tooltip = "Show the plane of symmetry while symmetry is on.",
+         .is_enabled = always,
+         .is_on = shows<&Display::symmetry_plane>,
+         .perform = toggle<&Display::symmetry_plane>},
 
-    {.action = Action::toggle_panels,
-     .name = "Panels",
-     .menu = Menu::view,
-     .begins_group = true,
-     .shortcuts = {plain(Key::tab)},
-     .tooltip = "Show the tools on the left and the settings on the right.",
-     .is_enabled = always,
-     .is_on = [](const Editor& editor) { return !editor.preferences.hides_panels; },
-     .perform = toggle_panels},
-    {.action = Action::toggle_light_theme,
-     .name = "Light theme",
-     .menu = Menu::view,
-     .tooltip = "Dark text on light panels, for bright surroundings.",
-     .is_enabled = always,
-     .is_on = [](const Editor& editor) { return editor.preferences.theme == Theme::light; },
-     .perform = toggle_theme},
-    {.action = Action::larger_text,
-     .name = "Larger text",
-     .menu = Menu::view,
-     .shortcuts = {control('+'), control('='), control_shift('=')},
-     .repeats = true,
-     .tooltip = "Make text and controls larger.",
-     .is_enabled = [](const Editor& editor) { return editor.preferences.scale < kMostScale; },
-     .perform = [](Editor& editor) { set_scale(editor, larger_scale(editor.preferences.scale)); }},
-    {.action = Action::smaller_text,
-     .name = "Smaller text",
-     .menu = Menu::view,
-     .shortcuts = {control('-')},
-     .repeats = true,
-     .tooltip = "Make text and controls smaller.",
-     .is_enabled = [](const Editor& editor) { return editor.preferences.scale > kLeastScale; },
-     .perform = [](Editor& editor) { set_scale(editor, smaller_scale(editor.preferences.scale)); }},
-    {.action = Action::normal_text,
-     .name = "Text of normal size",
-     .menu = Menu::view,
-     .shortcuts = {control('0')},
-     .tooltip = "Give text and controls the size that fits the screen.",
-     .is_enabled = [](const Editor& editor) { return editor.preferences.scale != 1.0; },
-     .perform = [](Editor& editor) { set_scale(editor, 1.0); }},
-    {.action = Action::open_menus,
-     .name = "Menus by keyboard",
-     .menu = Menu::view,
-     .shortcuts = {plain(Key::f10)},
-     .tooltip = "Go to the menus, where the arrow keys move, Enter chooses and Esc closes.",
-     .is_enabled = always,
-     .perform = [](Editor& editor) { editor.menus_requested = true; }},
-
-    // --- Tools.
-    {.action = Action::use_brush,
-     .name = "Sculpt",
-     .menu = Menu::tools,
-     .shortcuts = {plain('S')},
-     .tooltip = "Drag the surface to pull it; the area around it follows.",
-     .is_enabled = always,
-     .is_on = [](const Editor& editor) { return has_brush(editor) && !editor.sets_pins; },
-     .is_choice = true,
-     .perform = [](Editor& editor) { editor.use_brush(); }},
-    {.action = Action::use_cage,
-     .name = "Cage",
-     .menu = Menu::tools,
-     .shortcuts = {plain('C')},
-     .tooltip = "Deform the object with the control points of a box around it.",
-     .is_enabled = always,
-     .is_on = [](const Editor& editor) { return has_cage(editor) && !editor.sets_pins; },
-     .is_choice = true,
-     .perform = [](Editor& editor) { editor.use_cage(); }},
-    {.action = Action::toggle_pinning,
-     .name = "Pin",
-     .menu = Menu::tools,
-     .shortcuts = {shift('P')},
-     .tooltip =
-         "Click the surface to set pins, which drags leave where they are, and click a pin to "
-         "remove it.",
-     .is_enabled = always,
-     .is_on = [](const Editor& editor) { return editor.sets_pins; },
-     .perform = [](Editor& editor) { editor.sets_pins = !editor.sets_pins; }},
-    {.action = Action::toggle_pin,
-     .name = "Pin under the cursor",
-     .menu = Menu::tools,
-     .shortcuts = {plain('P')},
-     .tooltip = "Set a pin under the cursor, or remove the one that is there.",
-     .is_enabled = has_cursor,
-     .perform = [](Editor& editor) { toggle_pin_at_cursor(editor); }},
-    {.action = Action::fit_cage,
-     .name = "Fit the cage to the object",
-     .menu = Menu::tools,
-     .tooltip = "Put the cage around the object as it is now.",
-     .is_enabled = has_cage,
-     .perform = [](Editor& editor) { editor.fit_cage(); }},
-    {.action = Action::toggle_connected,
-     .name = "Connected",
-     .menu = Menu::tools,
-     .begins_group = true,
-     .tooltip = "Move only the surface connected to the point you grab, not parts that are merely "
-                "close.",
-     .is_enabled = always,
-     .is_on = drags<&DragOptions::connected>,
-     .perform = toggle<&DragOptions::connected>},
-    {.action = Action::toggle_fold_free,
-     .name = "Fold-free",
-     .menu = Menu::tools,
-     .tooltip = "Prevents self-intersections: long drags are split into steps along the cursor's "
-                "path.",
-     .is_enabled = always,
-     .is_on = drags<&DragOptions::fold_free>,
-     .perform = toggle<&DragOptions::fold_free>},
-    {.action = Action::repeat_drag,
-     .name = "Repeat last drag",
-     .menu = Menu::tools,
-     .begins_group = true,
-     .shortcuts = {shift('R')},
-     .tooltip =
-         "Repeat the last drag at the point under the cursor, turned as the surface there is "
-         "turned, so that what was pulled outwards is pulled outwards again.",
-     .is_enabled = can_repeat,
-     .perform = repeat_drag},
-    {.action = Action::smaller_radius,
-     .name = "Smaller radius",
-     .menu = Menu::tools,
-     .begins_group = true,
-     .shortcuts = {typed('[')},
-     .tooltip = "Make the radius of the brush smaller by one step.",
-     .is_enabled = has_brush,
-     .perform =
-         [](Editor& editor) { editor.set_radius_value(editor.radius_value() / kRadiusStep); }},
-    {.action = Action::larger_radius,
-     .name = "Larger radius",
-     .menu = Menu::tools,
-     .shortcuts = {typed(']')},
-     .tooltip = "Make the radius of the brush larger by one step.",
-     .is_enabled = has_brush,
-     .perform =
-         [](Editor& editor) { editor.set_radius_value(editor.radius_value() * kRadiusStep); }},
-}};
+        {.action = Action::toggle_panels,
+         .name = "Panels",
+         .menu = Menu::view,
+         .begins_group = true,
+         .shortcuts = {plain(Key::tab)},
+         .tooltip = "Show the tools on the left and the settings on the right.",
+         .is_enabled = always,
+         .is_on = [](const Editor& editor) { return !editor.preferences.hides_panels; },
+         .perform = toggle_panels},
+        {.action = Action::toggle_light_theme,
+         .name = "Light theme",
+         .menu = Menu::view,
+         .tooltip = "Dark text on light panels, for bright surroundings.",
+         .is_enabled = always,
+         .is_on = [](const Editor& editor) { return editor.preferences.theme == Theme::light; },
+         .perform = toggle_theme},
+        {.action = Action::larger_text,
+         .name = "Larger text",
+         .menu = Menu::view,
+         .shortcuts = {control('+'), control('='), control_shift('=')},
+         .repeats = true,
+         .tooltip = "Make text and controls larger.",
+         .is_enabled = [](const Editor& editor) { return editor.preferences.scale < kMostScale; },
+         .perform =
+             [](Editor& editor) { set_scale(editor, larger_scale(editor.preferences.scale)); }},
+        {.action = Action::smaller_text,
+         .name = "Smaller text",
+         .menu = Menu::view,
+         .shortcuts = {control('-')},
+         .repeats = true,
+         .tooltip = "Make text and controls smaller.",
+         .is_enabled = [](const Editor& editor) { return editor.preferences.scale > kLeastScale; },
+         .perform =
+             [](Editor& editor) { set_scale(editor, smaller_scale(editor.preferences.scale)); }},
+        {.action = Action::normal_text,
+         .name = "Text of normal size",
+         .menu = Menu::view,
+         .shortcuts = {control('0')},
+         .tooltip = "Give text and controls the size that fits the screen.",
+         .is_enabled = [](const Editor& editor) { return editor.preferences.scale != 1.0; },
+         .perform = [](Editor& editor) { set_scale(editor, 1.0); }},
+        {.action = Action::open_menus,
+         .name = "Menus by keyboard",
+         .menu = Menu::view,
+         .shortcuts = {plain(Key::f10)},
+         .tooltip = "Go to the menus, where the arrow keys move, Enter chooses and Esc closes.",
+         .is_enabled = always,
+         .perform = [](Editor& editor) { editor.menus_requested = true; }},
+    }};
 
 // The table.
 constexpr std::array<ActionInfo, kActionCount> kActions = [] {
     std::array<ActionInfo, kActionCount> all;
     auto end = std::ranges::copy(kEarlierActions, all.begin()).out;
     end = std::ranges::copy(kViewActions, end).out;
-    std::ranges::copy(kLaterActions, end);
+    end = std::ranges::copy(kDisplayActions, end).out;
+    end = std::ranges::copy(kToolActions, end).out;
+    std::ranges::copy(kHelpActions, end);
     return all;
 }();
 

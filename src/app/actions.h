@@ -70,11 +70,31 @@ enum class Action {
     toggle_fold_free,
     repeat_drag,  // at the point under the cursor
     smaller_radius,
-    larger_radius,  // must stay the last one
+    larger_radius,
+    show_inputs,
+    show_actions,
+    example_nose,
+    example_elephant,
+    example_cage,
+    show_reference,
+    show_about,  // must stay the last one
 };
-inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::larger_radius) + 1;
+inline constexpr std::size_t kActionCount = static_cast<std::size_t>(Action::show_about) + 1;
 
-enum class Menu { file, new_object, edit, undo_memory, view, viewpoint, navigation, tools };
+enum class Menu {
+    file,
+    new_object,
+    edit,
+    undo_memory,
+    view,
+    viewpoint,
+    navigation,
+    tools,
+    help,
+    examples
+};
+// The menus of the menu bar, from left to right. The others are submenus.
+inline constexpr std::array kMenuBar{Menu::file, Menu::edit, Menu::view, Menu::tools, Menu::help};
 
 // A key with modifiers, or a character wherever the keyboard layout has it. Alt is ignored, since
 // no shortcut contains it.
@@ -98,6 +118,7 @@ struct ActionInfo {
     bool repeats = false;                 // while the key is held
     const char* tooltip = "";             // one sentence
     bool (*is_enabled)(const Editor&) = nullptr;
+    const char* needs = "";  // what has to be there for it to be enabled, as one sentence
     bool (*is_on)(const Editor&) = nullptr;  // null if the action switches nothing on and off
     bool is_choice = false;                  // one of several: it is on until another is performed
     // What it does. Precondition: is_enabled().
@@ -106,6 +127,12 @@ struct ActionInfo {
 
 std::span<const ActionInfo, kActionCount> all_actions();
 const ActionInfo& info_of(Action action);
+
+const char* menu_title(Menu menu);
+// The menu of the menu bar that has this menu as a submenu, or is this menu.
+Menu top_menu(Menu menu);
+// Where the action is found, such as "File > New".
+std::string menu_path(Action action);
 
 std::optional<Action> action_for(Key key, const Modifiers& modifiers);
 std::optional<Action> action_for(unsigned int character);

@@ -4,6 +4,7 @@
 
 #include <utility>
 
+#include "app/input_reference.h"
 #include "command/reference.h"
 #include "command/spelling.h"
 #include "io/printable.h"
@@ -18,6 +19,7 @@ constexpr const char* kUsage =
     "       pectin replay SCRIPT   executes a script (- reads it from standard input)\n"
     "       pectin help [COMMAND]  explains the commands of scripts and all their fields\n"
     "         --table              the same as a table in Markdown\n"
+    "         --keys               what mouse and keys do in the window, as such a table\n"
     "       pectin schema          prints a JSON Schema of the lines of a script\n"
     "       pectin --help          shows this and the commands of a script\n"
     "       pectin --version       shows the version\n";
@@ -91,9 +93,10 @@ CommandLine read_command_line(int argc, char** argv) {
     CLI::Option* script_option = replay->add_option("SCRIPT", script);
     CLI::App* help = parser.add_subcommand("help");
     std::string command;
-    bool as_table = false;
+    bool as_table = false, lists_keys = false;
     help->add_option("COMMAND", command);
     help->add_flag("--table", as_table);
+    help->add_flag("--keys", lists_keys);
     CLI::App* schema = parser.add_subcommand("schema");
     for (CLI::App* subcommand : {help, schema}) subcommand->add_flag("-h,--help", wants_help);
     try {
@@ -107,9 +110,10 @@ CommandLine read_command_line(int argc, char** argv) {
     if (opens_window && (help->parsed() || schema->parsed())) {
         return refuse("help and schema open no window; give them no model and no --record");
     }
-    if (help->parsed() && as_table && !command.empty()) {
-        return refuse("the table has all commands; give help either a command or --table");
+    if (help->parsed() && as_table + lists_keys + !command.empty() > 1) {
+        return refuse("give help either a command, --table for all commands, or --keys");
     }
+    if (help->parsed() && lists_keys) return show(input_table());
     if (help->parsed()) return show_help(command, as_table);
     if (schema->parsed()) return show(json_schema());
     if (!replay->parsed()) {

@@ -86,6 +86,8 @@ void DocumentController::new_shape(command::Shape::Kind kind, int resolution) {
     ask_or_do({command::Shape{kind, resolution}});
 }
 
+void DocumentController::begin_example(Example example) { ask_or_do({example}); }
+
 // The path that the dialog for saving begins with.
 std::string DocumentController::path_to_propose() const {
     const std::string extension = writable_extensions().front();
@@ -171,6 +173,8 @@ void DocumentController::do_without_asking(const Question& asked) {
         execute(*open);
     } else if (const auto* shape = std::get_if<command::Shape>(&asked.then)) {
         execute(*shape);
+    } else if (const auto* example = std::get_if<Example>(&asked.then)) {
+        delegate_.begin_example(*example);
     } else {
         wants_to_end_ = true;
     }

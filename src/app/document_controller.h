@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/actions.h"
+#include "app/example.h"
 #include "app/file_browser.h"
 #include "app/restoration.h"
 #include "app/workspace.h"
@@ -29,6 +30,8 @@ class DocumentController {
         virtual void command_done(const Command& command) = 0;
         // Called when a restoration has ended, however it did. There may be another object now.
         virtual void restoration_ended() = 0;
+        // Shows an example. Changes of the object may be discarded.
+        virtual void begin_example(Example example) = 0;
         // The command that saves a picture of what the window shows.
         virtual command::Screenshot picture_command(const std::string& path) const = 0;
 
@@ -48,8 +51,9 @@ class DocumentController {
     void perform(Action action);
     // Makes the object of a window that was given no model, or one that cannot be opened.
     void make_first_object();
-    // These three ask first if changes would be lost.
+    // These four ask first if changes would be lost.
     void open(const std::string& path);
+    void begin_example(Example example);
     void new_shape(command::Shape::Kind kind, int resolution);
     void quit();  // also cancels the work, and quits when it has ended
     bool wants_to_end() const { return wants_to_end_; }
@@ -77,7 +81,7 @@ class DocumentController {
     // The question whether to save the changes that an action would discard.
     struct Question {
         struct Quit {};
-        std::variant<Quit, command::Open, command::Shape> then;
+        std::variant<Quit, command::Open, command::Shape, Example> then;
     };
     // Null if nothing is asked.
     const Question* question() const { return question_ ? &*question_ : nullptr; }

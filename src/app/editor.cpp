@@ -7,8 +7,15 @@
 #include "app/tools/drag_tool.h"
 #include "app/words.h"
 #include "command/check.h"
+#include "io/file_error.h"
 
 namespace pectin {
+namespace {
+
+// The space below an example for the panel with its captions, in heights of the object.
+constexpr double kSpaceForCaptions = 0.35;
+
+}  // namespace
 
 Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_blocking_time,
                Tools tools)
@@ -27,6 +34,7 @@ void Editor::begin(const std::string& model) {
 
 void Editor::add_overlays(Overlay& overlay) const {
     for (const auto& tool : tools_) tool->overlay(*this, overlay);
+    example_.overlay(overlay);
 }
 
 std::optional<ScreenBox> Editor::selection_box() const {
@@ -75,6 +83,7 @@ void Editor::command_done(const Command& command) {
     if (is_any_of<command::Undo, command::Redo>(command)) figures_ = {};
     if (is_any_of<command::Brush>(command)) update_radius_share();
     if (is_any_of<command::Drag>(command)) report_drag(*this);
+    example_.command_done(command);
 }
 
 // Discards what belonged to the object before.
@@ -115,6 +124,17 @@ void Editor::restoration_ended() {
     last_drag.reset();
     update_radius_share();
     view_control_.begin_object();
+}
+
+void Editor::begin_example(Example example) {
+    try {
+        example_.begin(title_of(example), read_example(example, example_folders()));
+    } catch (const FileError& error) {
+        return workspace_.set_message(error.what());
+    }
+    shows_hint_ = false;
+    // The view stays as it is while the example plays, so it shows all that will be there.
+    view_control_.frame_with(drag_targets(example_.steps()), kSpaceForCaptions);
 }
 
 command::Screenshot Editor::picture_command(const std::string& path) const {
@@ -217,6 +237,7 @@ void Editor::choose_cage_counts(const Box& box, const IVec3& counts) {
 // --- Actions.
 
 void Editor::perform(Action action) {
+    example_.interrupt();
     const ActionInfo& info = info_of(action);
     if (!is_busy() && info.is_enabled(*this)) info.perform(*this);
 }
@@ -234,6 +255,14 @@ void Editor::undo() {
 void Editor::set_free_area(const ScreenBox& area, double scale) {
     view_control_.set_free_area(area, scale);
     if (!is_busy()) view_control_.follow_free_area();
+}
+
+// --- Help.
+
+void Editor::show_help(HelpPage page) {
+    const bool closes = help_page_ == page;
+    help_page_.reset();
+    if (!closes && !document_.has_dialog()) help_page_ = page;
 }
 
 }  // namespace pectin

@@ -4,6 +4,7 @@
 
 #include <chrono>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -12,6 +13,8 @@
 #include "app/actions.h"
 #include "app/detail_preview.h"
 #include "app/document_controller.h"
+#include "app/example_player.h"
+#include "app/help_page.h"
 #include "app/input_event.h"
 #include "app/preferences.h"
 #include "app/tool_context.h"
@@ -49,8 +52,8 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     // To be called once per frame, after the frame's events.
     void advance();
 
-    // Whether advance() has more to do for the active drag or the preview of the detail, although
-    // there is no further input.
+    // Whether advance() has more to do for the active drag, the preview of the detail or an
+    // example, although there is no further input.
     bool has_unfinished_frame() const;
 
     // Cancels what a tool is doing and shows a message; does nothing during an edit in the
@@ -94,8 +97,17 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     // --- Files, dialogs about them, work in the background, and quitting.
     DocumentController& document() { return document_; }
     const DocumentController& document() const { return document_; }
-    bool has_dialog() const { return document_.has_dialog(); }
+    // Whether a dialog or a window of the menu Help is open. It takes all input.
+    bool has_dialog() const { return document_.has_dialog() || help_page_.has_value(); }
     bool is_working() const override { return document_.is_working(); }
+
+    // --- Help.
+    // Opens a window of the menu Help in place of another one; closes it if it is open.
+    void show_help(HelpPage page);
+    void close_help() { help_page_.reset(); }
+    const std::optional<HelpPage>& help_page() const { return help_page_; }
+    ExamplePlayer& example() { return example_; }
+    const ExamplePlayer& example() const { return example_; }
 
     // --- State to display.
     Workspace& workspace() override { return workspace_; }
@@ -163,9 +175,10 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     std::optional<Pick> pick_in_middle();
 
     // --- For the document controller (editor.cpp).
-    bool has_gesture() const override { return active_tool() != nullptr; }
+    bool has_gesture() const override { return active_tool() || example_.is_moving(); }
     void command_done(const Command& command) override;
     void restoration_ended() override;
+    void begin_example(Example example) override;
     command::Screenshot picture_command(const std::string& path) const override;
     void reset_for_new_object();
     void reset_sizes();
@@ -186,6 +199,8 @@ class Editor : public ToolContext, private DocumentController::Delegate {
     std::optional<Pick> hover_;
     FrameFigures figures_;
     bool shows_hint_ = true;
+    std::optional<HelpPage> help_page_;
+    ExamplePlayer example_{*this, [this](const Command& command) { return execute(command); }};
 };
 
 }  // namespace pectin

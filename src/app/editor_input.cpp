@@ -34,7 +34,7 @@ Tool* Editor::active_tool() const {
 
 bool Editor::is_dragging() const {
     const Tool* const tool = active_tool();
-    return tool && tool->is_dragging();
+    return (tool && tool->is_dragging()) || example_.is_moving();
 }
 
 // Runs something that a tool does. If it throws, the tool's gesture is cancelled. Returns whether
@@ -60,6 +60,7 @@ bool Editor::run(Part part) {
 // Offers an event to the tools, one after the other. Returns whether one has taken it.
 template <typename Offer>
 bool Editor::offer_to_tools(Offer offer) {
+    if (example_.is_moving()) return false;  // the view can still be moved
     bool is_taken = false;
     const bool is_done = run([&] {
         is_taken = std::ranges::any_of(tools_, [&](const auto& tool) { return offer(*tool); });
@@ -69,6 +70,7 @@ bool Editor::offer_to_tools(Offer offer) {
 
 void Editor::cancel_gesture() noexcept {
     if (Tool* const tool = active_tool()) tool->cancel(*this);
+    example_.cancel();
 }
 
 void Editor::handle_out_of_memory(const char* what) noexcept {
@@ -88,15 +90,19 @@ void Editor::advance() {
         advance_work();
     } else if (Tool* const tool = active_tool()) {
         run([&] { tool->advance(*this); });
-    } else {
+    } else if (!has_dialog()) {
         detail_preview.advance(session());
         view_control_.follow_free_area();
+        run([&] { example_.advance(std::chrono::steady_clock::now()); });
     }
+    if (document_.has_dialog()) help_page_.reset();  // only one may be open
     update_hover();
 }
 
 bool Editor::has_unfinished_frame() const {
-    return !is_working() && (session().has_unfinished_frame() || detail_preview.has_more());
+    if (is_working()) return false;
+    return session().has_unfinished_frame() || detail_preview.has_more() ||
+           (!has_dialog() && example_.needs_frame(std::chrono::steady_clock::now()));
 }
 
 void Editor::advance_work() {
@@ -105,7 +111,11 @@ void Editor::advance_work() {
     if (!is_end_of_drag) return document_.advance();
     const Workspace::Outcome outcome = workspace_.poll();
     if (outcome == Workspace::Outcome::in_progress) return;
-    if (Tool* const tool = active_tool()) run([&] { tool->finish(*this, outcome); });
+    if (Tool* const tool = active_tool()) {
+        run([&] { tool->finish(*this, outcome); });
+    } else {
+        example_.finish();
+    }
     document_.continue_quitting();
 }
 
@@ -116,6 +126,7 @@ std::optional<Pick> Editor::pick_in_middle() {
 void Editor::update_hover() {
     if (active_tool()) return;
     hover_.reset();
+    if (example_.is_moving()) return;
     bool is_free = pointer_.is_in_viewport && !has_dialog() &&
                    !view_control_.has_priority(pointer_.at, pointer_.modifiers, holds_space_);
     if (is_free) hover_ = pick_at_cursor();
@@ -193,6 +204,8 @@ void Editor::on(const event::KeyDown& key, const UiClaims& claims) {
     if (key.key == Key::enter && !key.is_repeat) document_.press_enter();
     const auto action = action_for(key.key, key.modifiers);
     if (is_working() && action == Action::quit) return document_.quit();
+    const bool is_help = action && info_of(*action).menu == Menu::help;
+    if (help_page_ && is_help && !key.is_repeat) return perform(*action);
     if (claims.keyboard || is_working()) return;
     if (Tool* const tool = active_tool()) {
         run([&] { tool->key(*this, key); });
@@ -220,7 +233,9 @@ void Editor::on(const event::Character& character, const UiClaims& claims) {
 
 // Escape ends one thing at a time.
 void Editor::escape(bool is_claimed) {
-    if (!escape_gesture() && !document_.escape() && !is_claimed) escape_state();
+    if (escape_gesture() || document_.escape()) return;
+    if (help_page_) return close_help();
+    if (!is_claimed) escape_state();
 }
 
 // Returns whether there was a gesture to cancel.
@@ -233,6 +248,7 @@ bool Editor::escape_gesture() {
 // The last tool is asked first. So Esc ends the setting of pins before it clears a selection of
 // control points.
 void Editor::escape_state() {
+    if (example_.is_open()) return example_.stop();
     if (!workspace_.message().empty()) return workspace_.dismiss();
     for (auto tool = tools_.rbegin(); tool != tools_.rend(); ++tool) {
         if ((*tool)->escape(*this)) return;
@@ -242,7 +258,9 @@ void Editor::escape_state() {
 // --- Window.
 
 void Editor::on(const event::Drop& drop, const UiClaims&) {
-    if (!drop.paths.empty()) document_.open(drop.paths.front());
+    if (drop.paths.empty()) return;
+    example_.interrupt();
+    document_.open(drop.paths.front());
 }
 
 void Editor::on(const event::Resize& resize, const UiClaims&) {
@@ -260,6 +278,9 @@ void Editor::on(const event::Focus& focus, const UiClaims&) {
     if (tool && !is_working()) run([&] { tool->lose_focus(*this); });
 }
 
-void Editor::on(const event::Close&, const UiClaims&) { document_.quit(); }
+void Editor::on(const event::Close&, const UiClaims&) {
+    example_.interrupt();
+    document_.quit();
+}
 
 }  // namespace pectin

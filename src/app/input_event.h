@@ -48,6 +48,8 @@ enum class Key : int {
     keypad_8,
     keypad_add,
     keypad_subtract,
+    f1,
+    f3,
     f10
 };
 

@@ -1,6 +1,7 @@
 #include "app/navigation.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 

@@ -7,6 +7,7 @@
 
 #include "app/picture.h"
 #include "app/up_axis_guess.h"
+#include "geometry/box.h"
 
 namespace pectin {
 namespace {
@@ -179,6 +180,18 @@ bool ViewControl::shows(const std::vector<Vec3>& points) const {
 void ViewControl::frame_all(const std::optional<Vec3>& direction) {
     framed_area_ = picture_area();
     navigation_.frame(points(), framed_area_, direction);
+}
+
+void ViewControl::frame_with(std::span<const Vec3> others, double space_below) {
+    std::vector<Vec3> all = points();
+    all.insert(all.end(), others.begin(), others.end());
+    Box box;
+    for (const Vec3& point : all) box.include(point);
+    const Vec3 down = with_y_up(up_axis(), Vec3{0.0, -1.0, 0.0});
+    const double height = std::abs(glm::dot(box.extent(), down));
+    all.push_back(box.centre() + (0.5 + space_below) * height * down);
+    framed_area_ = picture_area();
+    navigation_.frame(all, framed_area_, kFitDirection);
 }
 
 void ViewControl::look_from(const Vec3& direction) {

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <optional>
+#include <span>
 #include <string_view>
+#include <vector>
 
 #include "app/axes_gizmo.h"
 #include "app/input_event.h"
@@ -59,6 +61,9 @@ class ViewControl : private NavigatedObject {
     // models with y up (see oriented()). Cost: O(n) where the object is framed.
     // Shows the whole object, from its present direction or another.
     void frame_all(const std::optional<Vec3>& direction = {});
+    // Shows the whole object and these points from the direction of the first view. space_below: to
+    // leave free, in heights of their box.
+    void frame_with(std::span<const Vec3> others, double space_below = 0.0);
     // Turns the view about the point that was touched last. If the whole object was visible and
     // would not be, it is framed.
     void look_from(const Vec3& direction);
@@ -81,6 +86,7 @@ class ViewControl : private NavigatedObject {
     double distance(const Vec3& point) override;
     double diagonal() const override;
 
+    MousePreset preset() const { return preferences_.mouse; }
     ScreenBox free_area() const;
     PictureArea picture_area() const;
     bool shows(const std::vector<Vec3>& points) const;

@@ -43,6 +43,9 @@ constexpr double kLongestWait = 0.1;
 // slow the work down.
 constexpr double kProgressWait = 1.0 / 15.0;
 
+// Seconds between the frames of an example's motion.
+constexpr double kMotionWait = 1.0 / 60.0;
+
 // Memory used by the whole program, as the system reports it; 0 if it does not.
 std::size_t resident_bytes() {
     std::ifstream file("/proc/self/statm");
@@ -64,6 +67,7 @@ class Window {
           font_version_(interface_.font_version()),
           object_(host_.gl()),
           viewport_(host_.gl(), renderer_, object_) {
+        interface_.set_renderer(description_of(host_.gl()));
         editor_.workspace().set_viewport(&viewport_);
         editor_.workspace().set_frame_time(kFrameTime);
         editor_.workspace().set_max_edit_time(kEditTime);
@@ -162,6 +166,7 @@ class Window {
     // Returns the seconds for which take_input() may wait. Restoring runs between the frames, while
     // work on files runs in the background.
     double input_wait() const {
+        if (editor_.example().is_moving()) return kMotionWait;
         if (editor_.document().restoration() || editor_.has_unfinished_frame()) return 0.0;
         if (editor_.is_working()) return kProgressWait;
         return frames_to_draw_ == 0 ? kLongestWait : 0.0;

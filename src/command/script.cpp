@@ -3,6 +3,7 @@
 #include <filesystem>
 #include <istream>
 #include <type_traits>
+#include <utility>
 
 namespace pectin {
 
@@ -14,9 +15,20 @@ constexpr std::string_view kByteOrderMark = "\xEF\xBB\xBF";
 constexpr std::size_t kMaxLine = std::size_t{64} << 20;
 constexpr const char* kBlanks = " \t\r\n\v\f";
 
-bool is_skipped(const std::string& line) {
+// Whether the line is blank or a comment. Adds a comment to the ones before it, which a blank line
+// ends.
+bool is_skipped(const std::string& line, std::string& comment) {
     const auto first = line.find_first_not_of(kBlanks);
-    return first == line.npos || line[first] == '#';
+    if (first == line.npos) {
+        comment.clear();
+        return true;
+    }
+    if (line[first] != '#') return false;
+    const auto begin = line.find_first_not_of(kBlanks, first + 1);
+    if (begin == line.npos) return true;
+    if (!comment.empty()) comment += ' ';
+    comment += line.substr(begin, line.find_last_not_of(kBlanks) + 1 - begin);
+    return true;
 }
 
 }  // namespace
@@ -38,6 +50,7 @@ std::optional<ScriptLine> ScriptReader::fail(std::string what) {
 }
 
 std::optional<ScriptLine> ScriptReader::next() {
+    std::string comment;
     while (!is_done_) {
         const std::optional<std::string> line = read_line();
         if (!line && text_.bad()) return fail("the script cannot be read on");
@@ -51,8 +64,8 @@ std::optional<ScriptLine> ScriptReader::next() {
             if (!done) return fail(done.refusal().reason);
         } else if (!line) {
             is_done_ = true;
-        } else if (!is_skipped(*line)) {
-            return ScriptLine{number_, parse_command(*line)};
+        } else if (!is_skipped(*line, comment)) {
+            return ScriptLine{number_, parse_command(*line), std::move(comment)};
         }
     }
     return std::nullopt;

@@ -15,6 +15,8 @@ namespace pectin {
 struct ScriptLine {
     std::size_t number;  // from 1
     std::variant<Command, CommandError> command;
+    // The text of the lines with # right before it, joined by spaces; a blank line ends a comment.
+    std::string comment{};
 };
 
 // Reads one line at a time, so that the commands before an invalid line can be executed first.

@@ -30,6 +30,10 @@ Gl load_gl(GetProc get_proc) {
     return gl;
 }
 
+std::string description_of(const Gl& gl) {
+    return text(gl, GL_RENDERER) + ", OpenGL " + text(gl, GL_VERSION);
+}
+
 void check_errors(const Gl& gl, const char* doing) {
     const GLenum error = gl.GetError();
     if (error == GL_OUT_OF_MEMORY) {

@@ -8,6 +8,7 @@
 #include <glad/gl.h>
 
 #include <stdexcept>
+#include <string>
 
 namespace pectin {
 
@@ -24,6 +25,9 @@ class ContextError : public std::runtime_error {
 
 // Precondition: the context is current. Throws ContextError, with the version, below OpenGL 3.3.
 Gl load_gl(GetProc get_proc);
+
+// What draws and its version, in the words of the driver.
+std::string description_of(const Gl& gl);
 
 // Throws ContextError if OpenGL has run out of memory. Asserts that no other error is pending.
 // doing: what was attempted, for the message.

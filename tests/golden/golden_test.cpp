@@ -1,15 +1,6 @@
-// Compares pictures with inspected references: NAME.png in this folder.
-//
-// Processors and drivers round differently, so a few pixels may differ. For a driver that differs
-// in more there is another reference. If a picture is close to none of them, the test writes it to
-// the folder pictures/ of the build and prints its path. After an intended change, `scripts/golden`
-// draws the references again; look at every one.
+// Compares pictures of objects with inspected references.
 #include <gtest/gtest.h>
 
-#include <algorithm>
-#include <cmath>
-#include <cstdlib>
-#include <filesystem>
 #include <fstream>
 #include <string>
 #include <vector>
@@ -17,18 +8,13 @@
 #include "app/picture.h"
 #include "command/script.h"
 #include "ffd/drag_solver.h"
-#include "io/png.h"
+#include "golden/expect_golden.h"
 #include "support/offscreen.h"
 
 namespace pectin {
 namespace {
 
 constexpr int kWidth = 320, kHeight = 240;
-constexpr double kMaxMeanDifference = 0.75;  // of 255, over all channels
-constexpr int kSmallDifference =
-    16;  // of 255; allows for antialiased borders of lines that moved slightly
-constexpr double kMaxDifferent = 0.005;  // fraction of pixels that may differ by more
-const std::string kReferences = PECTIN_SOURCE_DIR "/tests/golden/";
 
 class Golden : public OffscreenTest {
   protected:
@@ -44,72 +30,6 @@ class Golden : public OffscreenTest {
         return draw(gl(), session.mesh(), scene, {kWidth, kHeight});
     }
 };
-
-struct Difference {
-    double mean = 0.0;  // of 255, over all channels
-    int pixels = 0;     // number of visibly different pixels
-
-    bool is_small() const {
-        return mean <= kMaxMeanDifference && pixels <= kMaxDifferent * kWidth * kHeight;
-    }
-};
-
-Difference difference(const Image& image, const PngPixels& reference) {
-    Difference found;
-    for (std::size_t i = 0; i < image.rgba.size(); i += 4) {
-        int most = 0;
-        for (std::size_t channel = 0; channel < 3; ++channel) {
-            const int d = std::abs(image.rgba[i + channel] - reference.rgba[i + channel]);
-            found.mean += d / (3.0 * kWidth * kHeight);
-            most = std::max(most, d);
-        }
-        found.pixels += most > kSmallDifference;
-    }
-    return found;
-}
-
-// Paths of NAME.png and of NAME.VARIANT.png for drivers that draw borders of lines differently.
-std::vector<std::string> references(const std::string& name) {
-    std::vector<std::string> paths;
-    for (const auto& entry : std::filesystem::directory_iterator(kReferences)) {
-        const std::string file = entry.path().filename().string();
-        if (file.starts_with(name + ".") && file.ends_with(".png")) paths.push_back(entry.path());
-    }
-    std::sort(paths.begin(), paths.end());
-    return paths;
-}
-
-// Whether the picture is close to a reference. Adds the differences from all others to `report`.
-bool matches(const std::string& name, const Image& image, std::string& report) {
-    for (const std::string& path : references(name)) {
-        const PngPixels reference = read_png(path);
-        if (reference.rgba.size() != image.rgba.size()) continue;
-        const Difference found = difference(image, reference);
-        if (found.is_small()) return true;
-        report += "\n  " + path + ": by " + std::to_string(found.mean) +
-                  " of 255 on average, and visibly in " + std::to_string(found.pixels) + " pixels";
-    }
-    return false;
-}
-
-// With PECTIN_REMAKE_GOLDEN=1 the picture replaces NAME.png. With another value it becomes
-// NAME.VALUE.png if no reference is close.
-void expect_golden(const std::string& name, const Image& image) {
-    const char* const variant = std::getenv("PECTIN_REMAKE_GOLDEN");
-    std::string report;
-    if (variant && variant == std::string("1")) {
-        write_png(kReferences + name + ".png", kWidth, kHeight, image.rgba);
-    } else if (matches(name, image, report)) {
-        return;
-    } else if (variant) {
-        write_png(kReferences + name + "." + variant + ".png", kWidth, kHeight, image.rgba);
-    } else {
-        std::filesystem::create_directories(PECTIN_PICTURES);
-        const std::string path = std::string(PECTIN_PICTURES) + "/" + name + ".png";
-        write_png(path, kWidth, kHeight, image.rgba);
-        ADD_FAILURE() << path << " differs from every reference:" << report;
-    }
-}
 
 std::string sphere(int resolution) {
     return R"({"cmd": "shape", "kind": "sphere", "resolution": )" + std::to_string(resolution) +

@@ -166,7 +166,8 @@ class MenuBarTest : public EditorTest {
   protected:
     static constexpr double kTop = 12.0;  // a height within the bar
     // Positions of the titles along the bar.
-    static constexpr double kFile = 20.0, kEdit = 62.0, kView = 105.0, kTools = 150.0;
+    static constexpr double kFile = 20.0, kEdit = 62.0, kView = 105.0, kTools = 150.0,
+                            kHelp = 198.0;
 
     void SetUp() override {
         interface_.set_size(kSize, kSize);
@@ -226,8 +227,11 @@ class MenuBarTest : public EditorTest {
 };
 
 TEST_F(MenuBarTest, EachMenuHasTheEntriesOfTheTableInItsOrder) {
-    const std::vector<std::pair<double, Menu>> menus{
-        {kFile, Menu::file}, {kEdit, Menu::edit}, {kView, Menu::view}, {kTools, Menu::tools}};
+    const std::vector<std::pair<double, Menu>> menus{{kFile, Menu::file},
+                                                     {kEdit, Menu::edit},
+                                                     {kView, Menu::view},
+                                                     {kTools, Menu::tools},
+                                                     {kHelp, Menu::help}};
     std::size_t count = 0;
     for (const auto& [title, menu] : menus) {
         EXPECT_EQ(names(entries(title)), names(table(menu)));
@@ -235,7 +239,8 @@ TEST_F(MenuBarTest, EachMenuHasTheEntriesOfTheTableInItsOrder) {
         close_menus();
         close_menus();
     }
-    for (const Menu submenu : {Menu::new_object, Menu::viewpoint, Menu::navigation}) {
+    for (const Menu submenu :
+         {Menu::new_object, Menu::viewpoint, Menu::navigation, Menu::examples}) {
         count += table(submenu).size();
     }
     EXPECT_EQ(count, kActionCount) << "actions of no menu";

@@ -26,6 +26,16 @@ TEST(ScriptReader, SkipsBlankLinesAndCommentsButCountsThem) {
     EXPECT_EQ(lines[1].number, 6u);
 }
 
+TEST(ScriptReader, ReturnsTheCommentRightBeforeACommand) {
+    const auto lines = read(
+        "{\"pectin\": 1}\n# of nothing\n\n#  the first \r\n# command.\n{\"cmd\": \"undo\"}\n"
+        "{\"cmd\": \"redo\"}\n#\n{\"cmd\": \"bake\"}\n");
+    ASSERT_EQ(lines.size(), 3u);
+    EXPECT_EQ(lines[0].comment, "the first command.");
+    EXPECT_EQ(lines[1].comment, "");
+    EXPECT_EQ(lines[2].comment, "");
+}
+
 TEST(ScriptReader, AcceptsCarriageReturnsAByteOrderMarkAndAMissingFinalNewline) {
     const auto lines = read(
         "\xEF\xBB\xBF{\"pectin\": 1}\r\n\r\n{\"cmd\": \"undo\"}\r\n# x\r\n{\"cmd\": \"redo\"}");

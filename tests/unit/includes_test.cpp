@@ -42,10 +42,10 @@ struct Restricted {
 const std::vector<Restricted>& restricted_headers() {
     static const std::vector<Restricted> kTable{
         {"tiny_obj_loader", {"io/material_library.cpp"}},
-        {"png.h", {"io/png.cpp"}},
-        {"nlohmann/", {"command/json_values.h", "app/preferences.cpp"}},
+        {"png.h", {"io/png.cpp", "app/libraries.cpp"}},
+        {"nlohmann/", {"command/json_values.h", "app/preferences.cpp", "app/libraries.cpp"}},
         {"CLI/", {"app/"}},
-        {"Eigen/", {"ffd/"}},
+        {"Eigen/", {"ffd/", "app/libraries.cpp"}},
         {"eigen3/", {"ffd/"}},
         {"GLFW/", {"app/"}},
         {"GL/", {"render/", "app/"}},
@@ -53,9 +53,9 @@ const std::vector<Restricted>& restricted_headers() {
         {"GLES", {"render/", "app/"}},
         {"glad/", {"render/", "app/"}},
         {"KHR/", {"render/", "app/"}},
-        {"imgui", {"render/", "app/ui/", "app/window.cpp"}},
+        {"imgui", {"render/", "app/ui/", "app/window.cpp", "app/libraries.cpp"}},
         {"thread", {"app/", "geometry/parallel.cpp", "io/timed_calls.cpp"}},
-        {"tbb/", {"geometry/parallel.cpp"}},
+        {"tbb/", {"geometry/parallel.cpp", "app/libraries.cpp"}},
         {"future", {"app/"}}};
     return kTable;
 }

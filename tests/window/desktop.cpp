@@ -7,6 +7,8 @@
 #include <sstream>
 #include <thread>
 
+#include "support/scratch_folder.h"
+
 namespace pectin {
 
 using namespace std::chrono_literals;
@@ -75,6 +77,16 @@ bool Desktop::drop(const std::string& path) const {
     const int status = Process(words, environment_).wait().value_or(-1);
     std::this_thread::sleep_for(kMoment);
     return status == 0;
+}
+
+std::string Desktop::screen_digest(int left, int top, int right, int bottom) const {
+    const ScratchFolder folder;
+    std::vector<std::string> words{"/usr/bin/python3",
+                                   PECTIN_SOURCE_DIR "/tests/window/screen_digest.py",
+                                   folder.path("digest")};
+    for (const int number : {left, top, right, bottom}) words.push_back(std::to_string(number));
+    if (Process(words, environment_).wait() != 0) return "";
+    return folder.read("digest");
 }
 
 void Desktop::move(int x, int y) const {

@@ -30,6 +30,8 @@ class Desktop {
     void type(const std::string& text) const;
     void drag(int from_x, int from_y, int to_x, int to_y) const;
     bool drop(const std::string& path) const;  // drops a file; returns whether the window took it
+    // A digest of the pixels in this part of the screen.
+    std::string screen_digest(int left, int top, int right, int bottom) const;
     // Waits until the program's window is on the display.
     bool shows_window() const;
 

@@ -98,6 +98,8 @@ Key named_key_of(int key) {
         Named{GLFW_KEY_KP_ADD, Key::keypad_add},
         Named{GLFW_KEY_KP_SUBTRACT, Key::keypad_subtract},
         Named{GLFW_KEY_F10, Key::f10},
+        Named{GLFW_KEY_F1, Key::f1},
+        Named{GLFW_KEY_F3, Key::f3},
     };
     const auto found = std::find_if(kNamed.begin(), kNamed.end(),
                                     [key](const Named& named) { return named.glfw == key; });

@@ -1,10 +1,23 @@
 #include "app/tools/cage_tool.h"
 
+#include <array>
 #include <chrono>
 
 #include "app/words.h"
 
 namespace pectin {
+namespace {
+
+constexpr std::array<InputReference, 6> kInputs{{
+    {"Drag a control point", "Moves it and all that are selected, parallel to the window."},
+    {"Click a control point", "Selects it."},
+    {"Shift+click a control point", "Adds it to the selection, or removes it."},
+    {"Ctrl+drag a box", "Selects all control points in it, also behind the object."},
+    {"Ctrl+Shift+drag a box", "Adds them to the selection."},
+    {"Esc", "Takes the drag or box back, or else clears the selection."},
+}};
+
+}  // namespace
 
 bool CageTool::hover(const ToolContext& context, bool is_free) {
     const std::optional<Lattice> cage = context.editable_cage();
@@ -105,6 +118,8 @@ std::string_view CageTool::status_hint(const ToolContext& context) const {
            "Ctrl+drag: "
            "select in a box";
 }
+
+InputGroup CageTool::inputs() const { return {"Cage, while it is shown", kInputs, 4}; }
 
 std::unique_ptr<Tool> make_cage_tool() { return std::make_unique<CageTool>(); }
 

@@ -21,6 +21,7 @@ class CageTool final : public DragTool {
     std::optional<ScreenBox> selection_box() const override { return points_.box(); }
     std::string_view status_hint(const ToolContext& context) const override;
     ShownSettings settings() const override { return {.mirror = true, .cage = true}; }
+    InputGroup inputs() const override;
 
     const CagePoints& points() const { return points_; }
 

@@ -1,6 +1,16 @@
 #include "app/tools/pin_tool.h"
 
+#include <array>
+
 namespace pectin {
+namespace {
+
+constexpr std::array<InputReference, 2> kInputs{{
+    {"Click the surface, with Pin on", "Sets a pin there, or removes the one under the cursor."},
+    {"Esc, with Pin on", "Switches Pin off."},
+}};
+
+}  // namespace
 
 void toggle_pin_at_cursor(ToolContext& context) {
     if (!context.pointer().is_in_viewport) return;
@@ -40,6 +50,8 @@ std::string_view PinTool::status_hint(const ToolContext& context) const {
     return "Click to set a pin, which drags leave where it is; click a pin to remove it. · Esc: "
            "done";
 }
+
+InputGroup PinTool::inputs() const { return {"Pins", kInputs, 3}; }
 
 std::unique_ptr<Tool> make_pin_tool() { return std::make_unique<PinTool>(); }
 

@@ -12,6 +12,7 @@ class PinTool final : public Tool {
     void overlay(const ToolContext& context, Overlay& overlay) const override;
     std::string_view status_hint(const ToolContext& context) const override;
     ShownSettings settings() const override { return {.mirror = true, .pins = true}; }
+    InputGroup inputs() const override;
 };
 
 // Removes the pin under the cursor. If there is none, sets one on the surface there. Does nothing

@@ -1,5 +1,7 @@
 // Setting of the brush's radius, in whatever unit it has: while F is held, it follows the mouse.
 
+#include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "app/tools/brush_rings.h"
@@ -12,6 +14,11 @@ constexpr Key kKey{'F'};
 // The radius doubles when the mouse moves by this many pixels.
 constexpr double kPixelsPerDoubling = 160.0;
 constexpr Colour kRing{255, 214, 64, 255};
+constexpr std::array<InputReference, 3> kInputs{{
+    {"Hold F and move the mouse", "Sets the radius of the brush."},
+    {"Release F, or click", "Keeps the new radius."},
+    {"Esc or right button, with F held", "Restores the radius."},
+}};
 
 // Releasing F, a press of the left button or a loss of the focus keeps the radius. Esc or a press
 // of another button restores it.
@@ -28,6 +35,7 @@ class RadiusTool final : public Tool {
     void overlay(const ToolContext& context, Overlay& overlay) const override;
     std::string_view status_hint(const ToolContext& context) const override;
     ShownSettings settings() const override { return {.radius = true}; }
+    InputGroup inputs() const override { return {"Brush radius", kInputs, 1}; }
 
   private:
     void keep(ToolContext& context);

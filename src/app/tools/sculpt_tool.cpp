@@ -1,5 +1,6 @@
 #include "app/tools/sculpt_tool.h"
 
+#include <array>
 #include <chrono>
 
 #include "app/tools/brush_rings.h"
@@ -13,6 +14,18 @@ namespace {
 constexpr double kPathTolerance = 4.0;
 constexpr double kDegreesPerNotch = 5.0;
 constexpr Colour kRing{255, 255, 255, 190}, kDragRing{255, 214, 64, 200};
+constexpr std::array<InputReference, 10> kInputs{{
+    {"Drag the surface", "Pulls it; the area around it follows."},
+    {"N or Alt, while dragging", "Moves the point along the normal of the surface."},
+    {"Wheel, while dragging", "Twists the area around the point about the normal."},
+    {"Shift+wheel, while dragging", "Scales the area around the point."},
+    {"X, Y or Z, while dragging", "Keeps the point to this axis; once more frees it."},
+    {"Shift+X, Y or Z, while dragging", "Keeps the point to the plane across this axis."},
+    {"Digits, while dragging", "Set the distance, along the axis or the present direction."},
+    {"Enter, while dragging", "Accepts the drag."},
+    {"Drag a pin", "Moves the point that it holds."},
+    {"Esc, while dragging", "Takes the drag back."},
+}};
 
 // Returns what a press at the cursor grabs: the pin whose marker is there, or the surface point.
 Pick handle_at_cursor(const ToolContext& context, Pick pick) {
@@ -178,6 +191,8 @@ std::string_view SculptTool::status_hint(const ToolContext& context) const {
 ShownSettings SculptTool::settings() const {
     return {.radius = true, .mirror = true, .connected = true, .fold_free = true, .pins = true};
 }
+
+InputGroup SculptTool::inputs() const { return {"Surface", kInputs, 0}; }
 
 std::unique_ptr<Tool> make_sculpt_tool() { return std::make_unique<SculptTool>(); }
 

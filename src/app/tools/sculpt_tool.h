@@ -26,6 +26,7 @@ class SculptTool final : public DragTool {
     void overlay(const ToolContext& context, Overlay& overlay) const override;
     std::string_view status_hint(const ToolContext& context) const override;
     ShownSettings settings() const override;
+    InputGroup inputs() const override;
 
     const Sculptor& sculptor() const { return sculptor_; }
 

@@ -16,6 +16,7 @@
 #include <vector>
 
 #include "app/input_event.h"
+#include "app/input_reference.h"
 #include "app/tool_context.h"
 #include "app/tools/screen_box.h"
 #include "render/overlay.h"
@@ -79,6 +80,8 @@ class Tool {
     // what other keys do, separated by middle dots. Empty if the tool does nothing here.
     virtual std::string_view status_hint(const ToolContext& context) const;
     virtual ShownSettings settings() const { return {}; }
+    // What mouse and keys do with this tool, for help. Whatever else the tool takes belongs here.
+    virtual InputGroup inputs() const { return {}; }
 };
 
 using Tools = std::vector<std::unique_ptr<Tool>>;

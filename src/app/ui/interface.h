@@ -32,6 +32,9 @@ class Interface {
     Interface(const Interface&) = delete;
     Interface& operator=(const Interface&) = delete;
 
+    // What draws the pictures, as OpenGL describes it, for the window about the program.
+    void set_renderer(const std::string& renderer) { panels_.set_renderer(renderer); }
+
     // The window's size in window coordinates and in pixels.
     void set_size(const IVec2& size, const IVec2& framebuffer_size);
 

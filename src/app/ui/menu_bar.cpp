@@ -17,31 +17,6 @@ namespace {
 constexpr std::array<std::size_t, 5> kUndoLimits{100'000'000, 300'000'000, History::kDefaultLimit,
                                                  3'000'000'000, 10'000'000'000};
 
-// The menus of the bar, from left to right.
-constexpr std::array kMenus{Menu::file, Menu::edit, Menu::view, Menu::tools};
-
-const char* title(Menu menu) {
-    switch (menu) {
-        case Menu::file:
-            return "File";
-        case Menu::new_object:
-            return "New";
-        case Menu::edit:
-            return "Edit";
-        case Menu::undo_memory:
-            return "Memory for undo";
-        case Menu::view:
-            return "View";
-        case Menu::viewpoint:
-            return "Viewpoint";
-        case Menu::navigation:
-            return "Navigation";
-        case Menu::tools:
-            return "Tools";
-    }
-    return "";
-}
-
 void draw_undo_limits(Editor& editor) {
     const ObjectFigures object = editor.workspace().object_figures();
     ImGui::TextDisabled("%s in use", undo_memory(object).c_str());
@@ -62,23 +37,23 @@ void MenuBar::draw(Editor& editor) {
     open_.reset();
     is_at_submenu_ = false;
     if (std::exchange(editor.menus_requested, false)) requested_ = 0;
-    if (requested_) ImGui::OpenPopup(title(kMenus[*requested_]));
+    if (requested_) ImGui::OpenPopup(menu_title(kMenuBar[*requested_]));
     requested_.reset();
-    for (std::size_t i = 0; i < kMenus.size(); ++i) {
-        if (ImGui::IsPopupOpen(title(kMenus[i]))) open_ = i;
-        draw_menu(editor, kMenus[i]);
+    for (std::size_t i = 0; i < kMenuBar.size(); ++i) {
+        if (ImGui::IsPopupOpen(menu_title(kMenuBar[i]))) open_ = i;
+        draw_menu(editor, kMenuBar[i]);
     }
 }
 
 bool MenuBar::take_key(Key key) {
     if (!open_ || is_at_submenu_ || (key != Key::left && key != Key::right)) return false;
-    const std::size_t step = key == Key::right ? 1 : kMenus.size() - 1;
-    requested_ = (*open_ + step) % kMenus.size();
+    const std::size_t step = key == Key::right ? 1 : kMenuBar.size() - 1;
+    requested_ = (*open_ + step) % kMenuBar.size();
     return true;
 }
 
 void MenuBar::draw_menu(Editor& editor, Menu menu) {
-    if (!ImGui::BeginMenu(title(menu))) return;
+    if (!ImGui::BeginMenu(menu_title(menu))) return;
     if (menu == Menu::undo_memory) {
         draw_undo_limits(editor);
     } else {
@@ -88,7 +63,7 @@ void MenuBar::draw_menu(Editor& editor, Menu menu) {
 }
 
 void MenuBar::draw_submenu(Editor& editor, Menu menu) {
-    is_at_submenu_ |= ImGui::IsPopupOpen(title(menu));
+    is_at_submenu_ |= ImGui::IsPopupOpen(menu_title(menu));
     draw_menu(editor, menu);
     is_at_submenu_ |= ImGui::IsItemHovered();
 }

@@ -9,6 +9,7 @@
 
 #include "app/ui/action_widgets.h"
 #include "app/ui/axes_view.h"
+#include "app/ui/example_panel.h"
 #include "app/ui/file_panel.h"
 #include "app/ui/progress_panel.h"
 #include "app/ui/questions.h"
@@ -75,6 +76,8 @@ void Panels::draw(Editor& editor, const PictureFigures& figures, float scale) {
     side_.update_preview(editor);
     draw_hint(editor);
     draw_message(editor);
+    draw_example(editor);
+    help_.draw(editor, scale);
     draw_questions(editor, scale);
     draw_file_panel(editor.document(), scale);
     draw_progress_panel(editor, scale);
@@ -229,6 +232,14 @@ void Panels::draw_hint(const Editor& editor) const {
     ImGui::PushTextWrapPos(ImGui::GetCursorPosX() + wrap);
     for (const std::string& line : lines) ImGui::TextUnformatted(line.c_str());
     ImGui::PopTextWrapPos();
+    ImGui::End();
+}
+
+void Panels::draw_example(Editor& editor) {
+    const auto bottom = static_cast<float>(free_.max.y) - scaled(kMargin);
+    if (!begin_example_panel(editor, bottom, scale_)) return;
+    claim_window();
+    draw_example_panel(editor.example());
     ImGui::End();
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/editor.h"
+#include "app/ui/help_windows.h"
 #include "app/ui/menu_bar.h"
 #include "app/ui/side_panel.h"
 #include "app/ui/status_line.h"
@@ -37,6 +38,9 @@ class Panels {
     // The entry of a menu under the cursor in the last frame, also if it is disabled.
     std::optional<Action> hovered_action() const { return menus_.hovered(); }
 
+    // What draws the pictures, for the window about the program.
+    void set_renderer(const std::string& renderer) { help_.set_renderer(renderer); }
+
   private:
     // Claims the mouse over the ImGui window that is being drawn.
     void claim_window();
@@ -48,6 +52,7 @@ class Panels {
     void draw_selection(const Editor& editor) const;
     void draw_message(Editor& editor);
     void draw_hint(const Editor& editor) const;
+    void draw_example(Editor& editor);
     float scaled(float pixels) const { return pixels * scale_; }
 
     float scale_ = 1.0f;
@@ -60,6 +65,7 @@ class Panels {
     MenuBar menus_;
     SidePanel side_;
     StatusLine status_;
+    HelpWindows help_;
 };
 
 }  // namespace pectin
