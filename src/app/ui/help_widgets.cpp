@@ -36,7 +36,9 @@ bool end_help_window() {
 bool draw_search(const char* hint, std::string& text) {
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
-    return ImGui::InputTextWithHint("##search", hint, &text);
+    const bool is_changed = ImGui::InputTextWithHint("##search", hint, &text);
+    tooltip("Type some letters to shorten the list.");
+    return is_changed;
 }
 
 void begin_help_contents() {
