@@ -19,6 +19,7 @@
 #include "adapt/floor.h"
 #include "adapt/off.h"
 #include "adapt/triggers/edge_length.h"
+#include "adapt/triggers/midpoint_distance.h"
 #include "adapt/triggers/normal_divergence.h"
 #include "ffd/symmetry.h"
 #include "geometry/box.h"
@@ -39,9 +40,8 @@ class Embedding;
 //   a split (EdgeClassifier::classify_one_ring). If kDependsOnFaces is true, also the faces at e.
 //   Then the four outer edges are tested as well, and decimation repeats its passes.
 // - The image of a point that is no vertex, such as a midpoint before it is inserted. A trigger
-// that
-//   needs it has a member bind(const Embedding*), which Criteria calls. Null means that nothing
-//   moves.
+//   that needs it has a member bind(const Embedding*), which Criteria calls. Null means that
+//   nothing moves.
 // - Several threads ask at a time.
 // - merged_edge_needs_refinement(star) must give the answer that needs_refinement() gives for bc
 //   once m is gone, and with kDependsOnFaces also for the outer edges. Otherwise refinement and
@@ -53,7 +53,7 @@ class Embedding;
 //
 // An alternative takes the place of NormalDivergence. A condition beside (a) and (b) is a member of
 // Criteria as EdgeLength is: need(), edges_pass(), may_unsplit() and classify_one_ring() ask it.
-using CurvatureTrigger = std::variant<NormalDivergence>;
+using CurvatureTrigger = std::variant<NormalDivergence, MidpointDistance>;
 
 // Lengths in world units. kOff switches a limit off, in refinement and in decimation.
 struct AdaptLimits {
