@@ -181,7 +181,7 @@ Assessment assess(const ActiveSet& active, const Criteria& criteria, std::vector
     return result;
 }
 
-double largest_divergence_degrees(const TriMesh& mesh, const Criteria& criteria) {
+double largest_divergence_degrees(const TriMesh& mesh) {
     double greatest = 0.0;
     FirstOfSiblings is_first(mesh);
     for (std::uint32_t i = 0; i < mesh.edge_slots(); ++i) {
@@ -189,7 +189,7 @@ double largest_divergence_degrees(const TriMesh& mesh, const Criteria& criteria)
         if (!mesh.is_live(e) || !is_first(e)) continue;
         const HalfEdgeId h = mesh.half_edge(e);
         if (!mesh.is_deformed(mesh.origin(h)) && !mesh.is_deformed(mesh.target(h))) continue;
-        greatest = std::max(greatest, criteria.largest_divergence(mesh, e));
+        greatest = std::max(greatest, NormalDivergence::largest_on_any_side(mesh, e));
     }
     // greatest = 1 - cos(angle) = 2 sin^2(angle / 2)
     return 2.0 * std::asin(std::sqrt(std::min(1.0, 0.5 * greatest))) * 180.0 / std::numbers::pi;

@@ -55,6 +55,6 @@ Assessment assess(const ActiveSet& active, const Criteria& criteria, std::vector
 
 // The largest divergence of end normals over all edges of the mesh with a deformed end, in degrees.
 // Cost: O(edges).
-double largest_divergence_degrees(const TriMesh& mesh, const Criteria& criteria);
+double largest_divergence_degrees(const TriMesh& mesh);
 
 }  // namespace pectin

@@ -33,25 +33,34 @@ std::vector<Box> as_list(const std::optional<Box>& box) {
 }  // namespace
 
 Criteria::Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
-                   const std::optional<Box>& scope)
+                   const std::optional<Box>& scope, const Embedding* embedding)
     : Criteria(limits, as_list(zone), scope ? std::optional(as_list(scope)) : std::nullopt,
-               nullptr) {}
+               embedding) {}
 
 Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
-                   std::optional<std::vector<Box>> scope, const Embedding* steps)
+                   std::optional<std::vector<Box>> scope, const Embedding* embedding)
     : limits_(limits),
       floor_(limits.floor),
-      length_(limits.l_max, with_images(std::move(zones), limits.symmetry), steps_of(steps),
+      length_(limits.l_max, with_images(std::move(zones), limits.symmetry), steps_of(embedding),
               SplitOrder(limits.propagation, limits.symmetry), floor_),
+      curvature_depends_on_faces_(
+          ask_curvature([](const auto& trigger) { return trigger.kDependsOnFaces; })),
       squared_difference_bound_(
           ask_curvature([](const auto& trigger) { return trigger.fast_path_bound(); })),
       squared_length_bound_(length_.fast_path_bound()) {
     if (scope) scope_ = with_images(*std::move(scope), limits.symmetry);
+    // Concurrent edits are tested while others are made.
+    if (curvature_depends_on_faces_) limits_.partitioning.batch = Partitioning::kNever;
+    const auto bind = [&](auto& trigger) {
+        if constexpr (requires { trigger.bind(embedding); }) trigger.bind(embedding);
+    };
+    std::visit(bind, limits_.curvature);
 }
 
 EdgeLength::Steps Criteria::steps_of(const Embedding* embedding) const {
+    if (!embedding || !embedding->is_composed()) return {};
     return {.embedding = embedding,
-            .are_only_sampled = embedding && only_samples(*embedding),
+            .are_only_sampled = only_samples(*embedding),
             .largest_rest_difference = ask_curvature(
                 [](const auto& trigger) { return trigger.rest_difference_hiding(kLeastBend); })};
 }
@@ -78,10 +87,6 @@ void Criteria::keep(std::vector<VertexId> vertices) {
 bool Criteria::diverges_on_any_side(const ActiveSet& active, EdgeId e) const {
     return ask_curvature(
         [&](const auto& trigger) { return trigger.diverges_on_any_side(active, e); });
-}
-
-double Criteria::largest_divergence(const TriMesh& mesh, EdgeId e) const {
-    return ask_curvature([&](const auto& trigger) { return trigger.largest_on_any_side(mesh, e); });
 }
 
 //          a

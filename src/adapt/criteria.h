@@ -19,6 +19,7 @@
 #include "adapt/floor.h"
 #include "adapt/off.h"
 #include "adapt/triggers/edge_length.h"
+#include "adapt/triggers/midpoint_distance.h"
 #include "adapt/triggers/normal_divergence.h"
 #include "ffd/symmetry.h"
 #include "geometry/box.h"
@@ -29,22 +30,22 @@ namespace pectin {
 class Embedding;
 
 // The curvature trigger in use: conditions (a) of refinement and of decimation. Each alternative is
-// one file in adapt/triggers and has these members of NormalDivergence: needs_refinement,
-// passes_decimation, merged_edge_needs_refinement, fast_path_bound, rest_difference_hiding,
-// diverges_on_any_side and largest_on_any_side.
+// one file in adapt/triggers and has these members of NormalDivergence: kDependsOnFaces,
+// needs_refinement, passes_decimation, merged_edge_needs_refinement, fast_path_bound,
+// rest_difference_hiding and diverges_on_any_side.
 //
 // What a trigger may depend on:
 // - needs_refinement(e) and passes_decimation(e): the two ends of e with their positions, wedges
-//   and deformed marks, now and at rest, and nothing of the faces at e. Only the new edges bm, mc,
-//   am and dm are tested after a split (EdgeClassifier::classify_one_ring); a trigger that depends
-//   on faces has to be tested like EdgeLength there.
-// - The image of a point that is no vertex, such as a midpoint before it is inserted, is not known
-//   to an active set. Embedding::image computes it, but AdaptLimits are made before the embedding.
-//   Criteria would have to pass it on; `steps` is not enough, since only warps of several steps
-//   have it.
-// - The answer must not depend on the order of splits, and several threads ask at a time.
+//   and deformed marks, now and at rest. Then only the new edges bm, mc, am and dm are tested after
+//   a split (EdgeClassifier::classify_one_ring). If kDependsOnFaces is true, also the faces at e.
+//   Then the four outer edges are tested as well, and decimation repeats its passes.
+// - The image of a point that is no vertex, such as a midpoint before it is inserted. A trigger
+//   that needs it has a member bind(const Embedding*), which Criteria calls. Null means that
+//   nothing moves.
+// - Several threads ask at a time.
 // - merged_edge_needs_refinement(star) must give the answer that needs_refinement() gives for bc
-//   once m is gone. Otherwise refinement and decimation undo each other's work in turn.
+//   once m is gone, and with kDependsOnFaces also for the outer edges. Otherwise refinement and
+//   decimation undo each other's work in turn.
 // - L_max relies on the trigger to find bends in long drags (EdgeLength::Steps::are_only_sampled),
 //   except at edges as rough as rest_difference_hiding() says.
 // - fast_path_bound(): if the trigger does not follow from the difference of the end normals, it
@@ -52,7 +53,7 @@ class Embedding;
 //
 // An alternative takes the place of NormalDivergence. A condition beside (a) and (b) is a member of
 // Criteria as EdgeLength is: need(), edges_pass(), may_unsplit() and classify_one_ring() ask it.
-using CurvatureTrigger = std::variant<NormalDivergence>;
+using CurvatureTrigger = std::variant<NormalDivergence, MidpointDistance>;
 
 // Lengths in world units. kOff switches a limit off, in refinement and in decimation.
 struct AdaptLimits {
@@ -80,13 +81,13 @@ class Criteria {
   public:
     // zone: where edges longer than l_max are refined; none if no lattice is in use. scope: only
     // vertices whose star meets it may be removed; none means everywhere. Both are at rest. With
-    // symmetry their mirror images count as well.
+    // symmetry their mirror images count as well. embedding: in the warp that deforms the mesh,
+    // all of whose steps are tested against l_max; none if nothing moves. It must outlive this.
     Criteria(const AdaptLimits& limits, const std::optional<Box>& zone,
-             const std::optional<Box>& scope);
-    // The same with several boxes. steps: the embedding in a warp of several steps, which are all
-    // tested against l_max; it must outlive this.
+             const std::optional<Box>& scope, const Embedding* embedding = nullptr);
+    // The same with several boxes.
     Criteria(const AdaptLimits& limits, std::vector<Box> zones,
-             std::optional<std::vector<Box>> scope, const Embedding* steps = nullptr);
+             std::optional<std::vector<Box>> scope, const Embedding* embedding = nullptr);
 
     const AdaptLimits& limits() const { return limits_; }
 
@@ -98,8 +99,12 @@ class Criteria {
     SplitNeed need(const ActiveSet& active, EdgeId e) const {
         return curvature_needs_refinement(active, e) ? SplitNeed::itself : length_.need(active, e);
     }
-    // Refinement condition (a) by itself. It depends on the ends of e and not on its faces.
+    // Refinement condition (a) by itself.
     bool curvature_needs_refinement(const ActiveSet& active, EdgeId e) const;
+    // Whether it depends on the faces at an edge and not on its ends alone. Then edits are serial
+    // (AdaptLimits::partitioning), and edges and vertices are tested in groups before one of the
+    // group is split or removed, so that the order within the group does not matter.
+    bool curvature_depends_on_faces() const { return curvature_depends_on_faces_; }
     // The trigger of conditions (b).
     const EdgeLength& length() const { return length_; }
     // Fast path of needs_refinement() for smooth edges (ActiveSet::smooth_edges). True means that e
@@ -125,8 +130,6 @@ class Criteria {
     // Whether e would need refinement by refinement condition (a) if sides with opposed normals
     // counted as well.
     bool diverges_on_any_side(const ActiveSet& active, EdgeId e) const;
-    // The largest divergence of e over all sides: 1 - cos(angle).
-    double largest_divergence(const TriMesh& mesh, EdgeId e) const;
 
   private:
     // Here alone a pass asks which curvature trigger is in use. Settings choose it.
@@ -147,6 +150,7 @@ class Criteria {
     EdgeLength length_;
     std::optional<std::vector<Box>> scope_;
     std::vector<VertexId> kept_;  // sorted
+    bool curvature_depends_on_faces_;
     // Bounds of the fast path, from the triggers: of |n1 - n2|^2 and of the squared length.
     float squared_difference_bound_;
     double squared_length_bound_;

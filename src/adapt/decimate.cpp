@@ -59,7 +59,7 @@ class Decimator {
     // One pass over all levels. Returns whether a vertex was kept only for self-intersections.
     bool run() {
         bool any_kept = false;
-        const Levels levels = candidates_by_level(active_);
+        Levels levels = candidates_by_level(active_);
         for (std::size_t level = levels.size(); level-- > 1 && !result_.was_stopped;) {
             if (!self_intersections_ && concurrent_unsplits_.is_worth(levels[level])) {
                 const std::uint64_t removed = concurrent_unsplits_.unsplit(levels[level]);
@@ -67,7 +67,7 @@ class Decimator {
                 result_.concurrent_unsplits += removed;
                 ask_whether_to_stop(removed);
             } else {
-                any_kept |= unsplit_one_by_one(levels[level]);
+                any_kept |= unsplit_one_by_one(chosen(levels[level]));
             }
         }
         return any_kept;
@@ -76,11 +76,23 @@ class Decimator {
     const Decimation& result() const { return result_; }
 
   private:
+    // Of the vertices of one level, those that may be removed, if removing another one may change
+    // that. Otherwise all of them.
+    std::span<const VertexId> chosen(std::vector<VertexId>& level) const {
+        if (criteria_.curvature_depends_on_faces()) {
+            std::erase_if(level,
+                          [&](VertexId m) { return !removable_star(active_, criteria_, m); });
+        }
+        return level;
+    }
+
     bool unsplit_one_by_one(std::span<const VertexId> level) {
         bool any_kept = false;
         for (VertexId m : level) {
             if (result_.was_stopped) break;
-            const auto star = removable_star(active_, criteria_, m);
+            const auto star = criteria_.curvature_depends_on_faces()
+                                  ? active_.mesh().removable(m)
+                                  : removable_star(active_, criteria_, m);
             if (!star) continue;
             if (self_intersections_ && self_intersections_->would_intersect(*star)) {
                 any_kept = true;
@@ -134,11 +146,12 @@ Decimation decimate(ActiveSet& active, const Criteria& criteria,
                     SelfIntersections* self_intersections, const StopToken& stop) {
     Decimator decimator(active, criteria, self_intersections, stop);
     std::uint64_t before = 0;
-    bool any_kept = false;
+    bool may_go_on = false;
     do {
         before = decimator.result().unsplits;
-        any_kept = decimator.run();
-    } while (any_kept && decimator.result().unsplits > before && !decimator.result().was_stopped);
+        const bool any_kept = decimator.run();
+        may_go_on = any_kept || criteria.curvature_depends_on_faces();
+    } while (may_go_on && decimator.result().unsplits > before && !decimator.result().was_stopped);
     return decimator.result();
 }
 

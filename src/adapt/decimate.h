@@ -25,11 +25,16 @@ struct Decimation {
 // first, so that later refinements are undone before earlier ones (the paper's figure 6). Which
 // vertices may be removed is said at removable_star().
 //
-// One pass is enough. Two inserted vertices of the same level are never neighbours, since the level
-// of a midpoint is above the levels of all its neighbours. So the order within a level does not
-// matter, and the removal of a vertex does not change whether another one of its level or above may
-// be removed. Levels with thousands of vertices are decimated on several threads
-// (ConcurrentUnsplits).
+// One pass is enough for a curvature trigger that depends on the ends of an edge. Two inserted
+// vertices of the same level are never neighbours, since the level of a midpoint is above the
+// levels of all its neighbours. So the order within a level does not matter, and the removal of a
+// vertex does not change whether another one of its level or above may be removed. Levels with
+// thousands of vertices are decimated on several threads (ConcurrentUnsplits).
+//
+// A trigger that depends on faces (Criteria::curvature_depends_on_faces) may allow a removal after
+// another one has changed a face beside it. Then all vertices of a level are tested before the
+// first of them is removed, and passes are repeated until one removes nothing. This ends, since
+// every other pass removes at least one of finitely many inserted vertices.
 //
 // self_intersections: if given, no vertex is removed whose restored faces would intersect others.
 // That depends on the order, so passes are repeated as long as a vertex was kept for this reason

@@ -36,6 +36,14 @@ inline double default_flatness(double theta_max) {
 inline constexpr NormalDivergence::RestAllowance kDefaultRestAllowance{.refinement = 1.25,
                                                                        .decimation = 1.1};
 
+// The tolerance of MidpointDistance as a fraction of the diagonal of the object's box. The paper
+// does not say what to take.
+inline constexpr double kDefaultToleranceFraction = 1e-3;
+
+// The tolerance is at least this fraction of the largest coordinate, whatever the settings say:
+// about 2^10 units in the last place of a double, as for the floor below.
+inline constexpr double kLeastToleranceFraction = 0x1p-42;
+
 // How many triangles one drag may add, if it moves so many faces. A drag that refines everything it
 // moves to half the edge length needs three times as many. The paper has no such limit.
 constexpr std::uint64_t default_drag_budget(std::uint64_t faces) {

@@ -34,10 +34,10 @@ class EdgeClassifier {
 
     //          a        The split of bc inserted m. Calls visit(edge, length class or kBelowFloor)
     //         /|\       for the edges that need refinement now. Refinement condition (a) is tested
-    //        / | \      for bm, mc, am and dm alone, since it depends on the ends of an edge.
-    //       b--m--c     Refinement condition (b) is tested for every edge of the faces at m, since
-    //        \ | /      it depends on faces. An edge may be visited twice. Precondition: m has been
-    //         \|/       embedded.
+    //        / | \      for bm, mc, am and dm alone if it depends on the ends of an edge, otherwise
+    //       b--m--c     also for the four outer edges. Refinement condition (b) is tested for every
+    //        \ | /      edge of the faces at m, since it depends on faces. An edge may be visited
+    //         \|/       twice. Precondition: m has been embedded.
     //          d
     template <typename Visit>
     void classify_one_ring(const ActiveSet::Inserted& made, Visit visit) const {
@@ -48,6 +48,7 @@ class EdgeClassifier {
             if (is_smooth && criteria_.satisfies_criteria_fast(mesh_, e, false)) continue;
             if (criteria_.curvature_needs_refinement(active_, e)) visit(e, length_class_of(e));
         }
+        if (criteria_.curvature_depends_on_faces()) visit_outer_edges(made, visit);
         if (!criteria_.length().is_on()) return;
         // Each new face has one of the edges am and dm, the second pair.
         for (std::size_t k = 2; k < made.edges.size(); ++k) {
@@ -55,7 +56,7 @@ class EdgeClassifier {
             mesh_.for_each_side(made.edges[k], [&](HalfEdgeId h) { visit_needed(h, visit); });
         }
     }
-    // A split calls visit at most this often for each sheet.
+    // A split calls visit at most this often for each sheet, without outer edges.
     static constexpr std::size_t kMaxNeeded = 8;
 
     // Calls visit(edge, length class or kBelowFloor) for the other edges of e's faces that have to
@@ -71,6 +72,21 @@ class EdgeClassifier {
     }
 
   private:
+    // The edges ab, ca, bd and dc by refinement condition (a).
+    template <typename Visit>
+    void visit_outer_edges(const ActiveSet::Inserted& made, Visit visit) const {
+        const VertexId m = active_.vertex(made.vertex_entry);
+        for (std::size_t k = 2; k < made.edges.size(); ++k) {
+            if (!exists(made.edges[k])) continue;
+            mesh_.for_each_side(made.edges[k], [&](HalfEdgeId h) {
+                const bool leaves_m = mesh_.origin(h) == m;
+                const EdgeId outer = mesh_.edge(leaves_m ? TriMesh::next(h) : TriMesh::prev(h));
+                if (criteria_.curvature_needs_refinement(active_, outer))
+                    visit(outer, length_class_of(outer));
+            });
+        }
+    }
+
     template <typename Visit>
     void visit_needed(HalfEdgeId h, Visit visit) const {
         const HalfEdgeId first = criteria_.length().needed_split(active_, h);

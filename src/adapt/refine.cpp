@@ -1,6 +1,8 @@
 #include "adapt/refine.h"
 
+#include <algorithm>
 #include <cstring>
+#include <span>
 
 #include "adapt/concurrent/splits.h"
 #include "adapt/edge_classifier.h"
@@ -21,7 +23,9 @@ class Refiner {
           classifier_(active, criteria),
           propagation_(active, criteria.limits(), [this](EdgeId e) { return may_split(e); }),
           concurrent_splits_(active, embedding, classifier_, criteria.limits()),
-          queue_(criteria.limits().partitioning) {}
+          queue_(criteria.limits().partitioning, criteria.curvature_depends_on_faces()
+                                                     ? RefinementQueue::kWholeClass
+                                                     : RefinementQueue::kSerialBatch) {}
 
     Refinement refine(const StopToken& stop) {
         queue_needed_edges();
@@ -35,7 +39,7 @@ class Refiner {
             result_.floor_hit |= is_below;
             if (!is_below) pending_.splits.push_back({e, end_of(e)});
         }
-        split_one_by_one(pending_);
+        split_one_by_one(pending_.splits, pending_.partition);
         split_queued_edges(stop);
         return result();
     }
@@ -46,15 +50,31 @@ class Refiner {
             const RefinementQueue::Batch batch = queue_.take();
             if (batch.is_serial) {
                 test_again(batch);
-                split_one_by_one(pending_);
+                split_pending(stop);
             } else {
                 split_concurrently(batch);
+                ask_whether_to_stop(stop, !queue_.is_empty());
             }
-            // A batch of edges that may not be split changes nothing, and the next call would begin
-            // with it again.
-            result_.was_stopped = result_.splits > 0 && !result_.budget_hit && !queue_.is_empty() &&
-                                  stop.stop_requested();
         }
+    }
+
+    // more: edges are left to split. A batch of edges that may not be split changes nothing, and
+    // the next call would begin with it again.
+    void ask_whether_to_stop(const StopToken& stop, bool more) {
+        result_.was_stopped =
+            result_.splits > 0 && !result_.budget_hit && more && stop.stop_requested();
+    }
+
+    // All these edges have been tested before one of them is split, but a batch may be long.
+    void split_pending(const StopToken& stop) {
+        const std::span<const PendingSplit> all = pending_.splits;
+        std::size_t done = 0;
+        do {
+            const std::size_t count = std::min(RefinementQueue::kSerialBatch, all.size() - done);
+            split_one_by_one(all.subspan(done, count), pending_.partition);
+            done += count;
+            ask_whether_to_stop(stop, done < all.size() || !queue_.is_empty());
+        } while (done < all.size() && !result_.budget_hit && !result_.was_stopped);
     }
 
     void test_again(const RefinementQueue::Batch& batch) {
@@ -68,9 +88,9 @@ class Refiner {
 
     // Splits all edges before it embeds and tests what they have inserted, so that each phase finds
     // its surroundings in the cache.
-    void split_one_by_one(const PendingSplits& pending) {
-        partition_ = pending.partition;
-        for (const PendingSplit& next : pending.splits) {
+    void split_one_by_one(std::span<const PendingSplit> splits, std::size_t partition) {
+        partition_ = partition;
+        for (const PendingSplit& next : splits) {
             if (result_.budget_hit) break;
             // Another chain may have split the edge since then. Its halves are tested when their
             // new end is embedded.
@@ -85,7 +105,9 @@ class Refiner {
         result_.splits += done.splits;
         result_.concurrent_splits += done.splits;
         result_.floor_hit |= done.floor_hit;
-        for (const PendingSplits& deferred : done.deferred) split_one_by_one(deferred);
+        for (const PendingSplits& deferred : done.deferred) {
+            split_one_by_one(deferred.splits, deferred.partition);
+        }
     }
 
     VertexId end_of(EdgeId e) const { return active_.mesh().target(active_.mesh().half_edge(e)); }

@@ -8,6 +8,7 @@
 #include <array>
 #include <bit>
 #include <cstdint>
+#include <limits>
 #include <span>
 #include <vector>
 
@@ -42,7 +43,7 @@ struct PendingSplits {
 class RefinementQueue {
   public:
     static constexpr std::size_t kLengthClasses = 2048;  // the exponents of a double
-    static constexpr std::size_t kSerialBatch = 1024;    // edges in a serial batch, at most
+    static constexpr std::size_t kSerialBatch = 1024;
 
     // Edges of one length class, taken together. A serial batch has edges of one partition.
     struct Batch {
@@ -54,7 +55,11 @@ class RefinementQueue {
         std::span<const EdgeId> serial_edges() const { return partitions[partition]; }
     };
 
-    explicit RefinementQueue(const Partitioning& partitioning = {}) : partitioning_(partitioning) {}
+    // serial_batch: edges in a serial batch, at most; kWholeClass for all of a length class.
+    static constexpr std::size_t kWholeClass = std::numeric_limits<std::size_t>::max();
+    explicit RefinementQueue(const Partitioning& partitioning = {},
+                             std::size_t serial_batch = kSerialBatch)
+        : partitioning_(partitioning), serial_batch_(serial_batch) {}
 
     void push(EdgeId e, std::size_t length_class, std::size_t partition = 0) {
         if (buckets_.empty()) lowest_ = length_class;
@@ -79,7 +84,7 @@ class RefinementQueue {
     // Removes edges of the longest length class. The batch is valid until the next push.
     // Precondition: is_empty() has just returned false.
     Batch take() {
-        Batch batch = buckets_[longest_].take(partitioning_);
+        Batch batch = buckets_[longest_].take(partitioning_, serial_batch_);
         batch.length_class = lowest_ + longest_;
         return batch;
     }
@@ -103,7 +108,7 @@ class RefinementQueue {
         }
         std::span<const EdgeId> take(std::size_t most) {
             const std::size_t first = taken;
-            taken = std::min(edges.size(), first + most);
+            taken = first + std::min(waiting(), most);
             return std::span(edges).subspan(first, taken - first);
         }
         void give_half(Partition& empty) {
@@ -122,16 +127,17 @@ class RefinementQueue {
             partitions_[partition].push(e);
             ++waiting_;
         }
-        Batch take(const Partitioning& partitioning) {
-            return partitioning.is_worth(waiting_) ? take_from_all(partitioning) : take_from_one();
+        Batch take(const Partitioning& partitioning, std::size_t serial_batch) {
+            return partitioning.is_worth(waiting_) ? take_from_all(partitioning)
+                                                   : take_from_one(serial_batch);
         }
 
       private:
-        Batch take_from_one() {
+        Batch take_from_one(std::size_t most) {
             Batch batch;
             batch.is_serial = true;
             while (partitions_[batch.partition].waiting() == 0) ++batch.partition;
-            take_some(batch, batch.partition, kSerialBatch);
+            take_some(batch, batch.partition, most);
             return batch;
         }
         Batch take_from_all(const Partitioning& partitioning) {
@@ -157,6 +163,7 @@ class RefinementQueue {
     };
 
     Partitioning partitioning_;
+    std::size_t serial_batch_;
     std::vector<Bucket> buckets_;  // one for each length class from lowest_ on
     std::size_t lowest_ = 0;
     std::size_t longest_ = 0;  // no bucket after this one has edges

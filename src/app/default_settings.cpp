@@ -11,8 +11,10 @@ std::vector<Command> default_settings() {
     const LatticeSettings lattice;
     const auto undo_limit = static_cast<double>(History::kDefaultLimit) / kMegabyte;
     return {command::Adapt{.enabled = adapt.enabled,
+                           .trigger = adapt.trigger,
                            .theta_max = adapt.theta_max,
                            .theta_min = adapt.theta_min,
+                           .tolerance = adapt.tolerance,
                            .l_max = adapt.l_max,
                            .flatness = adapt.flatness,
                            .floor = adapt.floor,

@@ -48,8 +48,11 @@ struct Shape {
 };
 
 struct Adapt {
+    enum class Trigger { normals, midpoint };
     std::optional<bool> enabled{};
-    std::optional<Setting> theta_max{}, theta_min{};
+    std::optional<Trigger> trigger{};
+    std::optional<Setting> theta_max{}, theta_min{};  // of normals
+    std::optional<Setting> tolerance{};               // of midpoint
     std::optional<Setting> l_max{};
     std::optional<Setting> flatness{};
     std::optional<Setting> floor{};

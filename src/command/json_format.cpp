@@ -18,8 +18,9 @@ class FieldWriter {
 
     template <typename Owner>
     void write_all(const Owner& owner) {
+        const Owner initial{};
         for_each_field<Owner>([&](const auto& field) {
-            if (!field.is_required() && owner.*field.member == Owner{}.*field.member) return;
+            if (!field.is_required() && owner.*field.member == initial.*field.member) return;
             json_.key(field.name);
             write(*field.value_in(owner), field.type);
         });

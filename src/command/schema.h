@@ -127,15 +127,26 @@ struct Schema<command::Adapt> {
     static constexpr std::tuple kFields{
         make_field("enabled", &command::Adapt::enabled, field::Flag{}, "true",
                    "Whether drags refine and decimate."),
-        make_field("theta_max", &command::Adapt::theta_max,
-                   field::NumberOr{field::above(0.0), field::Unit::angle}.or_null(), "180/7",
-                   "An edge whose end normals diverge by more is refined, unless they diverged "
-                   "nearly as much before the drag; null: none is."),
+        make_field("trigger", &command::Adapt::trigger, field::Choice<2>{{"normals", "midpoint"}},
+                   "\"normals\"",
+                   "What tells that an edge bends: the normals at its ends, by theta_max and "
+                   "theta_min, or how far its middle leaves the faces at it, by tolerance."),
+        make_field(
+            "theta_max", &command::Adapt::theta_max,
+            field::NumberOr{field::above(0.0), field::Unit::angle}.or_null(), "180/7",
+            "With normals, an edge whose end normals diverge by more is refined, unless they "
+            "diverged nearly as much before the drag; null: none is."),
         make_field("theta_min", &command::Adapt::theta_min,
                    field::NumberOr{field::at_least(0.0), field::Unit::angle}.or_auto().or_null(),
                    "\"auto\"",
-                   "An edge whose end normals diverge by less may be decimated; \"auto\": 7/9 of "
-                   "theta_max; null: any angle."),
+                   "With normals, an edge whose end normals diverge by less may be decimated; "
+                   "\"auto\": 7/9 of theta_max; null: any angle."),
+        make_field("tolerance", &command::Adapt::tolerance,
+                   field::NumberOr{field::above(0.0), field::Unit::length}.or_auto(), "\"auto\"",
+                   "With midpoint, an edge is refined if its middle is farther from the planes of "
+                   "its two faces, in sum, and a vertex may be decimated if it is nearer than a "
+                   "quarter of this to the middle of the edge that it leaves; \"auto\": 1e-3 of "
+                   "the box diagonal."),
         make_field("l_max", &command::Adapt::l_max,
                    field::NumberOr{field::above(0.0), field::Unit::length}.or_auto().or_null(),
                    "\"auto\"",

@@ -49,10 +49,13 @@ class Embedding {
                         std::span<DragWeight> scratch);
     std::size_t scratch_size() const;
 
-    // The image of a point under the warp with its present displacements.
+    // The image of a point under the warp with its present displacements: where a vertex goes that
+    // a split inserts there, if it moves. Several threads may call it at the same time.
     Vec3 image(const Vec3& rest) const;
     // Whether the warp has no steps, so that nothing moves.
     bool is_identity() const { return step_starts_.empty(); }
+    // Whether the warp has several steps. Known before embed().
+    bool is_composed() const { return warp_.steps.size() > 1; }
     // The number of influenced vertices with det J <= 0 in some step, at the present displacements.
     // Cost: O(entries).
     std::uint64_t folded_vertices() const;

@@ -1,15 +1,22 @@
 #include "ffd/deformation.h"
 
+#include <array>
 #include <utility>
 
 namespace pectin {
 namespace {
 
-// Calls evaluate(deformation as the type it is, its weights at x).
+// Calls evaluate(deformation as the type it is, its weights at x). Allocates only for a drag that
+// compact() has not seen.
 template <typename Evaluate>
 auto with_weights(const Deformation& deformation, const Vec3& x, const Evaluate& evaluate) {
     return dispatch(deformation, [&](const auto& d) {
-        std::vector<DragWeight> weights(weight_count(d));
+        std::array<DragWeight, kMostWeights> few;
+        std::vector<DragWeight> many;
+        const std::size_t count = weight_count(d);
+        if (count > few.size()) many.resize(count);
+        const std::span<DragWeight> weights =
+            count > few.size() ? std::span(many) : std::span(few).first(count);
         weights_at(d, x, weights);
         return evaluate(d, std::span<const DragWeight>(weights));
     });

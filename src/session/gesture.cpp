@@ -28,8 +28,7 @@ Gesture::Gesture(ActiveSet& active, const GestureFaces& faces, Warp warp,
         is_drag_budget_less_ =
             limits.budget > faces_now && adaptivity->drag_budget < limits.budget - faces_now;
         if (is_drag_budget_less_) limits.budget = faces_now + adaptivity->drag_budget;
-        criteria_.emplace(limits, warp_.zones(), std::optional(warp_.zones()),
-                          warp_.steps.size() > 1 ? &embedding_ : nullptr);
+        criteria_.emplace(limits, warp_.zones(), std::optional(warp_.zones()), &embedding_);
         criteria_->keep(std::move(adaptivity->kept));
     }
     try {

@@ -19,8 +19,10 @@ double theta_min_of(const AdaptSettings& s) {
 Result<AdaptSettings> AdaptSettings::with(const command::Adapt& change) const {
     AdaptSettings s = *this;
     s.enabled = change.enabled.value_or(enabled);
+    s.trigger = change.trigger.value_or(trigger);
     s.theta_max = change.theta_max.value_or(theta_max);
     s.theta_min = change.theta_min.value_or(theta_min);
+    s.tolerance = change.tolerance.value_or(tolerance);
     s.l_max = change.l_max.value_or(l_max);
     s.flatness = change.flatness.value_or(flatness);
     s.floor = change.floor.value_or(floor);
@@ -37,20 +39,31 @@ Result<AdaptSettings> AdaptSettings::with(const command::Adapt& change) const {
     return s;
 }
 
-AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
-                                  double largest_coordinate) const {
-    AdaptLimits limits;
+// The trigger by which conditions (a) are decided.
+CurvatureTrigger AdaptSettings::curvature(double diagonal, double largest_coordinate) const {
+    if (trigger == command::Adapt::Trigger::midpoint) {
+        const double length =
+            tolerance.is_automatic() ? kDefaultToleranceFraction * diagonal : tolerance.value;
+        return MidpointDistance(std::max(length, kLeastToleranceFraction * largest_coordinate));
+    }
     NormalDivergence::Angles angles;
     angles.theta_max = NormalDivergence::angle_or_off(value_or_off(theta_max));
     angles.theta_min = NormalDivergence::angle_or_off(
         theta_min.is_automatic() && angles.theta_max == kOff ? kOff : theta_min_of(*this));
-    limits.curvature = NormalDivergence(angles);
+    return NormalDivergence(angles);
+}
+
+AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
+                                  double largest_coordinate) const {
+    AdaptLimits limits;
+    limits.curvature = curvature(diagonal, largest_coordinate);
     limits.l_max = l_max.is_automatic() ? default_l_max(feature_extent) : value_or_off(l_max);
     limits.l_max_is_automatic = l_max.is_automatic();
+    const double greatest_angle = NormalDivergence::angle_or_off(value_or_off(theta_max));
     if (!flatness.is_automatic()) {
         limits.flatness = value_or_off(flatness);
-    } else if (angles.theta_max < kOff) {
-        limits.flatness = default_flatness(angles.theta_max);
+    } else if (greatest_angle < kOff) {
+        limits.flatness = default_flatness(greatest_angle);
     }
     limits.floor = std::max(floor.is_automatic() ? kDefaultFloorFraction * diagonal : floor.value,
                             kLeastFloorFraction * largest_coordinate);
@@ -62,13 +75,13 @@ AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
 AdaptLimits AdaptSettings::drag_limits(double feature_extent, double diagonal,
                                        double largest_coordinate) const {
     AdaptLimits result = limits(feature_extent, diagonal, largest_coordinate);
-    auto* const trigger = std::get_if<NormalDivergence>(&result.curvature);
-    if (!trigger) return result;
+    auto* const normals = std::get_if<NormalDivergence>(&result.curvature);
+    if (!normals) return result;
     NormalDivergence::RestAllowance allowance = kDefaultRestAllowance;
     // Flatness is then all that keeps the shape of a rough surface. With a theta_min of 0 nothing
     // is decimated.
-    if (result.flatness == kOff || !(trigger->angles().theta_min > 0.0)) allowance.decimation = 0.0;
-    *trigger = NormalDivergence(trigger->angles(), allowance);
+    if (result.flatness == kOff || !(normals->angles().theta_min > 0.0)) allowance.decimation = 0.0;
+    *normals = NormalDivergence(normals->angles(), allowance);
     return result;
 }
 

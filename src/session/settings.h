@@ -15,8 +15,10 @@ namespace pectin {
 
 struct AdaptSettings {
     bool enabled = true;
+    command::Adapt::Trigger trigger = command::Adapt::Trigger::normals;
     Setting theta_max = Setting::of(kDefaultThetaMax);  // degrees
     Setting theta_min = Setting::automatic();
+    Setting tolerance = Setting::automatic();
     Setting l_max = Setting::automatic();
     Setting flatness = Setting::automatic();
     Setting floor = Setting::automatic();
@@ -30,8 +32,8 @@ struct AdaptSettings {
     Result<AdaptSettings> with(const command::Adapt& change) const;
     // The limits in world units, for a command that applies them to the object as it is (readapt).
     // feature_extent: the smallest feature extent of the deformation, or kOff if there is none.
-    // diagonal, largest_coordinate: of the object's box when it was opened. The floor is well above
-    // what coordinates of that size resolve.
+    // diagonal, largest_coordinate: of the object's box when it was opened. Floor and tolerance are
+    // well above what coordinates of that size resolve.
     AdaptLimits limits(double feature_extent, double diagonal,
                        double largest_coordinate = 0.0) const;
     // The same for a drag, which leaves roughness alone that it has not made.
@@ -39,6 +41,9 @@ struct AdaptSettings {
                             double largest_coordinate = 0.0) const;
     // In triangles, for a drag that moves so many faces; nothing if there is no limit.
     std::optional<std::uint64_t> drag_budget_for(std::uint64_t faces) const;
+
+  private:
+    CurvatureTrigger curvature(double diagonal, double largest_coordinate) const;
 };
 
 inline constexpr double kAutoRadius = 0.25;  // of a brush, as a fraction of the box diagonal

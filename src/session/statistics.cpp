@@ -11,8 +11,7 @@ Statistics Session::State::statistics() const {
     measure(*mesh, s);
     s.input = input_counts(input_report, read_report);
     s.last = last;
-    const Criteria criteria(limits_in_use(), std::nullopt, std::nullopt);
-    s.divergence_max_deg = largest_divergence_degrees(*mesh, criteria);
+    s.divergence_max_deg = largest_divergence_degrees(*mesh);
     const bool has_frame = active_gesture && active_gesture->gesture;
     const Assessment assessment =
         has_frame ? active_gesture->gesture->assessment() : outcome.assessment;

@@ -16,6 +16,7 @@
 #include <tuple>
 #include <vector>
 
+#include "adapt/decimate.h"
 #include "adapt/refine.h"
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
@@ -24,6 +25,7 @@
 #include "support/mesh_figures.h"
 #include "support/random_mesh.h"
 #include "support/test_run.h"
+#include "support/triggers.h"
 
 namespace pectin {
 namespace {
@@ -92,7 +94,19 @@ Control random_control(const Lattice& cage, Random& random) {
     return {{{index, to}}};
 }
 
-void expect_symmetric_sessions(std::uint64_t first_seed, bool has_cage) {
+using Trigger = Adapt::Trigger;
+
+// Drags by which the triggers find much to refine.
+Adapt settings(Trigger trigger, Random& random) {
+    Adapt adapt{.trigger = trigger, .l_max = Setting::of(random.scale(0.05, 0.12))};
+    if (trigger != Trigger::normals) {
+        adapt.tolerance = Setting::of(random.scale(3e-4, 1e-2));
+        if (random.chance(0.5)) adapt.l_max = Setting::automatic();
+    }
+    return adapt;
+}
+
+void expect_symmetric_sessions(Trigger trigger, std::uint64_t first_seed, bool has_cage) {
     const int cases = test::case_count(12);
     std::size_t faces = 0;
     for (int i = 0; i < cases; ++i) {
@@ -102,7 +116,7 @@ void expect_symmetric_sessions(std::uint64_t first_seed, bool has_cage) {
         Session session;
         ASSERT_TRUE(session.execute(Shape{Shape::Kind::sphere, 3}));
         ASSERT_TRUE(session.execute(command::Symmetry{.plane = command::Symmetry::Plane::x}));
-        ASSERT_TRUE(session.execute(Adapt{.l_max = Setting::of(random.scale(0.05, 0.12))}));
+        ASSERT_TRUE(session.execute(settings(trigger, random)));
         if (has_cage) {
             const IVec3 counts{random.integer(2, 4), random.integer(2, 4), random.integer(2, 4)};
             const Box box{.min = {-0.8, -0.3, -0.7}, .max = {0.8, 0.9, 0.4}};
@@ -131,13 +145,18 @@ void expect_symmetric_sessions(std::uint64_t first_seed, bool has_cage) {
                 static_cast<int>(first_seed) + cases - 1, faces);
 }
 
-TEST(SymmetryWithLMax, GivesEveryFaceItsImageAfterDragsOfABrush) {
-    expect_symmetric_sessions(6100, false);
+class SymmetryWithLMax : public testing::TestWithParam<Trigger> {};
+
+TEST_P(SymmetryWithLMax, GivesEveryFaceItsImageAfterDragsOfABrush) {
+    expect_symmetric_sessions(GetParam(), 6100, false);
 }
 
-TEST(SymmetryWithLMax, GivesEveryFaceItsImageAfterDragsAndControlPointsOfACage) {
-    expect_symmetric_sessions(6200, true);
+TEST_P(SymmetryWithLMax, GivesEveryFaceItsImageAfterDragsAndControlPointsOfACage) {
+    expect_symmetric_sessions(GetParam(), 6200, true);
 }
+
+INSTANTIATE_TEST_SUITE_P(By, SymmetryWithLMax, testing::Values(Trigger::normals, Trigger::midpoint),
+                         test::name_of_trigger);
 
 // --- Without symmetry: the same mesh with its faces and corners in another order
 
@@ -179,8 +198,9 @@ std::vector<Triangle> triangles(const TriMesh& mesh) {
     return all;
 }
 
+// then_decimates: decimation follows, by these limits as well.
 std::vector<Triangle> refined(const IndexedFaceSet& input, const std::vector<Vec3>& points,
-                              const AdaptLimits& limits) {
+                              const AdaptLimits& limits, bool then_decimates = false) {
     TriMesh mesh = build_mesh(input).mesh;
     Warp warp;
     for (const Vec3& point : points) {  // each step of the warp is a displaced lattice
@@ -199,12 +219,21 @@ std::vector<Triangle> refined(const IndexedFaceSet& input, const std::vector<Vec
     Embedding embedding(active, warp);
     embedding.embed();
     embedding.deform();
-    const Criteria criteria(limits, warp.zones(), warp.zones(),
-                            warp.steps.size() > 1 ? &embedding : nullptr);
+    const Criteria criteria(limits, warp.zones(), warp.zones(), &embedding);
     EXPECT_GT(refine(active, embedding, criteria).splits, 0u);
+    if (then_decimates) decimate(active, criteria);
     for (EdgeId e : test::live_edges(mesh)) EXPECT_FALSE(criteria.needs_refinement(active, e));
     active.finish();
     return triangles(mesh);
+}
+
+// The displacements make the lengths of all edges different.
+IndexedFaceSet irregular_sphere(Random& random) {
+    IndexedFaceSet input = make_shape(ShapeKind::sphere, 2);
+    for (Vec3& p : input.positions) p += random.uniform(0.0, 0.05) * random.direction();
+    input.normals.clear();
+    for (auto& corner : input.corners) corner.normal = IndexedFaceSet::kNoIndex;
+    return input;
 }
 
 TEST(RefinementByLMax, GivesTheSameFacesForAnyOrderOfSplits) {
@@ -213,11 +242,7 @@ TEST(RefinementByLMax, GivesTheSameFacesForAnyOrderOfSplits) {
         const std::uint64_t seed = 6300 + static_cast<std::uint64_t>(i);
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        IndexedFaceSet input = make_shape(ShapeKind::sphere, 2);
-        // The displacements make the lengths of all edges different.
-        for (Vec3& p : input.positions) p += random.uniform(0.0, 0.05) * random.direction();
-        input.normals.clear();
-        for (auto& corner : input.corners) corner.normal = IndexedFaceSet::kNoIndex;
+        const IndexedFaceSet input = irregular_sphere(random);
         std::vector<Vec3> points;
         for (int k = random.integer(1, 3); k > 0; --k) points.push_back(random.direction());
         AdaptLimits limits{.l_max = random.scale(0.05, 0.2), .floor = 1e-4};
@@ -231,6 +256,33 @@ TEST(RefinementByLMax, GivesTheSameFacesForAnyOrderOfSplits) {
         }
     }
     std::printf("seeds 6300 to %d\n", 6300 + cases - 1);
+}
+
+// The displacements are equal at all control points, so edges bend at the border of the zone, and
+// what propagation has split elsewhere is decimated again.
+TEST(MidpointDistance, GivesTheSameFacesForAnyOrderOfSplitsAndRemovals) {
+    const int cases = test::case_count(30);
+    std::size_t faces = 0;
+    for (int i = 0; i < cases; ++i) {
+        const std::uint64_t seed = 6400 + static_cast<std::uint64_t>(i);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        Random random(seed);
+        const IndexedFaceSet input = irregular_sphere(random);
+        std::vector<Vec3> points;
+        for (int k = random.integer(1, 3); k > 0; --k) points.push_back(random.direction());
+        const AdaptLimits limits{.curvature = MidpointDistance(random.scale(1e-4, 3e-3)),
+                                 .l_max = random.chance(0.5) ? kOff : random.scale(0.05, 0.2),
+                                 .floor = 1e-4};
+        const std::vector<Triangle> expected = refined(input, points, limits, true);
+        faces += expected.size();
+        for (int k = 0; k < 3; ++k) {
+            const std::vector<Triangle> found =
+                refined(shuffled(input, random), points, limits, true);
+            ASSERT_EQ(found.size(), expected.size());
+            ASSERT_TRUE(found == expected);
+        }
+    }
+    std::printf("seeds 6400 to %d, %zu faces\n", 6400 + cases - 1, faces);
 }
 
 }  // namespace

@@ -71,6 +71,12 @@ command::Adapt random_adapt(Random& random, double size, std::uint64_t budget) {
     adapt.floor = Setting::of(size * random.scale(0.02, 0.1));
     adapt.budget = random.chance(0.15) ? 600u : budget;
     if (random.chance(0.2)) adapt.drag_budget = Setting::of(300);
+    // A copy of the generator, so that later random numbers stay the same.
+    if (Random copy = random; copy.chance(0.5)) {
+        using Trigger = command::Adapt::Trigger;
+        adapt.trigger = copy.chance(0.5) ? Trigger::midpoint : Trigger::normals;
+        adapt.tolerance = Setting::of(size * copy.scale(3e-4, 3e-2));
+    }
     return adapt;
 }
 

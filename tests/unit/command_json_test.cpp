@@ -101,6 +101,8 @@ class RandomCommand {
         result.enabled = maybe(below(2) == 0);
         result.theta_max = maybe(below(2) ? Setting::off() : Setting::of(from(90.0, 400.0)));
         result.theta_min = maybe(below(2) ? Setting::automatic() : Setting::of(from(0.0, 90.0)));
+        result.trigger = maybe(static_cast<command::Adapt::Trigger>(below(2)));
+        result.tolerance = maybe(below(2) ? Setting::automatic() : Setting::of(positive()));
         result.l_max = maybe(below(2) ? Setting::automatic() : Setting::of(positive()));
         result.flatness = maybe(below(2) ? Setting::off() : Setting::of(std::abs(number())));
         result.floor = maybe(below(2) ? Setting::automatic() : Setting::of(positive()));
@@ -308,6 +310,12 @@ TEST(CommandErrors, NameTheFieldItsValueAndWhatWouldBeRight) {
 TEST(CommandErrors, KeepSettingsInTheirRanges) {
     for (const BadLine& bad :
          {BadLine{R"({"cmd": "adapt", "enabled": 1})", "adapt", {"enabled must be true or false"}},
+          BadLine{R"({"cmd": "adapt", "trigger": "normal"})",
+                  "adapt",
+                  {"trigger", "normals or midpoint"}},
+          BadLine{R"({"cmd": "adapt", "tolerance": null})",
+                  "adapt",
+                  {"tolerance", "above 0 or \"auto\""}},
           BadLine{R"({"cmd": "adapt", "theta_max": 0})", "adapt", {"theta_max", "above 0 or null"}},
           BadLine{R"({"cmd": "adapt", "theta_max": "auto"})", "adapt", {"theta_max", "\"auto\""}},
           BadLine{R"({"cmd": "adapt", "theta_min": -1})", "adapt", {"theta_min", "at least 0"}},

@@ -153,7 +153,7 @@ TEST(Schema, HasTheDefaultsOfSettings) {
         EXPECT_EQ(changed.lattice_settings().span, fresh.lattice_settings().span);
         EXPECT_EQ(changed.history().limit(), fresh.history().limit());
     }
-    EXPECT_STREQ(std::get<1>(Schema<command::Adapt>::kFields).initial, "180/7");
+    EXPECT_STREQ(std::get<2>(Schema<command::Adapt>::kFields).initial, "180/7");
     EXPECT_EQ(Session().adapt_settings().theta_max, Setting::of(180.0 / 7.0));
 }
 

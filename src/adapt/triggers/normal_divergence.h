@@ -25,6 +25,8 @@ namespace pectin {
 // that the gesture found and did not make.
 class NormalDivergence {
   public:
+    static constexpr bool kDependsOnFaces = false;
+
     // In degrees. A limit of 180 or more is off, see angle_or_off().
     struct Angles {
         double theta_max = kOff;  // edges that diverge by more are refined
