@@ -120,7 +120,7 @@ void Editor::advance_work() {
 }
 
 std::optional<Pick> Editor::pick_in_middle() {
-    return workspace_.session().pick(view().ray_through(0.5 * Vec2(size_)));
+    return workspace_.session().pick(view().ray_through(0.5 * Vec2(size())));
 }
 
 void Editor::update_hover() {

@@ -126,7 +126,7 @@ TEST_F(ActionKeysTest, SwitchesTurnWhatTheyShowOnAndOff) {
         EXPECT_EQ(info.is_on(editor), before);
         ++switches;
     }
-    EXPECT_EQ(switches, 12);
+    EXPECT_EQ(switches, 13);
 }
 
 TEST_F(ActionKeysTest, ChoicesAreOnUntilAnotherIsPerformed) {

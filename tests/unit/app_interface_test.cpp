@@ -145,6 +145,7 @@ TEST_F(InterfaceTest, ANumberFollowsADragThatEndedBeforeTheNextFrame) {
 
 // The section of the cage has a checkbox of its own for showing the cage, and both act.
 TEST_F(InterfaceTest, BothCheckboxesOfTheLatticeSwitchIt) {
+    give(event::Resize{{1280, 1600}});  // nothing has to be scrolled
     editor_->set_cage(editor_->workspace().box(), IVec3{4});
     for (int i = 0; i < 3; ++i) interface_.lay_out(*editor_, {});
     std::vector<Vec2> checkboxes;

@@ -188,8 +188,9 @@ TEST_F(PanelsTest, DoubleClickLetsEveryNumberBeTyped) {
         EXPECT_EQ(editor_->workspace().message(), "");
     }
     editor_->use_brush();
-    type_into("Radius", "0.4");
-    EXPECT_EQ(editor_->radius(), 0.4);
+    type_into("Radius", "20");
+    const double fifth = 0.2 * editor_->workspace().diagonal();
+    EXPECT_NEAR(editor_->radius(), fifth, 1e-12 * fifth);
     type_into("Points per axis", "11");
     EXPECT_EQ(editor_->session().lattice_settings().span, 11);
 }
@@ -204,7 +205,7 @@ TEST_F(PanelsTest, NumbersBeyondTheLimitsAreRefusedInTheWordsOfTheSchema) {
         {"Floor", "0", "Floor must be a length above 0, not 0."},
         {"Points per axis", "17", "Points per axis must be a whole number from 1 to 16, not 17."},
         {"Points X", "255", "Points X must be a whole number from 1 to 254, not 255."},
-        {"Radius", "-2", "Radius must be a length above 0, not -2."},
+        {"Radius", "-2", "Radius must be a length above 0"},
     };
     for (const auto& [name, text, message] : refused) {
         SCOPED_TRACE(name);

@@ -178,8 +178,8 @@ std::string_view SculptTool::status_hint(const ToolContext& context) const {
         if (!constraint_hint_.empty()) return constraint_hint_;
         if (is_along_normal) return "The point moves along the normal of the surface.";
         if (modifiers.shift) return "Turn the wheel to scale the area around the point.";
-        return "N or Alt: along the normal · Wheel: twist · Shift+wheel: scale · X, Y, Z: along an "
-               "axis · Digits: distance · Esc: give up the drag";
+        return "N: along the normal · Wheel: twist · Shift+wheel: scale · X, Y, Z: axis · Digits: "
+               "distance · Esc: give up the drag";
     }
     if (!context.hover()) return {};
     if (is_along_normal) return "Drag the surface to pull it along its normal.";

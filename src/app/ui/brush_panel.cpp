@@ -180,10 +180,10 @@ void BrushPanel::draw_radius(Editor& editor) {
     const auto set = fields_.draw("##radius", unit.factor * editor.radius_value(), style);
     if (const auto dragged = fields_.dragged()) editor.radius_preview = *dragged / unit.factor;
     if (set) set_radius(editor, *set / unit.factor);
-    tooltip("Radius", (std::string(kRadiusHelp) + " F and a move of the mouse, " +
-                       shortcut_label(Action::smaller_radius) + " and " +
-                       shortcut_label(Action::larger_radius) + " change it, too.")
-                          .c_str());
+    std::string help = kRadiusHelp;
+    help += " F and a move of the mouse, " + shortcut_label(Action::smaller_radius) + " and " +
+            shortcut_label(Action::larger_radius) + " change it, too.";
+    tooltip("Radius", help.c_str());
 }
 
 void BrushPanel::draw_points(Editor& editor) {
@@ -197,12 +197,11 @@ void BrushPanel::draw_points(Editor& editor) {
     const BrushProfile& profile = editor.brush_profile();
     const bool is_sharp = profile.falloff() == Falloff::sharp;
     const double half = profile.distance_at(0.5, Vec3{1.0, 0.0, 0.0});
-    tooltip("Points per axis",
-            ("How many control points the brush has along each axis. More of them make " +
-             std::string(is_sharp ? "a sharp drag narrower" : "a plateau wider") +
-             ": now the surface moves half as far as the point that you grab at " +
-             formatted("%.3g", half) + " of the radius.")
-                .c_str());
+    std::string help = "How many control points the brush has along each axis. More of them make ";
+    help += is_sharp ? "a sharp drag narrower" : "a plateau wider";
+    help += ": now the surface moves half as far as the point that you grab at ";
+    help += formatted("%.3g", half) + " of the radius.";
+    tooltip("Points per axis", help.c_str());
 }
 
 void BrushPanel::draw_strength(Editor& editor) {

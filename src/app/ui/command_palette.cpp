@@ -95,7 +95,7 @@ bool CommandPalette::draw_list(const Editor& editor, const std::vector<Action>& 
         }
         ImGui::PopStyleColor();
         if (ImGui::IsItemHovered() && has_mouse_moved) selected_ = i;
-        tooltip(info.tooltip);
+        tooltip(info.name, info.tooltip);
         if (i == selected_ && has_moved_) ImGui::SetScrollHereY();
         draw_details(info, is_enabled);
     }

@@ -18,7 +18,7 @@ constexpr ImGuiWindowFlags kFlags =
 
 bool button(const char* label, const char* explanation) {
     const bool is_pressed = ImGui::Button(label, ImVec2(kButtonWidth * ImGui::GetFontSize(), 0.0f));
-    tooltip(explanation);
+    tooltip(label, explanation);
     return is_pressed;
 }
 

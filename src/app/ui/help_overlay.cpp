@@ -47,7 +47,7 @@ void draw_section(const InputSection& section) {
         ImGui::PushStyleColor(ImGuiCol_Text, ImGui::GetStyleColorVec4(ImGuiCol_TextDisabled));
         ImGui::TextWrapped("%s", line.effect.c_str());
         ImGui::PopStyleColor();
-        if (!line.detail.empty()) tooltip(line.detail.c_str());
+        if (!line.detail.empty()) tooltip(line.input.c_str(), line.detail.c_str());
     }
     ImGui::EndTable();
     ImGui::Spacing();

@@ -27,7 +27,7 @@ bool end_help_window() {
     const float width = kButtonWidth * ImGui::GetFontSize();
     ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - width);
     const bool closes = ImGui::Button("Close", ImVec2(width, 0.0f));
-    tooltip("Closes this window, as Esc does.");
+    tooltip("Close", "Close this window, as Esc does.");
     const bool is_left = is_clicked_outside();
     ImGui::EndPopup();
     return closes || is_left;
@@ -37,7 +37,7 @@ bool draw_search(const char* hint, std::string& text) {
     if (ImGui::IsWindowAppearing()) ImGui::SetKeyboardFocusHere();
     ImGui::SetNextItemWidth(-1.0f);
     const bool is_changed = ImGui::InputTextWithHint("##search", hint, &text);
-    tooltip("Type some letters to shorten the list.");
+    tooltip("Search", "Type some letters to shorten the list.");
     return is_changed;
 }
 
