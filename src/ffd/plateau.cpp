@@ -30,6 +30,17 @@ std::vector<Vec3> points_of(std::span<const Constraint> constraints) {
     return points;
 }
 
+// Where the block ends, in cells beyond the outermost control points of a lattice around the
+// handle, and how wide its edge is. A narrower edge shows the grid: the line of equal weight is
+// then uneven.
+constexpr double kFadeBeyond = 1.3, kFadeWidth = 2.0;
+
+// Rises smoothly from 0 at s = 0 to 1 at the width of the edge.
+double fade(double s) {
+    const double t = std::clamp(s / kFadeWidth, 0.0, 1.0);
+    return t * t * (3.0 - 2.0 * t);
+}
+
 // A weight that changes from 0 to 1 over one cell around s = 0.
 double ramp(double s) { return std::clamp(0.5 + s, 0.0, 1.0); }
 
@@ -69,7 +80,7 @@ double PlateauBlocks::nearness(const Vec3& control, const Vec3& handle) const {
 double PlateauBlocks::membership(const IVec3& control, const Vec3& handle) const {
     const IVec3& counts = lattice_.deformable;
     const double half = 0.5 * (std::max({counts.x, counts.y, counts.z}) - 1);
-    const double within = ramp(half + 0.5 - glm::distance(Vec3{control}, handle));
+    const double within = fade(half + kFadeBeyond - glm::distance(Vec3{control}, handle));
     return within > 0.0 ? within * nearness(Vec3{control}, handle) : 0.0;
 }
 

@@ -33,12 +33,12 @@ class PlateauBlocks {
 
     // The coefficients for a driven constraint, one for each control point in the order of
     // control_index. The block of a handle is a ball that reaches the border of a lattice around it
-    // and fades out over one cell, so that a plateau is about round. Its top is flat with 5 control
-    // points per axis or more. Where another handle or a pin is nearer, the control points do not
-    // belong to the block; neighbouring blocks meet without a gap. With a plane all blocks are on
-    // the side of the plane where the middle of the lattice is, and the mirror image of the lattice
-    // has the other half. For a derivative along an axis the coefficients are the distances from
-    // the handle along this axis instead of 1, so that the block rotates or scales as a whole.
+    // and fades out over two cells, so that a plateau is about round; its top is nearly flat with 5
+    // control points per axis or more. Where another handle or a pin is nearer, control points do
+    // not belong to the block; neighbouring blocks meet without a gap. With a plane all blocks are
+    // on the side of the plane where the middle of the lattice is, and the mirror image of the
+    // lattice has the other half. For a derivative along an axis the coefficients are the distances
+    // from the handle along this axis instead of 1, so that the block rotates or scales as a whole.
     // Cost: O(control points · points).
     std::vector<double> coefficients(const ConstraintKey& key) const;
 

@@ -100,7 +100,7 @@ std::vector<FixedScript> fixed_scripts() {
           R"({"cmd": "control", "points": [{"index": [0, 3, 1], "to": [-1.5, 1.75, 0.25]}, )"
           R"({"index": [2, 0, 2], "to": [1.25, -1.5, 1]}]})"}},
         {"PlateauWithPinsTwistAndSymmetry",
-         0x811828d712467976u,
+         0x9b12fa58e1d6e4e8u,
          {kSphere, kFine, R"({"cmd": "symmetry", "plane": "x"})",
           R"({"cmd": "brush", "radius": 0.7, "span": 5, "falloff": "plateau"})",
           R"({"cmd": "drag", "moves": [{"from": [0.6, 0, 0.8], "to": [0.8, 0.1, 1.2], )"
