@@ -27,7 +27,9 @@ TEST(Polypaint, IsReadAndSavedAsVertexColours) {
     EXPECT_EQ(f.colors[0], Vec3f(1, 0, 0));
     EXPECT_EQ(f.colors[1], Vec3f(0, 1, 128.0f / 255.0f));
     EXPECT_EQ(f.colors[2], Vec3f(0, 0, 1));
-    EXPECT_EQ(report, ReadReport{.up_axis = UpAxis::y}) << "as ZBrush writes models";
+    ReadReport expected;
+    expected.up_axis = UpAxis::y;  // as ZBrush writes models
+    EXPECT_EQ(report, expected);
     const std::string text = format_obj(build_mesh(f).mesh);
     EXPECT_NE(text.find("v 0 0 0 1 0 0\nv 1 0 0 0 1 0.5019608\nv 0 1 0 0 0 1\n"), text.npos)
         << text;
@@ -83,7 +85,7 @@ TEST(Polypaint, IsNotReadFromOtherComments) {
                   "#MRGBffff0000\nf 1 2 3\n",
               report);
     EXPECT_TRUE(f.colors.empty());
-    EXPECT_EQ(report, ReadReport{.up_axis = UpAxis::y}) << "as ZBrush writes models";
+    EXPECT_EQ(report, ReadReport{});
 }
 
 }  // namespace
