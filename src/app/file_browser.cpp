@@ -5,6 +5,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "app/words.h"
 #include "io/file_error.h"
 #include "io/model_format.h"
 
@@ -122,7 +123,7 @@ void FileBrowser::open_folder(const std::string& folder) {
         error_.clear();
         wants_focus = true;
     } catch (const FileError& error) {
-        error_ = error.what();
+        error_ = words_of(error);
     }
 }
 

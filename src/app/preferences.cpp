@@ -22,7 +22,7 @@ using Json = nlohmann::ordered_json;
 
 constexpr std::size_t kMostBytes = 1 << 20;
 constexpr std::array kScales{0.5, 0.75, 0.9, 1.0, 1.1, 1.25, 1.5, 1.75, 2.0, 2.5, 3.0};
-static_assert(kScales.front() == kLeastUiScale && kScales.back() == kMostUiScale);
+static_assert(kScales.front() == kLeastTextScale && kScales.back() == kMostTextScale);
 
 constexpr const char* kTheme = "theme";
 constexpr const char* kScale = "scale";
@@ -53,7 +53,7 @@ bool read_theme(const Json& value, Theme& theme) {
 bool read_scale(const Json& value, double& scale) {
     if (!value.is_number()) return false;
     const double number = value.get<double>();
-    if (!(number >= kLeastUiScale && number <= kMostUiScale)) return false;
+    if (!(number >= kLeastTextScale && number <= kMostTextScale)) return false;
     scale = number;
     return true;
 }

@@ -17,7 +17,7 @@ struct Preferences {
     bool operator==(const Preferences&) const = default;
 };
 
-inline constexpr double kLeastUiScale = 0.5, kMostUiScale = 3.0;
+inline constexpr double kLeastTextScale = 0.5, kMostTextScale = 3.0;
 // The next scale that menus and keys offer; the same one at the end of the range.
 double larger_scale(double scale);
 double smaller_scale(double scale);

@@ -103,7 +103,7 @@ TEST_F(PreferencesTest, AFolderThatCannotBeMadeIsReportedOnce) {
 }
 
 TEST(Scales, GoUpAndDownInTheSameStepsAndEnd) {
-    double scale = kLeastUiScale;
+    double scale = kLeastTextScale;
     int steps = 0;
     for (; larger_scale(scale) != scale; ++steps) {
         const double next = larger_scale(scale);
@@ -111,9 +111,9 @@ TEST(Scales, GoUpAndDownInTheSameStepsAndEnd) {
         EXPECT_EQ(smaller_scale(next), scale);
         scale = next;
     }
-    EXPECT_EQ(scale, kMostUiScale);
+    EXPECT_EQ(scale, kMostTextScale);
     EXPECT_GE(steps, 8);
-    EXPECT_EQ(smaller_scale(kLeastUiScale), kLeastUiScale);
+    EXPECT_EQ(smaller_scale(kLeastTextScale), kLeastTextScale);
     EXPECT_EQ(larger_scale(1.17), 1.25) << "from a scale between the steps";
     EXPECT_EQ(smaller_scale(1.17), 1.1);
 }

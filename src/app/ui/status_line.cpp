@@ -14,6 +14,7 @@
 namespace pectin {
 namespace {
 
+constexpr const char* kSeparator = " · ";   // between the parts of a hint
 constexpr float kGap = 22.0f;               // between figures
 constexpr float kLabelGap = 6.0f;           // between a figure and its label
 constexpr float kRowIndent = 90.0f;         // of the figures in a tooltip
@@ -170,8 +171,13 @@ void draw_figure(const Figure& figure, float right, const Editor& editor,
     ImGui::EndTooltip();
 }
 
-// Shortens the text so that it fits. No UTF-8 character is split.
-std::string shortened(const std::string& text, float available) {
+// Shortens the text so that it fits: parts after middle dots are left out first. No UTF-8 character
+// is split.
+std::string shortened(std::string text, float available) {
+    for (std::size_t at = 0; width_of(text) > available; text.resize(at)) {
+        at = text.rfind(kSeparator);
+        if (at == text.npos) break;
+    }
     if (width_of(text) <= available) return text;
     std::size_t length = text.size();
     while (length > 0) {

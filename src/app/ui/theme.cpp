@@ -31,9 +31,9 @@ constexpr std::array kSymbolFonts{
 
 // Pairs of first and last. Latin, Greek, Cyrillic, dashes, quotation marks, primes, superscripts,
 // the minus sign and relations.
-constexpr std::array<ImWchar, 15> kTextGlyphs{0x20,   0x17F,  0x370,  0x3FF,  0x400,
-                                              0x4FF,  0x2010, 0x2027, 0x2032, 0x2033,
-                                              0x2070, 0x209C, 0x2212, 0x2212, 0};
+constexpr std::array<ImWchar, 17> kTextGlyphs{0x20,   0x17F,  0x370,  0x3FF,  0x400,  0x4FF,
+                                              0x2010, 0x2027, 0x2032, 0x2033, 0x2070, 0x209C,
+                                              0x2212, 0x2212, 0x2260, 0x2265, 0};
 constexpr std::array<ImWchar, 5> kSymbolGlyphs{0x2190, 0x21FF, 0x2200, 0x22FF, 0};
 
 // Returns the first of the fonts, or null if none exists. With `merged` its glyphs are added to the
