@@ -15,7 +15,6 @@ using Kind = command::Shape::Kind;
 constexpr double kRadiusStep = 1.12;
 
 constexpr Shortcut plain(char letter) { return {.key = Key{letter}}; }
-constexpr Shortcut plain(Key key) { return {.key = key}; }
 constexpr Shortcut control(char letter) {
     return {.key = Key{letter}, .modifiers = {.control = true}};
 }

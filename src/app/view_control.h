@@ -14,7 +14,7 @@
 
 namespace pectin {
 
-class ViewControl : private NavigatedObject {
+class ViewControl final : private NavigatedObject {
   public:
     // The workspace must outlive the control.
     explicit ViewControl(Workspace& workspace) : workspace_(workspace) {}
