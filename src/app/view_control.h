@@ -17,7 +17,7 @@
 
 namespace pectin {
 
-class ViewControl : private NavigatedObject {
+class ViewControl final : private NavigatedObject {
   public:
     // Both must outlive the control.
     ViewControl(Workspace& workspace, const Preferences& preferences)
