@@ -4,178 +4,14 @@
 #include <gtest/gtest.h>
 
 #include <cctype>
-#include <cmath>
-#include <cstdio>
 #include <map>
 #include <utility>
+#include <vector>
 
-#include "app/actions.h"
-#include "geometry/vec.h"
-#include "window/window_fixture.h"
+#include "window/window_actions_fixture.h"
 
 namespace pectin {
 namespace {
-
-// The shortcut as xdotool calls it, such as "ctrl+shift+z".
-std::string xdotool_name(const Shortcut& shortcut) {
-    static const std::map<std::string, std::string> kNames{
-        {"[", "bracketleft"}, {"]", "bracketright"}, {".", "period"},     {",", "comma"},
-        {"Keypad 1", "KP_1"}, {"Keypad 3", "KP_3"},  {"Keypad 7", "KP_7"}};
-    Shortcut plain = shortcut;
-    plain.modifiers = {};
-    std::string key = label_of(plain);
-    if (const auto named = kNames.find(key); named != kNames.end()) key = named->second;
-    if (key.size() == 1) key[0] = static_cast<char>(std::tolower(key[0]));
-    return std::string(shortcut.modifiers.control ? "ctrl+" : "") +
-           (shortcut.modifiers.shift ? "shift+" : "") + key;
-}
-
-// A name without the dots at its end.
-std::string typed_name(const ActionInfo& info) {
-    std::string name;
-    for (const char c : std::string(info.name)) {
-        if (static_cast<unsigned char>(c) < 0x80) name += c;
-    }
-    return name;
-}
-
-struct Viewpoint {
-    Vec3 eye, target;
-    double distance() const { return glm::distance(eye, target); }
-    Vec3 direction() const { return glm::normalize(eye - target); }
-};
-
-class WindowActions : public WindowTest, public testing::WithParamInterface<Action> {
-  public:
-    // The checks are functions beside the class.
-    using WindowTest::desktop;
-    using WindowTest::folder;
-    using WindowTest::path;
-    using WindowTest::program;
-    using WindowTest::record;
-    using WindowTest::recorded;
-    using WindowTest::records;
-    using WindowTest::save_as;
-    using WindowTest::wait_until_handled;
-
-    void perform(Action action) {
-        const ActionInfo& info = info_of(action);
-        if (info.shortcuts.front().exists()) {
-            desktop().key(xdotool_name(info.shortcuts.front()));
-        } else {
-            perform_by_name(action);
-        }
-    }
-    void perform_by_name(Action action) {
-        desktop().key(xdotool_name(info_of(Action::show_actions).shortcuts.front()));
-        desktop().type(typed_name(info_of(action)));
-        desktop().key("Return");
-    }
-    void drag() {
-        const std::size_t before = recorded("\"drag\"");
-        desktop().drag(kMiddleX, kMiddleY, kMiddleX + 60, kMiddleY - 70);
-        ASSERT_TRUE(records("\"drag\"", before + 1)) << record();
-    }
-    // The last line of the record with this command.
-    std::string last(const std::string& command) const {
-        const std::string text = record();
-        const std::size_t begin = text.rfind("{\"cmd\": \"" + command + "\"");
-        if (begin == text.npos) return "";
-        return text.substr(begin, text.find('\n', begin) - begin);
-    }
-    // The record's line about a picture that is saved now. It says what is shown, and from where.
-    std::string picture() {
-        const std::string name = "picture" + std::to_string(pictures_++) + ".png";
-        perform_by_name(Action::save_picture);
-        desktop().type(path(name));
-        desktop().key("Return");
-        EXPECT_TRUE(records(name)) << record();
-        return last("screenshot");
-    }
-    Viewpoint view() {
-        const std::string line = picture();
-        Viewpoint view{};
-        const std::size_t eye = line.find("\"eye\""), target = line.find("\"target\"");
-        EXPECT_NE(target, line.npos) << line;
-        if (target == line.npos) return view;
-        EXPECT_EQ(std::sscanf(line.c_str() + eye, "\"eye\": [%lf, %lf, %lf]", &view.eye.x,
-                              &view.eye.y, &view.eye.z),
-                  3);
-        EXPECT_EQ(std::sscanf(line.c_str() + target, "\"target\": [%lf, %lf, %lf]", &view.target.x,
-                              &view.target.y, &view.target.z),
-                  3);
-        return view;
-    }
-    double radius() const {
-        const std::string line = last("brush");
-        double value = 0.0;
-        const std::size_t at = line.find("\"radius\"");
-        if (at != line.npos) std::sscanf(line.c_str() + at, "\"radius\": %lf", &value);
-        return value;
-    }
-    std::string obj(const std::string& name) {
-        save_as(name);
-        return folder().read(name);
-    }
-
-    // --- Checks of several actions.
-
-    void expect_shape(Action action, const std::string& kind) {
-        const std::size_t before = recorded("\"shape\"");
-        perform(action);
-        ASSERT_TRUE(records("\"shape\"", before + 1)) << record();
-        EXPECT_NE(last("shape").find("\"" + kind + "\""), std::string::npos) << record();
-    }
-    void expect_shown(Action action, const std::string& what) {
-        EXPECT_EQ(picture().find(what), std::string::npos) << record();
-        perform(action);
-        EXPECT_NE(picture().find(what), std::string::npos) << record();
-        perform(action);
-        EXPECT_EQ(picture().find(what), std::string::npos) << record();
-    }
-    void expect_view(Action action, const Vec3& direction) {
-        ASSERT_LT(glm::dot(view().direction(), direction), 0.95);
-        perform(action);
-        EXPECT_GT(glm::dot(view().direction(), direction), 0.999);
-    }
-    void expect_option_of_drags(Action action, const std::string& option) {
-        drag();
-        const bool before = last("drag").find(option) != std::string::npos;
-        perform(action);
-        desktop().drag(kMiddleX - 90, kMiddleY + 60, kMiddleX - 120, kMiddleY + 90);
-        ASSERT_TRUE(records("\"drag\"", 2)) << record();
-        EXPECT_NE(last("drag").find(option) != std::string::npos, before) << record();
-    }
-    // The window takes all keys while it is open.
-    void expect_dialog(Action action) {
-        const std::string key = xdotool_name(info_of(Action::toggle_wireframe).shortcuts.front());
-        perform(action);
-        desktop().key(key);
-        desktop().key("Escape");
-        EXPECT_EQ(picture().find("wireframe"), std::string::npos) << record();
-        desktop().key(key);
-        EXPECT_NE(picture().find("wireframe"), std::string::npos) << record();
-    }
-    void expect_example(Action action) {
-        drag();
-        const std::size_t shapes = recorded("\"shape\""), drags = recorded("\"drag\"");
-        perform(action);
-        desktop().key("Escape");  // answers the question about unsaved changes
-        EXPECT_EQ(recorded("\"shape\""), shapes);
-        save_as("kept.obj");
-        perform(action);
-        ASSERT_TRUE(records("\"shape\"", shapes + 1)) << record();
-        desktop().key("Escape");  // ends it
-        drag();
-        EXPECT_EQ(recorded("\"drag\""), drags + 1);
-        desktop().key("ctrl+z");
-        ASSERT_TRUE(records("\"undo\""));
-        EXPECT_EQ(recorded("\"shape\""), shapes + 1);
-    }
-
-  private:
-    int pictures_ = 0;
-};
 
 using Test = WindowActions;
 
@@ -326,6 +162,93 @@ void check_palette(Test& test) {
     EXPECT_NE(test.last("shape").find("torus"), std::string::npos);
 }
 
+// Drags refine the surface, unless they are undone, and the whole object is refined on request.
+void check_readapt(Test& test) {
+    test.drag();
+    test.perform(Action::readapt);
+    ASSERT_TRUE(test.records("\"readapt\"")) << test.record();
+}
+
+void check_zoom(Test& test, Action zoom, bool is_nearer) {
+    const double before = test.view().distance();
+    test.perform(zoom);
+    EXPECT_EQ(test.view().distance() < before, is_nearer);
+}
+
+// Without perspective the same scale needs another distance, so only the picture's field tells.
+void check_orthographic(Test& test) {
+    EXPECT_EQ(test.picture().find("orthographic"), std::string::npos);
+    test.perform(Action::toggle_orthographic);
+    EXPECT_NE(test.picture().find("orthographic"), std::string::npos) << test.record();
+}
+
+void check_z_up(Test& test) {
+    test.perform(Action::toggle_z_up);
+    const std::string line = test.picture();
+    EXPECT_NE(line.find("\"up\": [0, 0, 1]"), std::string::npos) << line;
+}
+
+void check_larger_text(Test& test) {
+    test.expect_preference(Action::larger_text, "\"scale\": 1.1");
+}
+
+void check_normal_text(Test& test) {
+    check_larger_text(test);
+    test.perform(Action::normal_text);
+    EXPECT_TRUE(eventually([&] { return test.preferences().find("1.1") == std::string::npos; }))
+        << test.preferences();
+}
+
+// The menu File is open then, and its entry Open is reached by the arrow keys.
+void check_open_menus(Test& test) {
+    const std::size_t before = test.recorded("\"shape\"");
+    test.perform(Action::open_menus);
+    test.desktop().key("Down");
+    test.desktop().key("Right");
+    test.desktop().key("Return");
+    ASSERT_TRUE(test.records("\"shape\"", before + 1)) << test.record();
+}
+
+void check_cage(Test& test) {
+    test.perform(Action::use_cage);
+    ASSERT_TRUE(test.records("\"cage\"")) << test.record();
+    EXPECT_EQ(test.last("cage").find("null"), std::string::npos);
+    const std::size_t before = test.recorded("\"cage\"");
+    test.perform(Action::fit_cage);
+    ASSERT_TRUE(test.records("\"cage\"", before + 1)) << test.record();
+    const std::size_t brushes = test.recorded("\"brush\"");
+    test.perform(Action::use_brush);
+    ASSERT_TRUE(test.records("\"brush\"", brushes + 1)) << test.record();
+}
+
+void check_repeat_drag(Test& test) {
+    test.drag();
+    test.desktop().move(kMiddleX - 90, kMiddleY + 60);
+    test.perform(Action::repeat_drag);
+    ASSERT_TRUE(test.records("\"drag\"", 2)) << test.record();
+}
+
+// Only the picture on the screen shows the lattice of a drag.
+void check_drag_lattice(Test& test) {
+    const auto pixels_of_drag = [&] {
+        test.desktop().move(kMiddleX, kMiddleY);
+        test.desktop().press();
+        test.desktop().move(kMiddleX + 10, kMiddleY - 12);
+        test.desktop().move(kMiddleX + 40, kMiddleY - 50);
+        std::string before, now;
+        EXPECT_TRUE(eventually([&] {
+            before = std::exchange(now, test.desktop().screen_digest(100, 100, 800, 700));
+            return now == before;
+        }));
+        test.desktop().key("Escape");
+        test.desktop().release();
+        return now;
+    };
+    const std::string without = pixels_of_drag();
+    test.perform(Action::toggle_drag_lattice);
+    EXPECT_NE(pixels_of_drag(), without);
+}
+
 using Check = void (*)(Test&);
 
 // A new action needs a line here.
@@ -339,7 +262,6 @@ const std::map<Action, Check>& checks() {
         {Action::open, check_open},
         {Action::save, check_save},
         {Action::save_as, [](Test& t) { check_saving(t, Action::save_as); }},
-        {Action::export_obj, [](Test& t) { check_saving(t, Action::export_obj); }},
         {Action::save_picture,
          [](Test& t) { EXPECT_NE(t.picture().find("\"eye\""), std::string::npos); }},
         {Action::quit, check_quit},
@@ -347,27 +269,84 @@ const std::map<Action, Check>& checks() {
         {Action::redo, check_redo},
         {Action::toggle_symmetry, check_symmetry},
         {Action::remove_pins, check_remove_pins},
+        {Action::readapt, check_readapt},
         {Action::bake, check_bake},
         {Action::frame_all, check_frame_all},
         {Action::view_front,
          [](Test& t) {
              t.expect_view(Action::view_front, {0, 0, 1});
          }},
+        {Action::view_back,
+         [](Test& t) {
+             t.expect_view(Action::view_back, {0, 0, -1});
+         }},
         {Action::view_right,
          [](Test& t) {
              t.expect_view(Action::view_right, {1, 0, 0});
+         }},
+        {Action::view_left,
+         [](Test& t) {
+             t.expect_view(Action::view_left, {-1, 0, 0});
          }},
         {Action::view_top,
          [](Test& t) {
              t.expect_view(Action::view_top, {0, 1, 0});
          }},
+        {Action::view_bottom,
+         [](Test& t) {
+             t.expect_view(Action::view_bottom, {0, -1, 0});
+         }},
+        {Action::turn_left,
+         [](Test& t) {
+             t.expect_turn(Action::turn_left, {-1, 0});
+         }},
+        {Action::turn_right,
+         [](Test& t) {
+             t.expect_turn(Action::turn_right, {1, 0});
+         }},
+        {Action::turn_up,
+         [](Test& t) {
+             t.expect_turn(Action::turn_up, {0, 1});
+         }},
+        {Action::turn_down,
+         [](Test& t) {
+             t.expect_turn(Action::turn_down, {0, -1});
+         }},
+        {Action::zoom_in, [](Test& t) { check_zoom(t, Action::zoom_in, true); }},
+        {Action::zoom_out, [](Test& t) { check_zoom(t, Action::zoom_out, false); }},
+        {Action::toggle_orthographic, check_orthographic},
+        {Action::toggle_z_up, check_z_up},
+        {Action::navigate_as_blender,
+         [](Test& t) {
+             t.expect_preference(Action::navigate_as_maya, "Maya");
+             t.perform(Action::navigate_as_blender);
+             EXPECT_TRUE(
+                 eventually([&] { return t.preferences().find("Maya") == std::string::npos; }));
+         }},
+        {Action::navigate_as_maya,
+         [](Test& t) { t.expect_preference(Action::navigate_as_maya, "Maya"); }},
+        {Action::navigate_as_zbrush,
+         [](Test& t) { t.expect_preference(Action::navigate_as_zbrush, "ZBrush"); }},
         {Action::toggle_wireframe,
          [](Test& t) { t.expect_shown(Action::toggle_wireframe, "\"wireframe\""); }},
         {Action::toggle_lattice,
          [](Test& t) { t.expect_shown(Action::toggle_lattice, "\"lattice\""); }},
         {Action::toggle_levels,
          [](Test& t) { t.expect_shown(Action::toggle_levels, "\"levels\""); }},
+        {Action::toggle_drag_lattice, check_drag_lattice},
         {Action::toggle_symmetry_plane, check_symmetry_plane},
+        {Action::toggle_panels,
+         [](Test& t) { t.expect_preference(Action::toggle_panels, "\"hides_panels\": true"); }},
+        {Action::toggle_light_theme,
+         [](Test& t) { t.expect_preference(Action::toggle_light_theme, "\"light\""); }},
+        {Action::larger_text, check_larger_text},
+        {Action::smaller_text,
+         [](Test& t) { t.expect_preference(Action::smaller_text, "\"scale\": 0.9"); }},
+        {Action::normal_text, check_normal_text},
+        {Action::open_menus, check_open_menus},
+        {Action::use_brush, check_cage},
+        {Action::use_cage, check_cage},
+        {Action::fit_cage, check_cage},
         {Action::toggle_connected,
          [](Test& t) {
              t.expect_option_of_drags(Action::toggle_connected, "\"connected\": true");
@@ -378,6 +357,7 @@ const std::map<Action, Check>& checks() {
          }},
         {Action::toggle_pinning, check_pinning},
         {Action::toggle_pin, check_pin},
+        {Action::repeat_drag, check_repeat_drag},
         {Action::smaller_radius, check_radius},
         {Action::larger_radius, check_radius},
         {Action::show_inputs, [](Test& t) { t.expect_dialog(Action::show_inputs); }},
