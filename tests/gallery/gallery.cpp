@@ -30,7 +30,7 @@ void make(OffscreenWindow& window, Example example) {
     for (const ExampleStep& step : read_example(example, example_folders())) {
         for (const Command& command : step.commands) window.editor().execute(command);
     }
-    window.editor().frame_all();
+    window.editor().view_control().frame_all();
     window.settle();
 }
 
