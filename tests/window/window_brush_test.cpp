@@ -58,7 +58,7 @@ TEST_F(BrushWindowTest, ShiftRRepeatsTheLastDragUnderTheCursor) {
     desktop().key("shift+r");
     ASSERT_TRUE(records("\"drag\"", 2)) << record();
     const Vec3 from = last_point(record(), "\"from\": [");
-    EXPECT_GT(glm::distance(from, first), 0.3);
+    EXPECT_GT(glm::distance(from, first), 0.2);
     EXPECT_NEAR(glm::distance(last_point(record(), "\"to\": ["), from), 0.2, 1e-9);
     desktop().key("ctrl+z");
     desktop().key("ctrl+z");
