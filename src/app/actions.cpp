@@ -256,7 +256,8 @@ constexpr std::array<ActionInfo, kFirstToolAction - kFirstViewAction - kViewActi
          .shortcuts = {control('+'), control('='), control_shift('=')},
          .repeats = true,
          .tooltip = "Make text and controls larger.",
-         .is_enabled = [](const Editor& editor) { return editor.preferences.scale < kMostTextScale; },
+         .is_enabled =
+             [](const Editor& editor) { return editor.preferences.scale < kMostTextScale; },
          .perform =
              [](Editor& editor) { set_scale(editor, larger_scale(editor.preferences.scale)); }},
         {.action = Action::smaller_text,
@@ -265,7 +266,8 @@ constexpr std::array<ActionInfo, kFirstToolAction - kFirstViewAction - kViewActi
          .shortcuts = {control('-')},
          .repeats = true,
          .tooltip = "Make text and controls smaller.",
-         .is_enabled = [](const Editor& editor) { return editor.preferences.scale > kLeastTextScale; },
+         .is_enabled =
+             [](const Editor& editor) { return editor.preferences.scale > kLeastTextScale; },
          .perform =
              [](Editor& editor) { set_scale(editor, smaller_scale(editor.preferences.scale)); }},
         {.action = Action::normal_text,

@@ -1,8 +1,7 @@
 // The schema of the commands: for each command its name and meaning, and for each field its name,
 // what it may be, its default and one sentence. Parsing, printing, limits, help, JSON Schema and
-// the table in the README all follow from here (command/json.h, command/check.h,
-// command/reference.h). Modules that cannot see commands have some of the limits as constants of
-// their own; tests compare them.
+// the table in the README all follow from here. Modules that cannot see commands have some of the
+// limits as constants of their own; tests compare them.
 //
 // To add a field, add a member to the command's struct and a line here.
 #pragma once

@@ -170,7 +170,8 @@ TEST(FoldFreeSession, ReportsSelfIntersectionsThatTheFloorLeaves) {
     expect_done(session, Adapt{.floor = Setting::of(0.05)});
     expect_done(session, wandering_drag(random, 2, false));
     EXPECT_GT(test::crossings(session.mesh()), 0u);
-    EXPECT_NE(session.remark().find("the surface intersects itself in"), std::string::npos) << session.remark();
+    EXPECT_NE(session.remark().find("the surface intersects itself in"), std::string::npos)
+        << session.remark();
     EXPECT_TRUE(session.statistics().floor_hit);
     // They are also reported at the budget, and without a flatness limit.
     expect_done(session, Undo{});

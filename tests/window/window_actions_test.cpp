@@ -199,12 +199,12 @@ void check_normal_text(Test& test) {
         << test.preferences();
 }
 
-// The menu File is open then, and its entry Open is reached by the arrow keys.
+// The menu File is open then, and its submenu New is reached by the arrow keys.
 void check_open_menus(Test& test) {
     const std::size_t before = test.recorded("\"shape\"");
     test.perform(Action::open_menus);
-    test.desktop().key("Down");
     test.desktop().key("Right");
+    test.desktop().key("Down");
     test.desktop().key("Return");
     ASSERT_TRUE(test.records("\"shape\"", before + 1)) << test.record();
 }

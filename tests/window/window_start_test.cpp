@@ -43,7 +43,7 @@ TEST_F(WindowTest, NoMessagesAreWrittenIntoTheRecordIfStandardErrorIsClosed) {
     program().signal(SIGTERM);
     EXPECT_EQ(program().wait(), 143);
     const std::string text = folder().read("record-2.jsonl");
-    EXPECT_EQ(text.rfind("{\"pectin\": 1}\n{\"cmd\": \"shape\"", 0), 0u) << text;
+    EXPECT_EQ(text.rfind("{\"pectin\": 1}\n{\"cmd\": \"symmetry\"", 0), 0u) << text;
     EXPECT_EQ(text.find("earlier record"), std::string::npos) << text;
 }
 
