@@ -114,10 +114,11 @@ void Renderer::set_tint(const ShaderProgram& program, const GpuMesh& mesh, const
     const auto size = static_cast<GLsizei>(std::lround(std::cbrt(tint.samples.size())));
     gl_->ActiveTexture(GL_TEXTURE0);
     gl_->BindTexture(GL_TEXTURE_3D, falloff_texture_.name());
-    for (const GLenum filter : {GL_TEXTURE_MIN_FILTER, GL_TEXTURE_MAG_FILTER}) {
+    for (const GLenum filter : {GLenum{GL_TEXTURE_MIN_FILTER}, GLenum{GL_TEXTURE_MAG_FILTER}}) {
         gl_->TexParameteri(GL_TEXTURE_3D, filter, GL_LINEAR);
     }
-    for (const GLenum wrap : {GL_TEXTURE_WRAP_S, GL_TEXTURE_WRAP_T, GL_TEXTURE_WRAP_R}) {
+    for (const GLenum wrap :
+         {GLenum{GL_TEXTURE_WRAP_S}, GLenum{GL_TEXTURE_WRAP_T}, GLenum{GL_TEXTURE_WRAP_R}}) {
         gl_->TexParameteri(GL_TEXTURE_3D, wrap, GL_CLAMP_TO_EDGE);
     }
     gl_->PixelStorei(GL_UNPACK_ALIGNMENT, 1);
