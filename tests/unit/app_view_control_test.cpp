@@ -65,7 +65,6 @@ class ViewControlTest : public EditorTest {
 };
 
 constexpr MouseButton kLeft = MouseButton::left, kMiddle3 = MouseButton::middle,
-                      kRight = MouseButton::right;
 
 // --- Presets.
 

@@ -99,7 +99,7 @@ TEST_F(WindowViewTest, TheWheelZoomsTowardsThePointUnderTheCursorAndNotThroughIt
     EXPECT_NEAR(glm::distance(surface_at(x, y), before), 0.0, 1e-6);
     EXPECT_LT(glm::distance(surface_at(x + 40, y), before), 0.5 * glm::distance(beside, before));
     desktop().move(x, y);
-    scroll(4, 120);
+    scroll(4, 50);
     EXPECT_NEAR(glm::distance(surface_at(x, y), before), 0.0, 1e-6) << "the same side";
     desktop().key("Home");
     EXPECT_GT(glm::distance(surface_at(x + 40, y), surface_at(x, y)), 0.05) << "framed again";
