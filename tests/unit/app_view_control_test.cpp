@@ -64,7 +64,7 @@ class ViewControlTest : public EditorTest {
     }
 };
 
-constexpr MouseButton kLeft = MouseButton::left, kMiddle3 = MouseButton::middle,
+constexpr MouseButton kLeft = MouseButton::left, kMiddle3 = MouseButton::middle;
 
 // --- Presets.
 
