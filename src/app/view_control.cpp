@@ -187,7 +187,7 @@ void ViewControl::frame_with(std::span<const Vec3> others, double space_below) {
     all.insert(all.end(), others.begin(), others.end());
     Box box;
     for (const Vec3& point : all) box.include(point);
-    const Vec3 down = with_y_up(up_axis(), Vec3{0.0, -1.0, 0.0});
+    const Vec3 down = -up_vector(up_axis());
     const double height = std::abs(glm::dot(box.extent(), down));
     all.push_back(box.centre() + (0.5 + space_below) * height * down);
     framed_area_ = picture_area();

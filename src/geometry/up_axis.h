@@ -22,6 +22,8 @@ inline Vec3 with_y_up(UpAxis up, const Vec3& direction) {
     if (up == UpAxis::y) return direction;
     return {direction.x, direction.z, -direction.y};
 }
-inline Vec3 up_vector(UpAxis up) { return oriented(up, {0.0, 1.0, 0.0}); }
+inline Vec3 up_vector(UpAxis up) {
+    return up == UpAxis::y ? Vec3{0.0, 1.0, 0.0} : Vec3{0.0, 0.0, 1.0};
+}
 
 }  // namespace pectin

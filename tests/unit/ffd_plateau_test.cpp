@@ -275,7 +275,7 @@ TEST(Plateau, StepsThatAreProvenNeverFold) {
                 << i;
         }
     }
-    EXPECT_GT(limited, 10);
+    EXPECT_GT(limited, test::case_count(60) / 6);
 }
 
 TEST(Plateau, AFoldFreePlanReachesItsTargetExactly) {
