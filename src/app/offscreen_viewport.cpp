@@ -16,7 +16,6 @@ OffscreenViewport::~OffscreenViewport() = default;
 
 Done OffscreenViewport::screenshot(const TriMesh& mesh, const std::optional<Lattice>& lattice,
                                    const command::Screenshot& screenshot) {
-    if (Done done = refuse_panels(screenshot); !done) return done;
     if (!context_) context_ = std::make_unique<Context>();
     context_->host->make_current();
     context_->mesh.upload(mesh);

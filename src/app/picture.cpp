@@ -11,11 +11,6 @@ constexpr float kReferenceHeight = 960.0f;  // pixels
 
 }  // namespace
 
-Done refuse_panels(const command::Screenshot& screenshot) {
-    if (!screenshot.show.ui) return {};
-    return Refusal{"a screenshot cannot show the panels; leave \"ui\" out of show", "show"};
-}
-
 std::vector<Vec3> referenced_positions(const TriMesh& mesh) {
     std::vector<Vec3> positions;
     positions.reserve(mesh.vertex_slots());

@@ -21,10 +21,6 @@ Scene make_scene(const command::Screenshot& screenshot, const TriMesh& mesh,
 // The positions of all live vertices that have faces, for a camera to fit. Cost: O(n).
 std::vector<Vec3> referenced_positions(const TriMesh& mesh);
 
-// Refuses a screenshot that shows the panels. A replay has no panels, so a window does not show
-// them either.
-Done refuse_panels(const command::Screenshot& screenshot);
-
 // Writes a PNG file. Throws FileError.
 void write_image(const Image& image, const std::string& path);
 

@@ -6,7 +6,6 @@ namespace pectin {
 
 Done WindowViewport::screenshot(const TriMesh& mesh, const std::optional<Lattice>& lattice,
                                 const command::Screenshot& screenshot) {
-    if (Done done = refuse_panels(screenshot); !done) return done;
     const Canvas canvas(*gl_, screenshot.size);
     renderer_->draw(object_->mesh(), make_scene(screenshot, mesh, lattice), canvas);
     canvas.resolve();

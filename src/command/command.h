@@ -147,7 +147,6 @@ struct Stats {
 struct Screenshot {
     struct Show {
         bool wireframe = false, lattice = false, levels = false;
-        bool ui = false;  // the window's panels; refused where there are none
         bool operator==(const Show&) const = default;
     };
     std::string path{};

@@ -135,8 +135,10 @@ class SchemaWriter {
     template <typename T>
     static Node value_of(const field::Names&, const T&) {
         Node names = Node::array();
-        for_each_field<T>([&](const auto& field) { names.push_back(field.name); });
-        return {{"type", "array"}, {"items", {{"enum", std::move(names)}}}};
+        for_each_field<T>([&](const auto& field) {
+            names.push_back(Node{{"const", field.name}, {"description", field.meaning}});
+        });
+        return {{"type", "array"}, {"items", {{"anyOf", std::move(names)}}}};
     }
 };
 

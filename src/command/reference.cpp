@@ -10,10 +10,11 @@
 namespace pectin {
 namespace {
 
-// What a field has to be in words, and the fields of objects in it.
+// What a field has to be in words, the fields of objects in it, and what its words mean.
 struct Described {
     std::string right;
     std::vector<FieldReference> nested{};
+    std::string words{};
 };
 
 class Describer {
@@ -28,7 +29,7 @@ class Describer {
                               .initial = field.is_required()
                                              ? std::nullopt
                                              : std::optional<std::string>(field.initial),
-                              .meaning = field.meaning,
+                              .meaning = field.meaning + described.words,
                               .nested = std::move(described.nested)});
         });
         return fields;
@@ -61,12 +62,13 @@ class Describer {
     }
     template <typename T>
     static Described describe(const field::Names&, const T&) {
-        std::vector<FieldReference> names = all_fields<T>();
         std::vector<std::string> words;
-        for (FieldReference& name : names) {
+        std::string meanings;
+        for (const FieldReference& name : all_fields<T>()) {
             words.push_back('"' + name.name + '"');
+            meanings += " " + words.back() + ": " + name.meaning;
         }
-        return {"an array of any of " + field::listed(words, "and")};
+        return {.right = "an array of any of " + field::listed(words, "and"), .words = meanings};
     }
 };
 

@@ -393,13 +393,11 @@ struct Schema<command::Screenshot::Show> {
     static constexpr const char* kMeaning = "What is drawn beside the surface.";
     static constexpr std::tuple kFields{
         make_field("wireframe", &command::Screenshot::Show::wireframe, field::Flag{}, "false",
-                   "The edges of the mesh."),
+                   "the edges of the mesh."),
         make_field("lattice", &command::Screenshot::Show::lattice, field::Flag{}, "false",
-                   "The cage, or the lattice of the last drag."),
+                   "the cage, or the lattice of the last drag."),
         make_field("levels", &command::Screenshot::Show::levels, field::Flag{}, "false",
-                   "How often the surface was refined, in colours."),
-        make_field("ui", &command::Screenshot::Show::ui, field::Flag{}, "false",
-                   "The panels of the window. No picture shows them, so this is refused.")};
+                   "how often the surface was refined, in colours.")};
 };
 
 template <>

@@ -52,8 +52,8 @@ TEST(ScreenshotCommand, IsDrawnInPerspectiveUnlessItSaysOtherwise) {
 TEST(ScreenshotCommand, ShowsTheListedParts) {
     const auto show = parsed(R"("path": "a.png", "show": ["levels", "wireframe", "levels"])").show;
     EXPECT_TRUE(show == (command::Screenshot::Show{.wireframe = true, .levels = true}));
-    EXPECT_TRUE(parsed(R"("path": "a.png", "show": ["ui", "lattice"])").show ==
-                (command::Screenshot::Show{.lattice = true, .ui = true}));
+    EXPECT_TRUE(parsed(R"("path": "a.png", "show": ["lattice"])").show ==
+                command::Screenshot::Show{.lattice = true});
 }
 
 TEST(ScreenshotCommand, FormatsOnlyFieldsThatDifferFromTheirDefaults) {
@@ -82,7 +82,9 @@ TEST(ScreenshotCommand, RefusesInvalidPictures) {
               R"( "projection": "isometric"})",
               "perspective or orthographic"},
              {R"("path": "a.png", "show": "levels")", "an array of any of wireframe"},
-             {R"("path": "a.png", "show": ["level"])", "show[0] must be wireframe"}}) {
+             {R"("path": "a.png", "show": ["level"])", "show[0] must be wireframe"},
+             // A picture is of the object alone.
+             {R"("path": "a.png", "show": ["ui"])", "show[0] must be wireframe"}}) {
         const auto result = parse_command(R"({"cmd": "screenshot", )" + bad.fields + "}");
         const auto* error = std::get_if<CommandError>(&result);
         ASSERT_TRUE(error) << bad.fields;
