@@ -152,7 +152,7 @@ class RandomCommand {
         const Vec3 eye{from(-9.0, 9.0), from(-9.0, 9.0), 1.0 + from(0.0, 1e9)};
         if (below(2)) result.camera = Camera{.eye = eye, .fov = from(1.0, 170.0)};
         if (result.camera && below(2)) result.camera->projection = Projection::orthographic;
-        result.show = {below(2) == 0, below(2) == 0, below(2) == 0, below(2) == 0};
+        result.show = {below(2) == 0, below(2) == 0, below(2) == 0};
         return result;
     }
 
