@@ -72,9 +72,9 @@ class WindowActions : public WindowTest, public testing::WithParamInterface<Acti
         desktop().type(typed_name(info_of(action)));
         desktop().key("Return");
     }
-    void drag() {
+    void drag(int x = kMiddleX, int y = kMiddleY) {
         const std::size_t before = recorded("\"drag\"");
-        desktop().drag(kMiddleX, kMiddleY, kMiddleX + 60, kMiddleY - 70);
+        desktop().drag(x, y, x + 60, y - 70);
         ASSERT_TRUE(records("\"drag\"", before + 1)) << record();
     }
     // The last line of the record with this command.
@@ -185,8 +185,8 @@ class WindowActions : public WindowTest, public testing::WithParamInterface<Acti
         save_as("kept.obj");
         perform(action);
         ASSERT_TRUE(records("\"shape\"", shapes + 1)) << record();
-        desktop().key("Escape");  // ends it
-        drag();
+        desktop().key("Escape");              // ends it
+        drag(kMiddleX - 132, kMiddleY - 70);  // the object is above the captions
         EXPECT_EQ(recorded("\"drag\""), drags + 1);
         desktop().key("ctrl+z");
         ASSERT_TRUE(records("\"undo\""));

@@ -20,7 +20,7 @@ struct NumberStyle {
 };
 
 // The text of the number as the field shows it.
-std::string number_text(double value, const NumberStyle& style);
+std::string number_text(double number, const NumberStyle& style);
 
 // The nearest whole number that an int can be.
 int whole_number(double value);

@@ -17,7 +17,7 @@ class StatusLine {
   public:
     // Draws the line into the present window of Dear ImGui, which is as wide as the display.
     // scale: of the screen and the user together.
-    void draw(const Editor& editor, const PictureFigures& figures, float scale);
+    void draw(const Editor& editor, const PictureFigures& picture, float scale);
 
     // Whether the line shows the present message, which is then shown nowhere else.
     bool shows_message() const { return shows_message_; }
