@@ -19,15 +19,13 @@ namespace pectin {
 // What navigation asks about the object that it shows.
 class NavigatedObject {
   public:
+    virtual ~NavigatedObject() = default;
     // The first point of the surface on the ray; nothing where there is none, or if it is unknown.
     virtual std::optional<Vec3> first_hit(const Ray& ray) = 0;
     // The distance of a point from the surface; infinite if it is unknown.
     virtual double distance(const Vec3& point) = 0;
     // The diagonal of the object's box, by which distances are limited; above 0.
     virtual double diagonal() const = 0;
-
-  protected:
-    ~NavigatedObject() = default;
 };
 
 // Limits of the camera's distance from what it looks at, in diagonals of the object's box. Zooming
