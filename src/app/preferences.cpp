@@ -73,15 +73,15 @@ bool read_mouse(const Json& value, MousePreset& mouse) {
 // Returns the names of the fields whose values cannot be used.
 std::string read_fields(const Json& file, Preferences& p) {
     std::string bad;
-    const auto note = [&bad](const char* name, bool is_right) {
+    const auto check = [&bad](const char* name, bool is_right) {
         if (!is_right) bad += (bad.empty() ? "" : ", ") + std::string(name);
     };
     using Value = const Json&;
-    note(kTheme, read_field(file, kTheme, [&](Value v) { return read_theme(v, p.theme); }));
-    note(kScale, read_field(file, kScale, [&](Value v) { return read_scale(v, p.scale); }));
-    note(kHidesPanels,
-         read_field(file, kHidesPanels, [&](Value v) { return read_flag(v, p.hides_panels); }));
-    note(kMouse, read_field(file, kMouse, [&](Value v) { return read_mouse(v, p.mouse); }));
+    check(kTheme, read_field(file, kTheme, [&](Value v) { return read_theme(v, p.theme); }));
+    check(kScale, read_field(file, kScale, [&](Value v) { return read_scale(v, p.scale); }));
+    check(kHidesPanels,
+          read_field(file, kHidesPanels, [&](Value v) { return read_flag(v, p.hides_panels); }));
+    check(kMouse, read_field(file, kMouse, [&](Value v) { return read_mouse(v, p.mouse); }));
     return bad;
 }
 
