@@ -30,7 +30,10 @@ std::string remark_on_self_intersections(const Frame& frame) {
         return "so many triangles are close to each other that some may intersect; undo, or use a "
                "larger radius or a shorter drag";
     }
-    return "the surface intersects itself in " + std::to_string(frame.self_intersections) +
+    // A search that was ended early has found only some of them.
+    return std::string("the surface intersects itself in ") +
+           (frame.intersection_limit == IntersectionLimit::search ? "at least " : "") +
+           std::to_string(frame.self_intersections) +
            (frame.self_intersections == 1 ? " place" : " places") + reason_of(frame) +
            "; undo, or use a larger radius or a shorter drag";
 }
