@@ -215,7 +215,9 @@ struct Schema<command::Cage> {
         make_field("fit", &command::Cage::fit, field::Counts{1, 254}, "none",
                    "The numbers of control points along each axis of the object's box. One more "
                    "layer lies beyond the box on each side, and two where a number is 1, so that "
-                   "moving all of them by one affine map moves the object by that map.")};
+                   "moving all of them by one affine map moves the object by that map. If the "
+                   "symmetry plane goes through the box, it is enlarged to be its own mirror "
+                   "image.")};
 };
 
 template <>

@@ -88,11 +88,21 @@ Done Session::State::run(const command::Brush& brush) {
     return {};
 }
 
+// The object's box. If the symmetry plane goes through it, it is enlarged to be its own mirror
+// image, since control points can then be moved on both sides at once.
+Box Session::State::box_to_fit() const {
+    Box box = mesh->bounding_box();
+    if (!symmetry) return box;
+    const Box image = symmetry->image(box);
+    if (box.meets(image)) box.include(image);
+    return box;
+}
+
 template <>
 Done Session::State::run(const command::Cage& cage) {
     if (cage.fit && !has_object()) return no_object();
     const Lattice lattice = cage.fit
-                                ? fit_lattice(mesh->bounding_box(), *cage.fit)
+                                ? fit_lattice(box_to_fit(), *cage.fit)
                                 : Lattice{.origin = *cage.origin - Vec3{cage.margin} * *cage.cell,
                                           .cell = *cage.cell,
                                           .deformable = *cage.deformable + 2 * cage.margin,

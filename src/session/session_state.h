@@ -130,6 +130,7 @@ struct Session::State {
     Done run(const command::Redo& redo);
     Done run(const command::History& limit);
     void undo_steps(std::size_t count);
+    Box box_to_fit() const;
     std::vector<Box> zones_of_readapt(const AdaptSettings& settings) const;
     std::vector<EdgeId> edges_to_refine(const command::Adapt& change, std::uint32_t first,
                                         std::uint32_t count) const;

@@ -125,6 +125,42 @@ TEST(FittedCage, MovesTheObjectExactlyAsFarAsAllItsControlPoints) {
     }
 }
 
+TEST(FittedCage, IsItsOwnMirrorImageAlsoAboutAPlaneBesideTheMiddle) {
+    constexpr double kAt = 0.1;
+    Session session;
+    expect_done(session, Shape{Shape::Kind::sphere, 3});
+    const Box object = session.mesh().bounding_box();
+    for (int axis = 0; axis < 3; ++axis) {
+        const MirrorPlane plane{axis, kAt};
+        expect_done(session, command::Symmetry{.plane = static_cast<command::Symmetry::Plane>(axis),
+                                               .through = Vec3{kAt}});
+        expect_done(session, Cage{.fit = IVec3{3, 4, 5}});
+        const Lattice& cage = *session.lattice_settings().cage;
+        EXPECT_LE(glm::distance(mirror_image(plane, cage).origin, cage.origin), 1e-14);
+        // The points of the first and the last layer are on the box or beyond it.
+        const Vec3 first = cage.rest(cage.margin);
+        const Vec3 last = cage.rest(cage.counts() - 1 + cage.margin);
+        for (int i = 0; i < 3; ++i) {
+            EXPECT_LE(first[i], object.min[i] + 1e-14);
+            EXPECT_GE(last[i], object.max[i] - 1e-14);
+        }
+        const Vec3 to = cage.rest(cage.control_of_user_index({0, 0, 0})) + Vec3{0.1};
+        expect_done(session, Control{.points = {{{0, 0, 0}, to}}});
+        expect_done(session, command::Undo{});
+    }
+}
+
+TEST(FittedCage, FitsTheObjectAloneWhereTheSymmetryPlaneIsBesideIt) {
+    Session session;
+    expect_done(session, Shape{Shape::Kind::sphere, 2});
+    expect_done(session, Cage{.fit = IVec3{4, 4, 4}});
+    const Lattice without = *session.lattice_settings().cage;
+    expect_done(session, command::Symmetry{.plane = command::Symmetry::Plane::x,
+                                           .through = Vec3{1.5, 0.0, 0.0}});
+    expect_done(session, Cage{.fit = IVec3{4, 4, 4}});
+    EXPECT_EQ(session.lattice_settings().cage, without);
+}
+
 TEST(FittedCage, MovesEveryShapeByTheAffineMapOfItsControlPoints) {
     constexpr unsigned kSeed = 72;
     SCOPED_TRACE("seed " + std::to_string(kSeed));

@@ -78,7 +78,7 @@ void CommandPalette::move_selection(std::size_t count) {
 
 // Returns whether the selected action is to be performed.
 bool CommandPalette::draw_list(const Editor& editor, const std::vector<Action>& actions) {
-    if (actions.empty()) ImGui::TextDisabled("No action is called so.");
+    if (actions.empty()) ImGui::TextDisabled("No action has such a name.");
     bool is_chosen = ImGui::IsKeyPressed(ImGuiKey_Enter, false) && !actions.empty();
     const ImVec2 moved = ImGui::GetIO().MouseDelta;
     const bool has_mouse_moved = moved.x != 0.0f || moved.y != 0.0f;

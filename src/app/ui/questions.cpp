@@ -50,7 +50,7 @@ void draw_recovery_question(DocumentController& document, float scale) {
     const std::string title =
         (session ? "Restore " + session->object + "?" : std::string()) + "###recovery question";
     if (!begin_dialog(session != nullptr, title.c_str(), kWidth * scale, 0.0f)) return;
-    ImGui::TextWrapped("pectin ended unexpectedly, and changes to it were not saved.");
+    ImGui::TextWrapped("pectin ended unexpectedly before your changes were saved.");
     ImGui::Spacing();
     std::optional<Answer> answer;
     if (answer_button("Restore", "Bring back the object with its changes. (Enter)", scale) ||
