@@ -138,12 +138,13 @@ void Editor::begin_example(Example example) {
 }
 
 command::Screenshot Editor::picture_command(const std::string& path) const {
-    return {
-        .path = path,
-        .size = glm::clamp(size(), 16, 8192),
-        .camera = camera(),
-        .show = {
-            .wireframe = display.wireframe, .lattice = display.lattice, .levels = display.levels}};
+    return {.path = path,
+            .size = glm::clamp(size(), 16, 8192),
+            .camera = camera(),
+            .show = {.wireframe = display.wireframe,
+                     .lattice = display.lattice,
+                     .levels = display.levels,
+                     .light = preferences.theme == Theme::light}};
 }
 
 // --- Radius, symmetry and cage.

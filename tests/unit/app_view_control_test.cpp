@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/editor_scene.h"
 #include "app/picture.h"
 #include "app/ui/interface.h"
 #include "unit/app_editor_fixture.h"
@@ -446,12 +447,12 @@ TEST_F(ViewControlTest, AModelWithZUpIsShownUprightAndAnActionChangesItsAxis) {
     EXPECT_EQ(editor.view_control().up_axis(), UpAxis::y);
 }
 
-TEST_F(ViewControlTest, APictureOfTheWindowHasItsCamera) {
+TEST_F(ViewControlTest, APictureOfTheWindowHasItsCameraAndItsBackground) {
     struct RecordingViewport : Viewport {
-        std::optional<Camera> camera;
+        command::Screenshot last;
         Done screenshot(const TriMesh&, const std::optional<Lattice>&,
                         const command::Screenshot& screenshot) override {
-            camera = screenshot.camera;
+            last = screenshot;
             return {};
         }
     } viewport;
@@ -460,13 +461,34 @@ TEST_F(ViewControlTest, APictureOfTheWindowHasItsCamera) {
     editor.perform(Action::toggle_z_up);
     editor.perform(Action::toggle_orthographic);
     editor.perform(Action::view_left);
-    editor.perform(Action::save_picture);
-    editor.document().browser()->name = path("picture.png");
-    editor.document().accept_file();
-    EXPECT_EQ(viewport.camera, editor.camera());
-    EXPECT_TRUE(viewport.camera->is_orthographic());
-    EXPECT_EQ(viewport.camera->up, Vec3(0, 0, 1));
+    save_picture("picture.png");
+    EXPECT_EQ(viewport.last.camera, editor.camera());
+    EXPECT_TRUE(viewport.last.camera->is_orthographic());
+    EXPECT_EQ(viewport.last.camera->up, Vec3(0, 0, 1));
+    EXPECT_FALSE(viewport.last.show.light);
+    editor.perform(Action::toggle_light_theme);
+    save_picture("light.png");
+    EXPECT_TRUE(viewport.last.show.light);
+}
+
+TEST_F(ViewControlTest, ALightPictureIsDrawnAsTheLightWindow) {
+    auto editor = this->editor();
+    editor.preferences.theme = Theme::light;
+    const command::Screenshot dark{.path = "a.png"};
+    command::Screenshot light = dark;
+    light.show.light = true;
+    const TriMesh& mesh = editor.session().mesh();
+    const Background window = editor_scene(editor, 1.0f).background;
+    EXPECT_EQ(make_scene(light, mesh, {}).background.top, window.top);
+    EXPECT_EQ(make_scene(light, mesh, {}).background.bottom, window.bottom);
+    EXPECT_EQ(make_scene(dark, mesh, {}).background.top, Background{}.top);
+    EXPECT_GT(window.bottom.x, Background{}.top.x);
 }
 
 }  // namespace
 }  // namespace pectin
+    const auto save_picture = [&](const std::string& name) {
+        editor.perform(Action::save_picture);
+        editor.document().browser()->name = path(name);
+        editor.document().accept_file();
+    };
