@@ -10,12 +10,6 @@
 #include "io/file_error.h"
 
 namespace pectin {
-namespace {
-
-// The space below an example for the panel with its captions, in heights of the object.
-constexpr double kSpaceForCaptions = 0.35;
-
-}  // namespace
 
 Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_blocking_time,
                Tools tools)
@@ -134,7 +128,7 @@ void Editor::begin_example(Example example) {
     }
     shows_hint_ = false;
     // The view stays as it is while the example plays, so it shows all that will be there.
-    view_control_.frame_with(drag_targets(example_.steps()), kSpaceForCaptions);
+    view_control_.frame_with(drag_targets(example_.steps()));
 }
 
 command::Screenshot Editor::picture_command(const std::string& path) const {

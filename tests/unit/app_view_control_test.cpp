@@ -277,10 +277,25 @@ TEST_F(ViewControlTest, PanelsLeaveTheObjectAndTheAxesFreeInSmallWindowsAndAtTwi
         }
         const auto axes = editor.view_control().axes();
         ASSERT_TRUE(axes);
-        for (int i = 0; i < 16; ++i) {
-            const double angle = 0.3927 * i;
-            EXPECT_TRUE(
-                is_free(axes->centre + axes->radius * Vec2(std::cos(angle), std::sin(angle))));
+        const auto expect_free_axes = [&] {
+            for (int i = 0; i < 16; ++i) {
+                const double angle = 0.3927 * i;
+                EXPECT_TRUE(
+                    is_free(axes->centre + axes->radius * Vec2(std::cos(angle), std::sin(angle))));
+            }
+        };
+        expect_free_axes();
+        for (const int words : {4, 12, 60}) {
+            std::string message;
+            for (int i = 0; i < words; ++i) message += "warning ";
+            editor.workspace().set_message(message);
+            for (int i = 0; i < 3; ++i) interface.lay_out(editor, {});
+            SCOPED_TRACE("with a message of so many words: " + std::to_string(words));
+            expect_free_axes();
+            const Control* const close = interface.controls().find("×");
+            ASSERT_TRUE(close);
+            EXPECT_GT(close->min.x, interface.free_area().min.x);
+            EXPECT_LT(close->max.x, interface.free_area().max.x);
         }
     }
 }
@@ -458,6 +473,11 @@ TEST_F(ViewControlTest, APictureOfTheWindowHasItsCameraAndItsBackground) {
     } viewport;
     auto editor = this->editor();
     editor.workspace().set_viewport(&viewport);
+    const auto save_picture = [&](const std::string& name) {
+        editor.perform(Action::save_picture);
+        editor.document().browser()->name = path(name);
+        editor.document().accept_file();
+    };
     editor.perform(Action::toggle_z_up);
     editor.perform(Action::toggle_orthographic);
     editor.perform(Action::view_left);
@@ -487,8 +507,3 @@ TEST_F(ViewControlTest, ALightPictureIsDrawnAsTheLightWindow) {
 
 }  // namespace
 }  // namespace pectin
-    const auto save_picture = [&](const std::string& name) {
-        editor.perform(Action::save_picture);
-        editor.document().browser()->name = path(name);
-        editor.document().accept_file();
-    };
