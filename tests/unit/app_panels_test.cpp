@@ -205,7 +205,7 @@ TEST_F(PanelsTest, NumbersBeyondTheLimitsAreRefusedInTheWordsOfTheSchema) {
         {"Floor", "0", "Floor must be a length above 0, not 0."},
         {"Points per axis", "17", "Points per axis must be a whole number from 1 to 16, not 17."},
         {"Points X", "255", "Points X must be a whole number from 1 to 254, not 255."},
-        {"Radius", "-2", "Radius must be a length above 0"},
+        {"Radius", "-2", "Radius must be above 0 %, not -2 %."},
     };
     for (const auto& [name, text, message] : refused) {
         SCOPED_TRACE(name);
@@ -218,6 +218,7 @@ TEST_F(PanelsTest, NumbersBeyondTheLimitsAreRefusedInTheWordsOfTheSchema) {
     EXPECT_EQ(editor_->session().adapt_settings(), before);
     EXPECT_EQ(editor_->session().lattice_settings().span, 3);
     editor_->use_cage();
+        {"Radius", "0", "Radius must be above 0 %, not 0 %."},
     const auto cage = editor_->session().lattice_settings().cage;
     type_into("Size Z", "-2");
     EXPECT_TRUE(editor_->workspace().message().starts_with("Size"))
@@ -234,6 +235,12 @@ TEST_F(PanelsTest, EscapeLeavesATypedNumberAsItWas) {
     press_key(Key::escape);
     lay_out();
     EXPECT_EQ(editor_->radius(), before);
+    editor_->set_radius_unit(RadiusUnit::model);
+    // A click soon after others would not be the first of a double click.
+    std::this_thread::sleep_for(std::chrono::milliseconds(320));
+    type_into("Radius", "-2");
+    EXPECT_EQ(editor_->workspace().message(), "Radius must be a length above 0, not -2.");
+    editor_->set_radius_unit(RadiusUnit::share);
 }
 
 TEST_F(PanelsTest, ADragOfANumberIsRelativeAndAClickChangesNothing) {
