@@ -195,10 +195,30 @@ TEST_F(PanelsTest, DoubleClickLetsEveryNumberBeTyped) {
     EXPECT_EQ(editor_->session().lattice_settings().span, 11);
 }
 
+TEST_F(PanelsTest, AnglesAreDisabledAndSayWhyWhileTheTriggerAsksForNone) {
+    open_advanced();
+    for (const bool is_midpoint : {true, false}) {
+        editor_->execute(command::Adapt{.trigger = is_midpoint ? command::Adapt::Trigger::midpoint
+                                                               : command::Adapt::Trigger::normals});
+        for (const char* name : {"Detail", "θ max", "θ max mode", "θ min", "θ min mode"}) {
+            const Control* const control = find(name);
+            ASSERT_TRUE(control) << name;
+            EXPECT_EQ(control->is_enabled, !is_midpoint) << name;
+        }
+        for (const char* name : {"Detail", "θ max", "θ min"}) {
+            const std::string tooltip = find(name)->tooltip;
+            EXPECT_EQ(tooltip.find("midpoint trigger") != std::string::npos, is_midpoint)
+                << tooltip;
+        }
+        EXPECT_TRUE(find("L max")->is_enabled);
+    }
+}
+
 TEST_F(PanelsTest, NumbersBeyondTheLimitsAreRefusedInTheWordsOfTheSchema) {
     open_advanced();
     const AdaptSettings before = editor_->session().adapt_settings();
     const std::vector<std::array<const char*, 3>> refused{
+        {"Radius", "0", "Radius must be above 0 %, not 0 %."},
         {"θ max", "0", "θ max must be an angle above 0, not 0."},
         {"θ min", "-3", "θ min must be an angle of at least 0, not -3."},
         {"L max", "-1", "L max must be a length above 0, not -1."},
@@ -215,10 +235,15 @@ TEST_F(PanelsTest, NumbersBeyondTheLimitsAreRefusedInTheWordsOfTheSchema) {
         EXPECT_TRUE(editor_->workspace().message_warns());
         editor_->workspace().dismiss();
     }
+    editor_->set_radius_unit(RadiusUnit::model);
+    // A click soon after others would not be the first of a double click.
+    std::this_thread::sleep_for(std::chrono::milliseconds(320));
+    type_into("Radius", "-2");
+    EXPECT_EQ(editor_->workspace().message(), "Radius must be a length above 0, not -2.");
+    editor_->set_radius_unit(RadiusUnit::share);
     EXPECT_EQ(editor_->session().adapt_settings(), before);
     EXPECT_EQ(editor_->session().lattice_settings().span, 3);
     editor_->use_cage();
-        {"Radius", "0", "Radius must be above 0 %, not 0 %."},
     const auto cage = editor_->session().lattice_settings().cage;
     type_into("Size Z", "-2");
     EXPECT_TRUE(editor_->workspace().message().starts_with("Size"))
@@ -235,12 +260,6 @@ TEST_F(PanelsTest, EscapeLeavesATypedNumberAsItWas) {
     press_key(Key::escape);
     lay_out();
     EXPECT_EQ(editor_->radius(), before);
-    editor_->set_radius_unit(RadiusUnit::model);
-    // A click soon after others would not be the first of a double click.
-    std::this_thread::sleep_for(std::chrono::milliseconds(320));
-    type_into("Radius", "-2");
-    EXPECT_EQ(editor_->workspace().message(), "Radius must be a length above 0, not -2.");
-    editor_->set_radius_unit(RadiusUnit::share);
 }
 
 TEST_F(PanelsTest, ADragOfANumberIsRelativeAndAClickChangesNothing) {
