@@ -124,7 +124,7 @@ void Editor::begin_example(Example example) {
     try {
         example_.begin(title_of(example), read_example(example, example_folders()));
     } catch (const FileError& error) {
-        return workspace_.set_message(error.what());
+        return workspace_.set_message(words_of(error));
     }
     shows_hint_ = false;
     // The view stays as it is while the example plays, so it shows all that will be there.
