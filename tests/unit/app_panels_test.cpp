@@ -195,6 +195,17 @@ TEST_F(PanelsTest, DoubleClickLetsEveryNumberBeTyped) {
     EXPECT_EQ(editor_->session().lattice_settings().span, 11);
 }
 
+TEST_F(PanelsTest, TheButtonCageMakesACageThoughItsSectionHasTheSameName) {
+    lay_out();
+    const std::vector<Control> all = interface_->controls().all();
+    const auto button = std::ranges::find(all.rbegin(), all.rend(), "Cage", &Control::name);
+    ASSERT_TRUE(button != all.rend());
+    ASSERT_GT(button->min.x, interface_->free_area().max.x) << "that of the panel";
+    ASSERT_FALSE(editor_->has_cage());
+    click(middle(*button));
+    EXPECT_TRUE(editor_->has_cage());
+}
+
 TEST_F(PanelsTest, AnglesAreDisabledAndSayWhyWhileTheTriggerAsksForNone) {
     open_advanced();
     for (const bool is_midpoint : {true, false}) {
