@@ -111,8 +111,9 @@ TEST_P(WindowGolden, LooksAsItDidWhenItWasInspected) {
                     "--gtest_filter='*WindowGolden*', look at each, and add the set to this file";
 }
 
-INSTANTIATE_TEST_SUITE_P(All, WindowGolden, testing::ValuesIn(kStates),
-                         [](const auto& info) { return std::string(info.param.name); });
+std::string name_of(const testing::TestParamInfo<State>& state) { return state.param.name; }
+
+INSTANTIATE_TEST_SUITE_P(All, WindowGolden, testing::ValuesIn(kStates), name_of);
 
 }  // namespace
 }  // namespace pectin
