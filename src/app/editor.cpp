@@ -10,12 +10,6 @@
 #include "io/file_error.h"
 
 namespace pectin {
-namespace {
-
-// The space below an example for the panel with its captions, in heights of the object.
-constexpr double kSpaceForCaptions = 0.35;
-
-}  // namespace
 
 Editor::Editor(std::optional<Recorder> recorder, std::chrono::milliseconds max_blocking_time,
                Tools tools)
@@ -130,20 +124,21 @@ void Editor::begin_example(Example example) {
     try {
         example_.begin(title_of(example), read_example(example, example_folders()));
     } catch (const FileError& error) {
-        return workspace_.set_message(error.what());
+        return workspace_.set_message(words_of(error));
     }
     shows_hint_ = false;
     // The view stays as it is while the example plays, so it shows all that will be there.
-    view_control_.frame_with(drag_targets(example_.steps()), kSpaceForCaptions);
+    view_control_.frame_with(drag_targets(example_.steps()));
 }
 
 command::Screenshot Editor::picture_command(const std::string& path) const {
-    return {
-        .path = path,
-        .size = glm::clamp(size(), 16, 8192),
-        .camera = camera(),
-        .show = {
-            .wireframe = display.wireframe, .lattice = display.lattice, .levels = display.levels}};
+    return {.path = path,
+            .size = glm::clamp(size(), 16, 8192),
+            .camera = camera(),
+            .show = {.wireframe = display.wireframe,
+                     .lattice = display.lattice,
+                     .levels = display.levels,
+                     .light = preferences.theme == Theme::light}};
 }
 
 // --- Radius, symmetry and cage.

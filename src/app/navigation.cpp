@@ -20,6 +20,11 @@ constexpr double kZoomPerHeight = 8.0;
 constexpr double kEmptyClearance = 0.5;
 // How exactly the farthest zoom that is allowed is found, as a number of halvings.
 constexpr int kHalvings = 24;
+// In how many steps a movement of the eye is checked at most. It ends there if they are not enough.
+constexpr int kMostSteps = 64;
+// The length of such a step: nearly all that is certain to be clear, but at least this part of the
+// distance from the surface, since the eye may be moving along it or away.
+constexpr double kSafeStep = 0.999, kShortStep = 0.1;
 
 bool is_inside(const Vec2& pixel, const IVec2& size) {
     return 0.0 <= pixel.x && pixel.x <= size.x && 0.0 <= pixel.y && pixel.y <= size.y;
@@ -60,11 +65,11 @@ void Navigation::move_to(const Vec2& at, const IVec2& size) {
     switch (gesture_->mode) {
         case NavigationMode::orbit: {
             const Vec2 angles = -kTurnPerHeight / height * by;
-            camera_ = orbited(camera_, angles.x, angles.y, gesture_->pivot);
+            orbit(angles, gesture_->pivot);
             break;
         }
         case NavigationMode::pan:
-            camera_ = panned(camera_, by, size);
+            pan_by(by, size);
             break;
         case NavigationMode::zoom:
             zoom_towards(gesture_->anchor, std::pow(kZoomPerHeight, by.y / height));
@@ -92,11 +97,45 @@ void Navigation::zoom(double notches, const Vec2& at, const IVec2& size) {
 
 void Navigation::pan(const Vec2& pixels, const IVec2& size) {
     focus(pivot(size));
-    camera_ = panned(camera_, pixels, size);
+    pan_by(pixels, size);
 }
 
 void Navigation::turn(double to_right, double upwards, const IVec2& size) {
-    camera_ = orbited(camera_, to_right, -upwards, pivot(size));
+    orbit({to_right, -upwards}, pivot(size));
+}
+
+void Navigation::orbit(const Vec2& angles, const Vec3& pivot) {
+    const double length =
+        glm::distance(camera_.eye, pivot) * (std::abs(angles.x) + std::abs(angles.y));
+    follow([&, from = camera_](
+               double part) { return orbited(from, part * angles.x, part * angles.y, pivot); },
+           length);
+}
+
+void Navigation::pan_by(const Vec2& pixels, const IVec2& size) {
+    const double length = glm::distance(camera_.eye, panned(camera_, pixels, size).eye);
+    follow([&, from = camera_](double part) { return panned(from, part * pixels, size); }, length);
+}
+
+// Moves the camera along the path as far as the eye stays clear of the surface. length: of the
+// eye's path, or more. In each step the eye moves by less than its distance from the surface, so
+// that it cannot pass through. Where it is too near, also because of an edit, it may move away.
+void Navigation::follow(const Path& path, double length) {
+    if (camera_.is_orthographic() || length == 0.0) {
+        camera_ = path(1.0);
+        return;
+    }
+    const double least = kTurnClearance * kClosest * object_.diagonal();
+    double part = 0.0, clearance = object_.distance(camera_.eye);
+    for (int i = 0; i < kMostSteps && part < 1.0; ++i) {
+        const double step = std::max(kSafeStep * (clearance - least), kShortStep * clearance);
+        const double next = std::min(part + step / length, 1.0);
+        const double there = object_.distance(path(next).eye);
+        if (there < least && there <= clearance) break;
+        part = next;
+        clearance = there;
+    }
+    if (part > 0.0) camera_ = path(part);
 }
 
 // The point under the cursor: of the surface, else at the depth of the target.

@@ -2,9 +2,11 @@
 //
 // Orbits turn about a pivot, which keeps its pixel: the point of the surface under the cursor, else
 // the point that was touched last if it is in the window, else the target of the camera. Zooming
-// goes towards the point under the cursor, which keeps its pixel, and never through the surface.
+// goes towards the point under the cursor, which keeps its pixel. None of them takes the eye
+// through the surface.
 #pragma once
 
+#include <functional>
 #include <optional>
 #include <span>
 #include <string_view>
@@ -31,6 +33,9 @@ class NavigatedObject {
 // Limits of the camera's distance from what it looks at, in diagonals of the object's box. Zooming
 // keeps the eye as far from the surface as the first one, so that the near plane cuts nothing off.
 inline constexpr double kClosest = 2e-4, kFarthest = 50.0;
+// Orbits and pans keep this part of the closest distance, so that the view can be turned by 45
+// degrees also where zooming has ended.
+inline constexpr double kTurnClearance = 0.7;
 
 // Directions from the target to the eye, of models with y up (see oriented()). From above and below
 // the view is a little tilted to the front, so that the back is up in the picture seen from above.
@@ -103,6 +108,11 @@ class Navigation {
     bool may_zoom(const Camera& from, double factor, const Anchor& anchor);
     void zoom_towards(const Anchor& anchor, double factor);
     void focus(const Vec3& point);
+    // A movement of the camera: where it is after a part of it, from 0 to 1.
+    using Path = std::function<Camera(double part)>;
+    void follow(const Path& path, double length);
+    void orbit(const Vec2& angles, const Vec3& pivot);
+    void pan_by(const Vec2& pixels, const IVec2& size);
     Vec3 pivot(const IVec2& size) const;
 
     NavigatedObject& object_;

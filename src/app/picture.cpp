@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "app/light_background.h"
 #include "io/png.h"
 
 namespace pectin {
@@ -27,6 +28,7 @@ Scene make_scene(const command::Screenshot& screenshot, const TriMesh& mesh,
     scene.pixel_scale = std::max(1.0f, static_cast<float>(screenshot.size.y) / kReferenceHeight);
     const bool shows_lattice = screenshot.show.lattice && lattice;
     if (shows_lattice) add_lattice(scene.overlay, *lattice, {});
+    if (screenshot.show.light) use_light_background(scene);
     if (screenshot.camera) {
         scene.camera = *screenshot.camera;
         return scene;

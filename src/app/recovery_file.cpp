@@ -44,10 +44,7 @@ Recorder begin_record(const std::string& folder) {
         if (file.is_open()) return Recorder(path, std::move(file));
         if (errno != EEXIST) error.assign(errno, std::generic_category());
     }
-    throw FileError(folder,
-                    "cannot hold a recovery file, so this session cannot be restored after "
-                    "a crash: " +
-                        error.message());
+    throw FileError(folder, "cannot be written: " + error.message());
 }
 
 }  // namespace

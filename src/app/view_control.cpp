@@ -149,7 +149,7 @@ void ViewControl::follow_free_area() {
     const bool is_new = area.min != framed_area_.min || area.max != framed_area_.max;
     if (!is_new || is_active() || !navigation_.is_as_framed()) return;
     framed_area_ = area;
-    navigation_.frame_again(points(), area);
+    navigation_.frame_again(points_to_frame(), area);
 }
 
 std::optional<AxesGizmo> ViewControl::axes() const {
@@ -178,20 +178,21 @@ bool ViewControl::shows(const std::vector<Vec3>& points) const {
 }
 
 void ViewControl::frame_all(const std::optional<Vec3>& direction) {
+    framed_.clear();
     framed_area_ = picture_area();
     navigation_.frame(points(), framed_area_, direction);
 }
 
-void ViewControl::frame_with(std::span<const Vec3> others, double space_below) {
-    std::vector<Vec3> all = points();
-    all.insert(all.end(), others.begin(), others.end());
-    Box box;
-    for (const Vec3& point : all) box.include(point);
-    const Vec3 down = -up_vector(up_axis());
-    const double height = std::abs(glm::dot(box.extent(), down));
-    all.push_back(box.centre() + (0.5 + space_below) * height * down);
+void ViewControl::frame_with(std::span<const Vec3> others) {
+    framed_.assign(others.begin(), others.end());
     framed_area_ = picture_area();
-    navigation_.frame(all, framed_area_, kFitDirection);
+    navigation_.frame(points_to_frame(), framed_area_, kFitDirection);
+}
+
+std::vector<Vec3> ViewControl::points_to_frame() const {
+    std::vector<Vec3> all = points();
+    all.insert(all.end(), framed_.begin(), framed_.end());
+    return all;
 }
 
 void ViewControl::look_from(const Vec3& direction) {

@@ -49,7 +49,7 @@ class ViewControl final : private NavigatedObject {
     // the camera so that the object is in the middle of this part.
     // scale: of sizes, 1 on an ordinary screen.
     void set_free_area(const ScreenBox& area, double scale);
-    // Frames the object again if the area or the window has changed since frame_all() and the
+    // Frames all again if the area or the window has changed since frame_all() and the
     // camera has not moved. Cost: O(n) if so, else O(1). The object must not be in use.
     void follow_free_area();
     // The axes in the upper right corner of this part; nothing if it is too small.
@@ -61,9 +61,9 @@ class ViewControl final : private NavigatedObject {
     // models with y up (see oriented()). Cost: O(n) where the object is framed.
     // Shows the whole object, from its present direction or another.
     void frame_all(const std::optional<Vec3>& direction = {});
-    // Shows the whole object and these points from the direction of the first view. space_below: to
-    // leave free, in heights of their box.
-    void frame_with(std::span<const Vec3> others, double space_below = 0.0);
+    // Shows the whole object and these points from the direction of the first view, also after the
+    // free part of the window has changed.
+    void frame_with(std::span<const Vec3> others);
     // Turns the view about the point that was touched last. If the whole object was visible and
     // would not be, it is framed.
     void look_from(const Vec3& direction);
@@ -90,7 +90,9 @@ class ViewControl final : private NavigatedObject {
     ScreenBox free_area() const;
     PictureArea picture_area() const;
     bool shows(const std::vector<Vec3>& points) const;
+    // The positions of the object's vertices.
     std::vector<Vec3> points() const;
+    std::vector<Vec3> points_to_frame() const;
 
     // A press on the axes, which becomes an orbit when the mouse moves.
     struct AxesPress {
@@ -105,7 +107,8 @@ class ViewControl final : private NavigatedObject {
     IVec2 size_{1280, 800};
     std::optional<ScreenBox> free_area_;
     double scale_ = 1.0;
-    PictureArea framed_area_;  // of the last framing
+    PictureArea framed_area_;   // of the last framing
+    std::vector<Vec3> framed_;  // what it shows besides the object
     std::optional<AxesPress> axes_press_;
     bool began_with_alt_ = false;
 };

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <atomic>
+#include <filesystem>
 #include <fstream>
 #include <iostream>
 #include <memory>
@@ -21,6 +22,7 @@
 #include "app/recovery_paths.h"
 #include "app/ui/interface.h"
 #include "app/window_viewport.h"
+#include "app/words.h"
 #include "io/printable.h"
 #include "render/imgui_renderer.h"
 
@@ -121,9 +123,8 @@ class Window {
         try {
             preferences_file_.save(editor_.preferences);
         } catch (const std::exception& error) {
-            editor_.workspace().add_notice(
-                std::string("The preferences are not kept for the next session: ") + error.what() +
-                ".");
+            editor_.workspace().add_notice("The preferences are not kept for the next session. " +
+                                           words_of(error));
         }
     }
 
@@ -155,12 +156,14 @@ class Window {
     void report_record_path(const std::string& wanted) {
         const std::string path = editor_.workspace().record_path();
         if (path == wanted) return;
-        const std::string message = wanted +
-                                    " holds an earlier record and is left unchanged; this session "
-                                    "is recorded in " +
-                                    path;
-        editor_.workspace().add_notice(message);
-        std::cerr << "pectin: " << printable(message) << '\n';
+        const auto message = [](const std::string& earlier, const std::string& present) {
+            return earlier + " holds an earlier record, so this session is recorded in " + present;
+        };
+        const auto name = [](const std::string& file) {
+            return std::filesystem::path(file).filename().string();
+        };
+        editor_.workspace().add_notice(message(name(wanted), name(path)) + ".");
+        std::cerr << "pectin: " << printable(message(wanted, path)) << '\n';
     }
 
     // Returns the seconds for which take_input() may wait. Restoring runs between the frames, while

@@ -106,7 +106,8 @@ bool is_small_letter(char c) { return c >= 'a' && c <= 'z'; }
 
 // Whether the message goes on after the name of the file, as in "is not an OBJ model".
 bool is_predicate(std::string_view message) {
-    constexpr std::array kVerbs{"is ", "has ", "holds ", "does ", "cannot ", "was ", "names "};
+    constexpr std::array kVerbs{"is ",     "has ", "holds ", "does ",
+                                "cannot ", "was ", "names ", "already "};
     return std::ranges::any_of(kVerbs, [&](const char* verb) { return message.starts_with(verb); });
 }
 
@@ -141,6 +142,11 @@ std::string words_of(const FileError& error) {
     }
     if (is_predicate(message)) return subject + " " + sentences("x" + message).substr(1);
     return subject + ": " + sentences(message);
+}
+
+std::string words_of(const std::exception& error) {
+    const auto* const file_error = dynamic_cast<const FileError*>(&error);
+    return file_error ? words_of(*file_error) : sentences(printable(error.what()));
 }
 
 bool has_words(const std::string& kind) { return find_words(kind) != nullptr; }

@@ -2,6 +2,7 @@
 // the user sees there, without coordinates and folders.
 #pragma once
 
+#include <exception>
 #include <string>
 
 #include "command/result.h"
@@ -20,6 +21,9 @@ inline constexpr const char* kInWords = "in words";
 std::string words_of(const Refusal& refusal);
 // What is wrong with a file, such as "pic.png is not an OBJ model.".
 std::string words_of(const FileError& error);
+
+// The same for any error; one that is about no file is a sentence of its own.
+std::string words_of(const std::exception& error);
 
 // The kinds of refusals for which there are words of their own, for tests.
 bool has_words(const std::string& kind);

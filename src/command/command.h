@@ -146,7 +146,7 @@ struct Stats {
 // Draws a picture of the object. Makes no undo step.
 struct Screenshot {
     struct Show {
-        bool wireframe = false, lattice = false, levels = false;
+        bool wireframe = false, lattice = false, levels = false, light = false;
         bool operator==(const Show&) const = default;
     };
     std::string path{};

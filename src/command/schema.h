@@ -392,14 +392,16 @@ struct Schema<Camera> {
 template <>
 struct Schema<command::Screenshot::Show> {
     static constexpr const char* kName = "picture";
-    static constexpr const char* kMeaning = "What is drawn beside the surface.";
+    static constexpr const char* kMeaning = "What is drawn beside the surface, and behind it.";
     static constexpr std::tuple kFields{
         make_field("wireframe", &command::Screenshot::Show::wireframe, field::Flag{}, "false",
                    "the edges of the mesh."),
         make_field("lattice", &command::Screenshot::Show::lattice, field::Flag{}, "false",
                    "the cage, or the lattice of the last drag."),
         make_field("levels", &command::Screenshot::Show::levels, field::Flag{}, "false",
-                   "how often the surface was refined, in colours.")};
+                   "how often the surface was refined, in colours."),
+        make_field("light", &command::Screenshot::Show::light, field::Flag{}, "false",
+                   "a light background, as in the light theme.")};
 };
 
 template <>
@@ -414,7 +416,7 @@ struct Schema<command::Screenshot> {
         make_field("camera", &command::Screenshot::camera, field::ObjectOr{"fit"}, "\"fit\"",
                    "Where the picture is taken from; \"fit\": the whole object from the front."),
         make_field("show", &command::Screenshot::show, field::Names{}, "[]",
-                   "What is drawn beside the surface.")};
+                   "What is drawn beside the surface, and behind it.")};
 };
 
 }  // namespace pectin

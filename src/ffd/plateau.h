@@ -6,6 +6,11 @@
 // displacement of the control points. Here P is 1 on a block of control points around the handle.
 // By partition of unity w is then 1 where all 64 control points that reach x belong to the block.
 //
+// Where the weight is one half a plateau is round within a percent. Where it ends it is not: the
+// lattice ends along the axes, and control points at the rim of a ball are not at equal distances
+// from its middle, so that with 7 control points per axis or more the outer line waves by some
+// percent of the radius.
+//
 // The correction is the smallest one (W. M. Hsu, J. F. Hughes, H. Kaufman. Direct Manipulation of
 // Free-Form Deformations. SIGGRAPH 1992: section 3, applied to the displacements that P leaves
 // unmet). w is a spline of the same lattice, so that everything that is proven from its Bernstein

@@ -16,6 +16,8 @@ constexpr int kMirrorGrid = 6;  // squares per side
 
 constexpr Colour kDeformable{70, 220, 255, 235};
 constexpr Colour kDeformableMoved{255, 244, 150, 255};
+// Of the layers of a cage beyond the object's box, and what is drawn with them.
+constexpr Colour kMargin{70, 220, 255, 120}, kMarginGrid{70, 220, 255, 34};
 constexpr Colour kInfluenced{150, 170, 255, 170};
 constexpr Colour kInfluencedGrid{150, 170, 255, 48};
 constexpr Colour kPhantom{190, 196, 206, 110};
@@ -54,6 +56,12 @@ IVec3 unit_step(int axis) {
     return step;
 }
 
+// Whether the control point lies beyond the points that the user has asked for.
+bool is_in_margin(const Lattice& lattice, const IVec3& control) {
+    const IVec3 first = lattice.margin, last = lattice.margin + lattice.counts() - 1;
+    return glm::any(glm::lessThan(control, first)) || glm::any(glm::greaterThan(control, last));
+}
+
 void add_deformable(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements) {
     const ControlRange range{IVec3{0}, lattice.deformable - 1};
     const int most = max_component(lattice.deformable);
@@ -67,13 +75,20 @@ void add_deformable(Overlay& overlay, const Lattice& lattice, std::span<const Ve
     range.for_each([&](const IVec3& c) {
         if (!draws_control(lattice, c)) return;
         const bool moved = glm::length(displacement(c)) > threshold;
+        const bool in_margin = is_in_margin(lattice, c);
+        const float diameter = moved ? 7.0f : in_margin ? 3.5f : 6.0f;
         overlay.points.push_back({.position = position(c),
-                                  .colour = moved ? kDeformableMoved : kDeformable,
-                                  .diameter = (moved ? 7.0f : 6.0f) * fine});
+                                  .colour = moved       ? kDeformableMoved
+                                            : in_margin ? kMargin
+                                                        : kDeformable,
+                                  .diameter = diameter * fine});
         for (int axis = 0; axis < 3; ++axis) {
             const IVec3 next = c + unit_step(axis);
             if (next[axis] > range.last[axis] || !draws_control(lattice, next)) continue;
-            overlay.lines.push_back({position(c), position(next), kDeformable, 1.6f * fine});
+            const bool reaches_margin = in_margin || is_in_margin(lattice, next);
+            overlay.lines.push_back({position(c), position(next),
+                                     reaches_margin ? kMarginGrid : kDeformable,
+                                     (reaches_margin ? 1.0f : 1.6f) * fine});
         }
     });
 }
@@ -159,8 +174,11 @@ void add_mirror_plane(Overlay& overlay, const MirrorPlane& plane, const Box& box
 
 void add_lattice(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements) {
     assert(displacements.empty() || displacements.size() == lattice.control_count());
-    add_phantom(overlay, lattice);
-    add_influenced(overlay, lattice);
+    // A cage with margins reaches so far beyond the object that its zones would only hide things.
+    if (lattice.margin == IVec3{0}) {
+        add_phantom(overlay, lattice);
+        add_influenced(overlay, lattice);
+    }
     add_deformable(overlay, lattice, displacements);
 }
 

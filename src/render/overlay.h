@@ -56,7 +56,8 @@ void add_mirror_plane(Overlay& overlay, const MirrorPlane& plane, const Box& box
 
 // The zones of a lattice (Gain & Dodgson 1999, figure 2): the displaced deformable control points
 // and the grid between them, the box of the influenced zone with the grid on its faces, and the
-// control points of the phantom layer around it.
+// control points of the phantom layer around it. Of a lattice with margins only the first is drawn,
+// and the margins fainter and smaller.
 // displacements: one per control point in the order of control_index(); empty: all zero.
 void add_lattice(Overlay& overlay, const Lattice& lattice, std::span<const Vec3> displacements);
 // Whether add_lattice() draws this control point. In large lattices only boundary points are drawn.

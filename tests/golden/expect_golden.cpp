@@ -13,18 +13,16 @@
 namespace pectin {
 namespace {
 
-constexpr double kMaxMeanDifference = 0.75;  // of 255, over all channels
 constexpr int kSmallDifference =
     16;  // of 255; allows for antialiased borders of lines that moved slightly
-constexpr double kMaxDifferent = 0.005;  // fraction of pixels that may differ by more
 const std::string kReferences = PECTIN_SOURCE_DIR "/tests/golden/";
 
 struct Difference {
     double mean = 0.0;  // of 255, over all channels
     int pixels = 0;     // number of visibly different pixels
 
-    bool is_small(const IVec2& size) const {
-        return mean <= kMaxMeanDifference && pixels <= kMaxDifferent * size.x * size.y;
+    bool is_within(const GoldenTolerance& tolerance, const IVec2& size) const {
+        return mean <= tolerance.mean && pixels <= tolerance.different * size.x * size.y;
     }
 };
 
@@ -54,12 +52,13 @@ std::vector<std::string> references(const std::string& name) {
 }
 
 // Whether the picture is close to a reference. Adds the differences from all others to `report`.
-bool matches(const std::string& name, const Image& image, std::string& report) {
+bool matches(const std::string& name, const Image& image, const GoldenTolerance& tolerance,
+             std::string& report) {
     for (const std::string& path : references(name)) {
         const PngPixels reference = read_png(path);
         if (reference.rgba.size() != image.rgba.size()) continue;
         const Difference found = difference(image, reference);
-        if (found.is_small(image.size)) return true;
+        if (found.is_within(tolerance, image.size)) return true;
         report += "\n  " + path + ": by " + std::to_string(found.mean) +
                   " of 255 on average, and visibly in " + std::to_string(found.pixels) + " pixels";
     }
@@ -68,12 +67,12 @@ bool matches(const std::string& name, const Image& image, std::string& report) {
 
 }  // namespace
 
-void expect_golden(const std::string& name, const Image& image) {
+void expect_golden(const std::string& name, const Image& image, const GoldenTolerance& tolerance) {
     const char* const variant = std::getenv("PECTIN_REMAKE_GOLDEN");
     std::string report;
     if (variant && variant == std::string("1")) {
         write_png(kReferences + name + ".png", image.size.x, image.size.y, image.rgba);
-    } else if (matches(name, image, report)) {
+    } else if (matches(name, image, tolerance, report)) {
         return;
     } else if (variant) {
         write_png(kReferences + name + "." + variant + ".png", image.size.x, image.size.y,
@@ -85,5 +84,14 @@ void expect_golden(const std::string& name, const Image& image) {
         ADD_FAILURE() << path << " differs from every reference:" << report;
     }
 }
+
+bool has_golden(const std::string& name) { return !references(name).empty(); }
+
+bool matches_golden(const std::string& name, const Image& image, const GoldenTolerance& tolerance) {
+    std::string report;
+    return matches(name, image, tolerance, report);
+}
+
+bool remakes_golden() { return std::getenv("PECTIN_REMAKE_GOLDEN") != nullptr; }
 
 }  // namespace pectin

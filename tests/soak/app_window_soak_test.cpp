@@ -303,7 +303,25 @@ class WindowSoak : public testing::Test {
         }
         EXPECT_EQ(session.history().lost_undo_count(), 0u);
         EXPECT_TRUE(format_obj(session.mesh()) == first_) << "the first object";
+        expect_steady_history(session);
         if (!editor.document().wants_to_end()) expect_rest(window);
+    }
+    // Once arrays have the size that they need, redoing and undoing all steps takes no further
+    // memory, and gives back the first object each time.
+    void expect_steady_history(Session& session) const {
+        constexpr int kRounds = 4;
+        std::size_t before = 0;
+        for (int round = 0; round < kRounds; ++round) {
+            while (session.execute(command::Redo{})) continue;
+            while (session.execute(command::Undo{})) continue;
+            session.take_dirty();  // as a picture does
+            const std::size_t now = bytes_in_use();
+            if (round == kRounds - 1) {
+                EXPECT_LE(now, before) << "after " << round << " rounds";
+            }
+            before = now;
+        }
+        EXPECT_TRUE(format_obj(session.mesh()) == first_) << "the first object, again";
     }
     // A window without input takes no further memory.
     static void expect_rest(OffscreenWindow& window) {

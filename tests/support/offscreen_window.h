@@ -36,6 +36,7 @@ class OffscreenWindow {
 
     Editor& editor() { return *editor_; }
     Interface& interface() { return *interface_; }
+    const Interface& interface() const { return *interface_; }
     const IVec2& size() const { return size_; }
     float scale() const { return scale_; }
     std::string& clipboard() { return clipboard_; }

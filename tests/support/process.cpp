@@ -6,6 +6,8 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <fstream>
+#include <sstream>
 #include <stdexcept>
 #include <thread>
 
@@ -83,6 +85,20 @@ void Process::pause() const {
 }
 void Process::resume() const { ::kill(id_, SIGCONT); }
 void Process::signal(int number) const { ::kill(id_, number); }
+
+std::chrono::milliseconds Process::cpu_time() const {
+    std::ifstream file("/proc/" + std::to_string(id_) + "/stat");
+    std::string text;
+    std::getline(file, text);
+    // The fields after the name, which ends with the last parenthesis: utime and stime are the 12th
+    // and the 13th of them, in clock ticks.
+    std::istringstream fields(text.substr(text.rfind(')') + 1));
+    std::string field;
+    for (int i = 0; i < 11; ++i) fields >> field;
+    long user = 0, system = 0;
+    if (!(fields >> user >> system)) throw std::runtime_error("cannot read the time of a process");
+    return std::chrono::milliseconds(1000 * (user + system) / ::sysconf(_SC_CLK_TCK));
+}
 
 bool eventually(const std::function<bool()>& condition, std::chrono::milliseconds most) {
     const auto end = std::chrono::steady_clock::now() + most;

@@ -34,6 +34,8 @@ class Process {
     void pause() const;
     void resume() const;
     void signal(int number) const;
+    // The time that all its threads have been running for so far.
+    std::chrono::milliseconds cpu_time() const;
 
   private:
     pid_t id_ = -1;

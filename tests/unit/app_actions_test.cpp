@@ -293,6 +293,54 @@ TEST_F(MenuBarTest, MenusCanBeUsedByTheKeyboardAlone) {
     EXPECT_FALSE(has_open_menu());
 }
 
+TEST_F(MenuBarTest, RightOpensTheSubmenuThatTheArrowKeysAreAt) {
+    press(Key::f10);
+    press(Key::down);
+    for (int i = 0; i < 30 && interface_.hovered_action() != Action::open; ++i) press(Key::down);
+    ASSERT_EQ(interface_.hovered_action(), Action::open);
+    press(Key::up);  // New
+    press(Key::right);
+    ASSERT_EQ(interface_.hovered_action(), Action::new_sphere) << "not the menu Edit";
+    press(Key::down);
+    press(Key::enter);
+    EXPECT_FALSE(has_open_menu());
+    EXPECT_EQ(editor_.workspace().object_name(), "cube");
+}
+
+TEST_F(MenuBarTest, RightEntersTheSubmenuThatTheCursorHasOpened) {
+    click({kFile, kTop});
+    hover({kFile + 10.0, 36.0});  // New
+    press(Key::right);
+    EXPECT_EQ(interface_.hovered_action(), Action::new_sphere) << "not the menu Edit";
+    press(Key::down);
+    press(Key::enter);
+    EXPECT_EQ(editor_.workspace().object_name(), "cube");
+    EXPECT_FALSE(has_open_menu());
+}
+
+TEST_F(MenuBarTest, RightLeadsFromASubmenuToTheNextMenuOfTheBar) {
+    click({kFile, kTop});
+    hover({kFile + 10.0, 36.0});
+    press(Key::right);
+    press(Key::right);
+    ASSERT_TRUE(has_open_menu());
+    press(Key::down);
+    ASSERT_TRUE(interface_.hovered_action());
+    EXPECT_EQ(info_of(*interface_.hovered_action()).menu, Menu::edit);
+}
+
+TEST_F(MenuBarTest, LeftClosesASubmenuAndLeadsFromAMenuToTheOneBefore) {
+    press(Key::f10);
+    press(Key::down);
+    for (int i = 0; i < 30 && interface_.hovered_action() != Action::open; ++i) press(Key::down);
+    press(Key::up);
+    press(Key::right);
+    press(Key::left);
+    EXPECT_TRUE(has_open_menu());
+    press(Key::down);
+    EXPECT_EQ(interface_.hovered_action(), Action::open) << "the menu File is still open";
+}
+
 TEST_F(MenuBarTest, ArrowKeysDoNothingWhileNoMenuIsOpen) {
     for (const Key key : {Key::down, Key::right, Key::enter, Key::space}) press(key);
     EXPECT_FALSE(has_open_menu());

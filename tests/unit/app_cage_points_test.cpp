@@ -133,6 +133,23 @@ TEST_F(CagePointsTest, DraggedPointsFollowTheCursorAndTheRecordReplaysToTheSameM
     EXPECT_TRUE(replayed("record.jsonl").mesh() == editor.session().mesh());
 }
 
+TEST_F(CagePointsTest, AnOrbitBesideTheObjectTurnsAboutTheControlPointThatWasDraggedLast) {
+    auto editor = caged();
+    const Vec2 from = seen(editor, kCorner), to = from + Vec2(40, 30);
+    drag(editor, from, to);
+    ASSERT_EQ(editor.session().undo_count(), 1u);
+    const Vec3 rest = editor.session().lattice_settings().cage->rest(kCorner);
+    const Ray ray = editor.camera().ray_through(to, kSize);
+    const Vec3 forward = editor.camera().forward();
+    const Vec3 dragged =
+        ray.at(glm::dot(rest - ray.origin, forward) / glm::dot(ray.direction, forward));
+    editor.display.lattice = false;
+    editor.advance();
+    drag(editor, kBeside, kBeside + Vec2(90, -60));
+    ASSERT_EQ(editor.session().undo_count(), 1u) << "the view has been dragged";
+    EXPECT_NEAR(glm::distance(*editor.camera().project(dragged, kSize), to), 0.0, 0.5);
+}
+
 TEST_F(CagePointsTest, EscapeDuringADragRestoresTheObject) {
     auto editor = caged(), untouched = caged();
     press(editor, seen(editor, kCorner));

@@ -296,12 +296,37 @@ TEST_F(ExampleInWindow, AnActionOfTheUserEndsAMotionWhereItIs) {
     EXPECT_TRUE(editor_.example().is_open());
 }
 
+TEST_F(ExampleInWindow, TheCaptionsTakeTheSameSpaceAtEveryStep) {
+    for (const IVec2& size : {IVec2{1280, 720}, IVec2{800, 600}}) {
+        window_.resize(size);
+        editor_.perform(Action::example_elephant);
+        window_.settle();
+        const auto free = window_.interface().free_area();
+        EXPECT_LT(free.max.y, size.y - 80.0) << "framing leaves the captions free";
+        while (!editor_.example().is_at_end()) {
+            run_step();
+            window_.settle();
+            EXPECT_EQ(window_.interface().free_area().max, free.max);
+            const auto button = window_.find("Next");
+            ASSERT_TRUE(button);
+            EXPECT_TRUE(button->x > free.min.x && button->x < free.max.x) << "over a panel";
+            const std::string caption = editor_.example().caption();
+            EXPECT_TRUE(window_.find(caption.substr(caption.rfind(' ') + 1))) << "is cut off";
+        }
+        window_.key(Key::escape);
+        editor_.document().new_shape(command::Shape::Kind::sphere, 3);
+        editor_.document().answer(DocumentController::Answer::discard);
+    }
+}
+
 TEST_F(ExampleInWindow, AllThatIsDraggedStaysInTheWindow) {
     for (const Action action :
          {Action::example_nose, Action::example_elephant, Action::example_cage}) {
         SCOPED_TRACE(info_of(action).name);
         editor_.perform(action);
+        window_.settle();
         const Camera camera = editor_.camera();
+        const auto free = window_.interface().free_area();
         while (!editor_.example().is_at_end()) run_step();
         EXPECT_EQ(editor_.camera(), camera) << "the view was changed in between";
         const TriMesh& mesh = editor_.session().mesh();
@@ -309,8 +334,9 @@ TEST_F(ExampleInWindow, AllThatIsDraggedStaysInTheWindow) {
             if (!exists(mesh.half_edge(VertexId{i}))) continue;
             const auto at = camera.project(mesh.position(VertexId{i}), window_.size());
             ASSERT_TRUE(at);
-            EXPECT_TRUE(at->x > 0 && at->x < window_.size().x && at->y > 0 &&
-                        at->y < window_.size().y);
+            EXPECT_TRUE(glm::all(glm::greaterThan(*at, free.min)) &&
+                        glm::all(glm::lessThan(*at, free.max)))
+                << "covered by a panel or by the captions";
         }
         editor_.example().stop();
         editor_.document().new_shape(command::Shape::Kind::sphere, 3);

@@ -5,13 +5,19 @@
 #include <algorithm>
 #include <fstream>
 #include <iterator>
+#include <limits>
+#include <numeric>
 #include <set>
+#include <span>
 
 #include "app/fuzzy_match.h"
 #include "app/input_reference.h"
 #include "app/libraries.h"
+#include "app/ui/columns.h"
 #include "app/ui/command_palette.h"
 #include "support/offscreen_window.h"
+#include "support/random_mesh.h"
+#include "support/test_run.h"
 
 namespace pectin {
 namespace {
@@ -56,6 +62,45 @@ TEST(Inputs, OfEveryToolAreListedOnce) {
             EXPECT_TRUE(listed.contains(std::string(group.title) + std::string(input.input)));
             EXPECT_TRUE(input.effect.ends_with('.')) << input.effect;
         }
+    }
+}
+
+// --- Columns.
+
+// The best division, by trying all of them.
+double least_sum_of_squares(std::span<const float> heights, std::size_t columns) {
+    if (columns == 1) {
+        const double sum = std::accumulate(heights.begin(), heights.end(), 0.0);
+        return sum * sum;
+    }
+    double least = std::numeric_limits<double>::infinity(), height = 0.0;
+    for (std::size_t first = 0; first <= heights.size(); ++first) {
+        if (first > 0) height += static_cast<double>(heights[first - 1]);
+        least = std::min(
+            least, height * height + least_sum_of_squares(heights.subspan(first), columns - 1));
+    }
+    return least;
+}
+
+TEST(Columns, AreAsEqualAsTheOrderOfTheBlocksAllows) {
+    const int cases = test::case_count(300);
+    for (int i = 0; i < cases; ++i) {
+        SCOPED_TRACE("seed " + std::to_string(i));
+        test::Random random(static_cast<std::uint64_t>(i));
+        std::vector<float> heights(static_cast<std::size_t>(random.integer(0, 9)));
+        for (float& height : heights) height = static_cast<float>(random.integer(1, 20));
+        const auto columns = static_cast<std::size_t>(random.integer(1, 4));
+        const std::vector<std::size_t> column_of = balanced_columns(heights, columns);
+        ASSERT_EQ(column_of.size(), heights.size());
+        EXPECT_TRUE(std::ranges::is_sorted(column_of));
+        std::vector<double> sums(columns, 0.0);
+        for (std::size_t k = 0; k < heights.size(); ++k) {
+            ASSERT_LT(column_of[k], columns);
+            sums[column_of[k]] += static_cast<double>(heights[k]);
+        }
+        double squares = 0.0;
+        for (const double sum : sums) squares += sum * sum;
+        EXPECT_DOUBLE_EQ(squares, least_sum_of_squares(heights, columns));
     }
 }
 
@@ -127,7 +172,8 @@ TEST_F(HelpWindows, TheListOfInputsScrollsInASmallWindow) {
     window_.resize({800, 600});
     window_.key(Key::f1);
     window_.settle();
-    const std::string last = "Mouse over a control";  // at the bottom of the longest column
+    const std::vector<InputSection> sections = input_sections(MousePreset::blender);
+    const std::string last = sections.back().lines.back().effect;
     EXPECT_FALSE(shows(last));
     for (int i = 0; i < 60; ++i) window_.scroll({400, 300}, -1.0);
     window_.settle();

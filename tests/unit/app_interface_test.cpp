@@ -2,6 +2,9 @@
 // panels are laid out without a window, and nothing is drawn.
 #include "app/ui/interface.h"
 
+#include <imgui.h>
+#include <imgui_internal.h>
+
 #include <memory>
 #include <thread>
 
@@ -171,6 +174,17 @@ TEST_F(InterfaceTest, AClickBesideThePanelsReachesTheObject) {
     give(event::MouseMove{kMiddle + Vec2{50, -30}});
     give(event::Release{MouseButton::left, kMiddle + Vec2{50, -30}});
     EXPECT_EQ(editor_->session().undo_count(), steps + 1);
+}
+
+TEST_F(InterfaceTest, WhatIsBehindADialogIsDimmedAtOnce) {
+    const auto dimmed = [] { return ImGui::GetCurrentContext()->DimBgRatio; };
+    EXPECT_EQ(dimmed(), 0.0f);
+    press_key(Key::f1);
+    interface_.lay_out(*editor_, {});
+    EXPECT_EQ(dimmed(), 1.0f);
+    press_key(Key::escape);
+    interface_.lay_out(*editor_, {});
+    EXPECT_EQ(dimmed(), 0.0f);
 }
 
 TEST_F(InterfaceTest, TheCursorShapeDiffersOverTextFieldsAndButtons) {

@@ -328,6 +328,84 @@ TEST(Navigation, ZoomingInTouchesThePointThatOrbitsThenTurnAbout) {
     expect_pixel(navigation.camera(), hit, pixel);
 }
 
+// --- The surface in the way.
+
+TEST(Navigation, NeitherOrbitsNorPansNorTurnsTakeTheEyeThroughTheSurface) {
+    int stopped = 0;
+    for_random_views(7500, 300, [&](Random& random, Navigation& navigation, Spheres& object) {
+        navigation.set_projection(Projection::perspective, kSize);
+        for (int i = 0; i < 12; ++i) {
+            navigation.zoom(random.uniform(0.0, 12.0), random_pixel(random), kSize);
+            const Vec2 from = random_pixel(random), to = random_pixel(random);
+            const double before = object.distance(navigation.camera().eye);
+            switch (random.integer(0, 3)) {
+                case 0:
+                    navigation.begin(NavigationMode::orbit, MouseButton::middle, from, kSize);
+                    navigation.move_to(to, kSize);
+                    break;
+                case 1:
+                    navigation.begin(NavigationMode::pan, MouseButton::middle, from, kSize);
+                    navigation.move_to(to, kSize);
+                    break;
+                case 2:
+                    navigation.pan(20.0 * (to - from), kSize);
+                    break;
+                default:
+                    navigation.turn(random.uniform(-3.0, 3.0), random.uniform(-1.0, 1.0), kSize);
+            }
+            navigation.end();
+            const Vec3 eye = navigation.camera().eye;
+            ASSERT_FALSE(object.contains(eye));
+            const double least = kTurnClearance * kClosest * object.diagonal();
+            ASSERT_GE(object.distance(eye), std::min(before, (1.0 - 1e-6) * least));
+            stopped += object.distance(eye) < 1.01 * least ? 1 : 0;
+        }
+    });
+    EXPECT_GT(stopped, test::case_count(300) / 10) << "the surface was seldom in the way";
+}
+
+TEST(Navigation, AnOrbitEndsAtTheSurfaceAndGoesBackWithTheCursor) {
+    Spheres object({{Vec3(0.0), 1.0}, {Vec3(3.0, 0.0, 0.0), 1.0}});
+    Navigation navigation(object);
+    navigation.frame(object.points(), kWhole, kFrontView);
+    navigation.touch(Vec3(0.0, 0.0, 1.0));
+    navigation.zoom(6.0, *navigation.camera().project(Vec3(0.0, 0.0, 1.0), kSize), kSize);
+    const Camera before = navigation.camera();
+    navigation.begin(NavigationMode::orbit, MouseButton::middle, {600, 400}, kSize);
+    const Vec3 pivot{0.0, 0.0, 1.0};
+    ASSERT_GT(glm::distance(before.eye, pivot), 0.2);
+    for (int x = 600; x >= 0; x -= 10) {
+        navigation.move_to({x, 400}, kSize);
+        ASSERT_FALSE(object.contains(navigation.camera().eye)) << x;
+    }
+    const double angle =
+        std::acos(std::clamp(glm::dot(navigation.camera().forward(), before.forward()), -1.0, 1.0));
+    EXPECT_GT(angle, 1.0) << "it went on to the surface";
+    EXPECT_LT(angle, 2.2) << "and ended there";
+    navigation.move_to({10, 400}, kSize);
+    EXPECT_GT(glm::dot(navigation.camera().forward(), before.forward()), std::cos(angle));
+}
+
+TEST(Navigation, OrthographicViewsAreNotStopped) {
+    Spheres object = head();
+    Navigation navigation(object);
+    navigation.set_projection(Projection::orthographic, kSize);
+    navigation.frame(object.points(), kWhole, kFrontView);
+    navigation.zoom(10.0, 0.5 * Vec2(kSize), kSize);
+    navigation.turn(2.5, 0.0, kSize);
+    EXPECT_NEAR(navigation.camera().forward().z, -std::cos(2.5), 1e-9);
+}
+
+TEST(Navigation, TheClosestViewCanBeTurnedByHalfARightAngle) {
+    Spheres object = head();
+    Navigation navigation(object);
+    navigation.frame(object.points(), kWhole, kFrontView);
+    for (int i = 0; i < 200; ++i) navigation.zoom(1.0, 0.5 * Vec2(kSize), kSize);
+    const Vec3 before = navigation.camera().forward();
+    navigation.turn(0.75, 0.0, kSize);
+    EXPECT_NEAR(glm::dot(navigation.camera().forward(), before), std::cos(0.75), 1e-3);
+}
+
 // --- Projections.
 
 TEST(Navigation, TheSurfaceInTheMiddleKeepsItsSizeWhenTheProjectionChanges) {

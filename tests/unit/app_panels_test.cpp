@@ -195,17 +195,48 @@ TEST_F(PanelsTest, DoubleClickLetsEveryNumberBeTyped) {
     EXPECT_EQ(editor_->session().lattice_settings().span, 11);
 }
 
+TEST_F(PanelsTest, TheButtonCageMakesACageThoughItsSectionHasTheSameName) {
+    lay_out();
+    const std::vector<Control> all = interface_->controls().all();
+    const auto button = std::ranges::find(all.rbegin(), all.rend(), "Cage", &Control::name);
+    ASSERT_TRUE(button != all.rend());
+    ASSERT_GT(button->min.x, interface_->free_area().max.x) << "that of the panel";
+    ASSERT_FALSE(editor_->has_cage());
+    click(middle(*button));
+    EXPECT_TRUE(editor_->has_cage());
+}
+
+TEST_F(PanelsTest, AnglesAreDisabledAndSayWhyWhileTheTriggerAsksForNone) {
+    open_advanced();
+    for (const bool is_midpoint : {true, false}) {
+        editor_->execute(command::Adapt{.trigger = is_midpoint ? command::Adapt::Trigger::midpoint
+                                                               : command::Adapt::Trigger::normals});
+        for (const char* name : {"Detail", "θ max", "θ max mode", "θ min", "θ min mode"}) {
+            const Control* const control = find(name);
+            ASSERT_TRUE(control) << name;
+            EXPECT_EQ(control->is_enabled, !is_midpoint) << name;
+        }
+        for (const char* name : {"Detail", "θ max", "θ min"}) {
+            const std::string tooltip = find(name)->tooltip;
+            EXPECT_EQ(tooltip.find("midpoint trigger") != std::string::npos, is_midpoint)
+                << tooltip;
+        }
+        EXPECT_TRUE(find("L max")->is_enabled);
+    }
+}
+
 TEST_F(PanelsTest, NumbersBeyondTheLimitsAreRefusedInTheWordsOfTheSchema) {
     open_advanced();
     const AdaptSettings before = editor_->session().adapt_settings();
     const std::vector<std::array<const char*, 3>> refused{
+        {"Radius", "0", "Radius must be above 0 %, not 0 %."},
         {"θ max", "0", "θ max must be an angle above 0, not 0."},
         {"θ min", "-3", "θ min must be an angle of at least 0, not -3."},
         {"L max", "-1", "L max must be a length above 0, not -1."},
         {"Floor", "0", "Floor must be a length above 0, not 0."},
         {"Points per axis", "17", "Points per axis must be a whole number from 1 to 16, not 17."},
         {"Points X", "255", "Points X must be a whole number from 1 to 254, not 255."},
-        {"Radius", "-2", "Radius must be a length above 0"},
+        {"Radius", "-2", "Radius must be above 0 %, not -2 %."},
     };
     for (const auto& [name, text, message] : refused) {
         SCOPED_TRACE(name);
@@ -215,6 +246,12 @@ TEST_F(PanelsTest, NumbersBeyondTheLimitsAreRefusedInTheWordsOfTheSchema) {
         EXPECT_TRUE(editor_->workspace().message_warns());
         editor_->workspace().dismiss();
     }
+    editor_->set_radius_unit(RadiusUnit::model);
+    // A click soon after others would not be the first of a double click.
+    std::this_thread::sleep_for(std::chrono::milliseconds(320));
+    type_into("Radius", "-2");
+    EXPECT_EQ(editor_->workspace().message(), "Radius must be a length above 0, not -2.");
+    editor_->set_radius_unit(RadiusUnit::share);
     EXPECT_EQ(editor_->session().adapt_settings(), before);
     EXPECT_EQ(editor_->session().lattice_settings().span, 3);
     editor_->use_cage();

@@ -98,7 +98,13 @@ TEST_F(RecoveryTest, AFolderThatCannotBeWrittenIsReportedAndTheWindowGoesOn) {
     write("state", "a file in place of the folder");
     auto editor = this->editor();
     editor.workspace().begin_recovery(folder());
-    EXPECT_NE(editor.workspace().message().find("recovery"), std::string::npos);
+    const std::string message = editor.workspace().message();
+    EXPECT_TRUE(
+        message.starts_with("This session cannot be restored after a crash, because the "
+                            "folder for recovery files cannot be written: "))
+        << message;
+    EXPECT_TRUE(message.ends_with('.')) << message;
+    EXPECT_EQ(message.find('/'), std::string::npos) << message;
     EXPECT_FALSE(editor.workspace().has_recovery());
     EXPECT_TRUE(editor.execute(command::Brush{.radius = 0.3}));
 }
@@ -120,7 +126,12 @@ TEST_F(RecoveryTest, ASessionThatCanNoLongerBeKeptIsReportedAndIsNotTakenForACra
         EXPECT_FALSE(editor.workspace().has_recovery());
         ASSERT_TRUE(editor.execute(command::Brush{.radius = 0.3}));
         const std::string message = editor.workspace().message();
-        EXPECT_NE(message.find("cannot be restored after a crash"), std::string::npos) << message;
+        EXPECT_EQ(message,
+                  std::string("From now on, changes cannot be restored after a crash, because the "
+                              "recovery file ") +
+                      (has_full_disk ? "cannot be written any more: File too large."
+                                     : "cannot hold this open command, because its path is not "
+                                       "UTF-8."));
         EXPECT_TRUE(lost().empty())
             << "another window must not be offered the running window's session";
         EXPECT_EQ(file_count(), 1u);

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "app/editor_scene.h"
 #include "app/picture.h"
 #include "app/ui/interface.h"
 #include "unit/app_editor_fixture.h"
@@ -276,10 +277,25 @@ TEST_F(ViewControlTest, PanelsLeaveTheObjectAndTheAxesFreeInSmallWindowsAndAtTwi
         }
         const auto axes = editor.view_control().axes();
         ASSERT_TRUE(axes);
-        for (int i = 0; i < 16; ++i) {
-            const double angle = 0.3927 * i;
-            EXPECT_TRUE(
-                is_free(axes->centre + axes->radius * Vec2(std::cos(angle), std::sin(angle))));
+        const auto expect_free_axes = [&] {
+            for (int i = 0; i < 16; ++i) {
+                const double angle = 0.3927 * i;
+                EXPECT_TRUE(
+                    is_free(axes->centre + axes->radius * Vec2(std::cos(angle), std::sin(angle))));
+            }
+        };
+        expect_free_axes();
+        for (const int words : {4, 12, 60}) {
+            std::string message;
+            for (int i = 0; i < words; ++i) message += "warning ";
+            editor.workspace().set_message(message);
+            for (int i = 0; i < 3; ++i) interface.lay_out(editor, {});
+            SCOPED_TRACE("with a message of so many words: " + std::to_string(words));
+            expect_free_axes();
+            const Control* const close = interface.controls().find("×");
+            ASSERT_TRUE(close);
+            EXPECT_GT(close->min.x, interface.free_area().min.x);
+            EXPECT_LT(close->max.x, interface.free_area().max.x);
         }
     }
 }
@@ -446,26 +462,47 @@ TEST_F(ViewControlTest, AModelWithZUpIsShownUprightAndAnActionChangesItsAxis) {
     EXPECT_EQ(editor.view_control().up_axis(), UpAxis::y);
 }
 
-TEST_F(ViewControlTest, APictureOfTheWindowHasItsCamera) {
+TEST_F(ViewControlTest, APictureOfTheWindowHasItsCameraAndItsBackground) {
     struct RecordingViewport : Viewport {
-        std::optional<Camera> camera;
+        command::Screenshot last;
         Done screenshot(const TriMesh&, const std::optional<Lattice>&,
                         const command::Screenshot& screenshot) override {
-            camera = screenshot.camera;
+            last = screenshot;
             return {};
         }
     } viewport;
     auto editor = this->editor();
     editor.workspace().set_viewport(&viewport);
+    const auto save_picture = [&](const std::string& name) {
+        editor.perform(Action::save_picture);
+        editor.document().browser()->name = path(name);
+        editor.document().accept_file();
+    };
     editor.perform(Action::toggle_z_up);
     editor.perform(Action::toggle_orthographic);
     editor.perform(Action::view_left);
-    editor.perform(Action::save_picture);
-    editor.document().browser()->name = path("picture.png");
-    editor.document().accept_file();
-    EXPECT_EQ(viewport.camera, editor.camera());
-    EXPECT_TRUE(viewport.camera->is_orthographic());
-    EXPECT_EQ(viewport.camera->up, Vec3(0, 0, 1));
+    save_picture("picture.png");
+    EXPECT_EQ(viewport.last.camera, editor.camera());
+    EXPECT_TRUE(viewport.last.camera->is_orthographic());
+    EXPECT_EQ(viewport.last.camera->up, Vec3(0, 0, 1));
+    EXPECT_FALSE(viewport.last.show.light);
+    editor.perform(Action::toggle_light_theme);
+    save_picture("light.png");
+    EXPECT_TRUE(viewport.last.show.light);
+}
+
+TEST_F(ViewControlTest, ALightPictureIsDrawnAsTheLightWindow) {
+    auto editor = this->editor();
+    editor.preferences.theme = Theme::light;
+    const command::Screenshot dark{.path = "a.png"};
+    command::Screenshot light = dark;
+    light.show.light = true;
+    const TriMesh& mesh = editor.session().mesh();
+    const Background window = editor_scene(editor, 1.0f).background;
+    EXPECT_EQ(make_scene(light, mesh, {}).background.top, window.top);
+    EXPECT_EQ(make_scene(light, mesh, {}).background.bottom, window.bottom);
+    EXPECT_EQ(make_scene(dark, mesh, {}).background.top, Background{}.top);
+    EXPECT_GT(window.bottom.x, Background{}.top.x);
 }
 
 }  // namespace

@@ -54,6 +54,8 @@ TEST(ScreenshotCommand, ShowsTheListedParts) {
     EXPECT_TRUE(show == (command::Screenshot::Show{.wireframe = true, .levels = true}));
     EXPECT_TRUE(parsed(R"("path": "a.png", "show": ["lattice"])").show ==
                 command::Screenshot::Show{.lattice = true});
+    EXPECT_TRUE(parsed(R"("path": "a.png", "show": ["light"])").show ==
+                command::Screenshot::Show{.light = true});
 }
 
 TEST(ScreenshotCommand, FormatsOnlyFieldsThatDifferFromTheirDefaults) {

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 
@@ -132,6 +133,32 @@ TEST(BrushProfile, InterpolatedSamplesAreTheWeightsWithinOnePercent) {
                 }
                 EXPECT_NEAR(sum, profile.weight(offset), 0.01) << span;
             }
+        }
+    }
+}
+
+// The lattice is a grid, so that no line of equal weight is a circle. That of half the motion
+// nearly is. The outer one, where the weight is a 256th, reaches less far along the axes, where the
+// lattice ends; of a plateau it also waves by some percent, because the control points at the rim
+// of a ball are not at equal distances from its middle.
+TEST(BrushProfile, TheRingOfHalfMotionIsRoundAndTheOuterOneOnlyNearly) {
+    constexpr double kPi = 3.14159265358979323846;
+    for (const Falloff falloff : {Falloff::sharp, Falloff::plateau}) {
+        for (int span = falloff == Falloff::sharp ? 1 : 5; span <= 16; ++span) {
+            const BrushProfile profile(span, falloff);
+            const auto unevenness = [&](double level) {
+                double least = 10.0, most = 0.0;
+                for (int i = 0; i <= 90; ++i) {
+                    const double angle = 0.5 * kPi * i / 90.0;
+                    const double distance =
+                        profile.distance_at(level, {std::cos(angle), std::sin(angle), 0.0});
+                    least = std::min(least, distance);
+                    most = std::max(most, distance);
+                }
+                return most / least - 1.0;
+            };
+            EXPECT_LT(unevenness(0.5), falloff == Falloff::sharp ? 0.045 : 0.01) << span;
+            EXPECT_LT(unevenness(kEndOfMotion), 0.15) << span;
         }
     }
 }

@@ -29,6 +29,9 @@ class Desktop {
     void release_key(const std::string& name) const;
     void type(const std::string& text) const;
     void drag(int from_x, int from_y, int to_x, int to_y) const;
+    // Several steps of xdotool at once, such as {"mousemove", "10", "20", "click", "1"}, which take
+    // less time than one after the other.
+    void perform(const std::vector<std::string>& words) const { xdotool(words); }
     bool drop(const std::string& path) const;  // drops a file; returns whether the window took it
     // A digest of the pixels in this part of the screen.
     std::string screen_digest(int left, int top, int right, int bottom) const;

@@ -51,6 +51,7 @@ class WindowActions : public WindowTest, public testing::WithParamInterface<Acti
     // The checks are functions beside the class.
     using WindowTest::desktop;
     using WindowTest::folder;
+    using WindowTest::last;
     using WindowTest::path;
     using WindowTest::program;
     using WindowTest::record;
@@ -76,13 +77,6 @@ class WindowActions : public WindowTest, public testing::WithParamInterface<Acti
         const std::size_t before = recorded("\"drag\"");
         desktop().drag(x, y, x + 60, y - 70);
         ASSERT_TRUE(records("\"drag\"", before + 1)) << record();
-    }
-    // The last line of the record with this command.
-    std::string last(const std::string& command) const {
-        const std::string text = record();
-        const std::size_t begin = text.rfind("{\"cmd\": \"" + command + "\"");
-        if (begin == text.npos) return "";
-        return text.substr(begin, text.find('\n', begin) - begin);
     }
     // The record's line about a picture that is saved now. It says what is shown, and from where.
     std::string picture() {

@@ -112,6 +112,13 @@ class WindowTest : public testing::Test {
         for (std::size_t at = 0; (at = text.find(what, at)) != text.npos; ++at) ++count;
         return count;
     }
+    // The last line of the record with this command; empty if there is none.
+    std::string last(const std::string& command) const {
+        const std::string text = folder_.holds("record.jsonl") ? record() : "";
+        const std::size_t begin = text.rfind("{\"cmd\": \"" + command + "\"");
+        if (begin == text.npos) return "";
+        return text.substr(begin, text.find('\n', begin) - begin);
+    }
     bool records(const std::string& what, std::size_t times = 1) const {
         return eventually([&] { return recorded(what) >= times; });
     }

@@ -179,6 +179,10 @@ std::vector<Vec3> CagePoints::displacements(const Session& session) const {
     return all;
 }
 
+Vec3 CagePoints::grabbed_position(const Session& session) const {
+    return cage_of(session).rest(grabbed_->index) + grabbed_->displacement;
+}
+
 void CagePoints::release(const Session& session, const View& view) {
     assert(!is_dragging());
     if (box_) {

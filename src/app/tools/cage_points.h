@@ -43,6 +43,8 @@ class CagePoints {
     const DragConstraint& constraint() const { return constraint_; }
     // The displacement in the last frame. Precondition: is_dragging().
     const Vec3& displacement() const { return grabbed_->displacement; }
+    // Where the grabbed control point is now. Precondition: is_dragging().
+    Vec3 grabbed_position(const Session& session) const;
     // Ends a click or a box. Precondition: not is_dragging().
     void release(const Session& session, const View& view);
     // Forgets the drag or the box. The session has to end or cancel its drag.

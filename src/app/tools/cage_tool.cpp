@@ -52,6 +52,7 @@ void CageTool::update(ToolContext& context) {
     if (!done) return workspace.set_message(words_of(done.refusal()));
     if (!points_.is_dragging()) return;
     if (!had_begun) context.drag_figures().reset_drag();
+    context.touch(points_.grabbed_position(workspace.session()));
     workspace.clear_command_message();
     context.drag_figures().record(workspace.session().last_frame(),
                                   std::chrono::steady_clock::now() - start);

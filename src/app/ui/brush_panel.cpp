@@ -8,6 +8,7 @@
 #include "app/ui/falloff_curve.h"
 #include "app/ui/figure_text.h"
 #include "app/ui/rows.h"
+#include "command/check.h"
 #include "command/limits.h"
 
 namespace pectin {
@@ -57,12 +58,21 @@ void draw_unit(Editor& editor) {
     }
 }
 
-// A radius that is no length is refused like that of a script.
+// A radius that is no length is refused like that of a script, but a share in its own unit.
 void set_radius(Editor& editor, double value) {
+    const auto& unit = kUnits[static_cast<std::size_t>(editor.brush_size().unit)];
     switch (editor.brush_size().unit) {
-        case RadiusUnit::share:
-            editor.execute(command::Brush{.radius = value * editor.workspace().diagonal()});
+        case RadiusUnit::share: {
+            const command::Brush brush{.radius = value * editor.workspace().diagonal()};
+            if (check(brush)) {
+                editor.execute(brush);
+            } else {
+                const std::string number = formatted("%.6g", unit.factor * value);
+                editor.workspace().set_message("Radius must be above 0" + std::string(unit.suffix) +
+                                               ", not " + number + unit.suffix + ".");
+            }
             break;
+        }
         case RadiusUnit::model:
             editor.execute(command::Brush{.radius = value});
             break;

@@ -59,6 +59,10 @@ double value_of(const Setting& setting, double otherwise) {
 
 }  // namespace
 
+bool uses_angles(const AdaptSettings& settings) {
+    return settings.trigger == command::Adapt::Trigger::normals;
+}
+
 struct DetailAdvanced::Row {
     const char* label;
     const char* help;
@@ -68,6 +72,7 @@ struct DetailAdvanced::Row {
     std::span<const Mode> modes;  // what it can be instead of a number
     std::function<command::Adapt(const Setting&)> change;
     bool has_automatic_number = true;  // whether `automatic` is known
+    bool has_effect = true;
 
     // The mode in force; the end if the setting is a number.
     auto mode() const { return std::ranges::find(modes, setting, &Mode::setting); }
@@ -114,13 +119,15 @@ void DetailAdvanced::draw_row(Editor& editor, const Row& row) {
     ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
     const double value = value_of(row.setting, row.automatic);
     const std::string word = row.word();
+    ImGui::BeginDisabled(!row.has_effect);
     if (const auto set =
             fields_.draw("##value", value, row.style, word.empty() ? nullptr : word.c_str())) {
         editor.execute(row.change(Setting::of(*set)));
     }
-    tooltip(row.label, row.help);
+    tooltip(row.label, row.has_effect ? row.help : kUnusedAngleHelp);
     ImGui::TableNextColumn();
     draw_modes(editor, row);
+    ImGui::EndDisabled();
     ImGui::PopID();
 }
 
@@ -150,14 +157,16 @@ void DetailAdvanced::draw_angles(Editor& editor, const AdaptSettings& settings) 
                       .automatic = kDefaultThetaMax,
                       .style = angle_style(2.0, 90.0),
                       .modes = kOffOnly,
-                      .change = [&settings](const Setting& set) {
-                          command::Adapt change{.theta_max = set};
-                          const bool is_overtaken =
-                              settings.theta_min.kind == Setting::Kind::value &&
-                              !(settings.theta_min.value < value_of(set, 180.0));
-                          if (is_overtaken) change.theta_min = Setting::automatic();
-                          return change;
-                      }});
+                      .change =
+                          [&settings](const Setting& set) {
+                              command::Adapt change{.theta_max = set};
+                              const bool is_overtaken =
+                                  settings.theta_min.kind == Setting::Kind::value &&
+                                  !(settings.theta_min.value < value_of(set, 180.0));
+                              if (is_overtaken) change.theta_min = Setting::automatic();
+                              return change;
+                          },
+                      .has_effect = uses_angles(settings)});
     draw_row(editor,
              {.label = "θ min",
               .help = "Triangles that were split are merged again where the surface bends by less "
@@ -166,7 +175,8 @@ void DetailAdvanced::draw_angles(Editor& editor, const AdaptSettings& settings) 
               .automatic = default_theta_min(theta_max),
               .style = angle_style(0.5, 0.97 * theta_max),
               .modes = kAutoNeverOrOff,
-              .change = [](const Setting& set) { return command::Adapt{.theta_min = set}; }});
+              .change = [](const Setting& set) { return command::Adapt{.theta_min = set}; },
+              .has_effect = uses_angles(settings)});
     draw_row(editor,
              {.label = "Flatness",
               .help = "How far merging may move the surface, as a share of the merged edge.",

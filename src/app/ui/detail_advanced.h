@@ -6,6 +6,13 @@
 
 namespace pectin {
 
+// Whether the trigger asks by how much normals diverge, and what the controls of these angles say
+// if it does not.
+bool uses_angles(const AdaptSettings& settings);
+inline constexpr const char* kUnusedAngleHelp =
+    "This angle has no effect now: the midpoint trigger splits edges by their distance from the "
+    "surface.";
+
 class DetailAdvanced {
   public:
     void draw(Editor& editor);

@@ -65,8 +65,10 @@ void DetailPanel::draw_detail(Editor& editor) {
         .format = "%.1f", .unit = "°", .left = kCoarse, .right = kFine, .is_logarithmic = true};
     begin_row("Detail");
     const double value = is_off ? kDefaultThetaMax : settings.theta_max.value;
+    ImGui::BeginDisabled(!uses_angles(settings));
     const auto set = fields_.draw("##detail", value, style, is_off ? "off" : nullptr);
-    tooltip("Detail", kDetailHelp);
+    ImGui::EndDisabled();
+    tooltip("Detail", uses_angles(settings) ? kDetailHelp : kUnusedAngleHelp);
     if (set) editor.execute(detail_change(settings, *set));
     draw_ends_of_slider();
     if (!fields_.dragged()) return;

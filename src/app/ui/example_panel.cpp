@@ -1,7 +1,5 @@
 #include "app/ui/example_panel.h"
 
-#include <imgui.h>
-
 #include <algorithm>
 
 #include "app/ui/action_widgets.h"
@@ -11,10 +9,10 @@ namespace {
 
 constexpr float kWidth = 520.0f;
 constexpr float kButtonWidth = 6.0f;  // in heights of the font
-constexpr ImGuiWindowFlags kFlags =
-    ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize | ImGuiWindowFlags_NoMove |
-    ImGuiWindowFlags_NoSavedSettings | ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar |
-    ImGuiWindowFlags_NoFocusOnAppearing | ImGuiWindowFlags_AlwaysAutoResize;
+constexpr ImGuiWindowFlags kFlags = ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                                    ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings |
+                                    ImGuiWindowFlags_NoNav | ImGuiWindowFlags_NoScrollbar |
+                                    ImGuiWindowFlags_NoFocusOnAppearing;
 
 bool button(const char* label, const char* explanation) {
     const bool is_pressed = ImGui::Button(label, ImVec2(kButtonWidth * ImGui::GetFontSize(), 0.0f));
@@ -22,14 +20,29 @@ bool button(const char* label, const char* explanation) {
     return is_pressed;
 }
 
+// The height of a panel of this width in which every caption has enough space: title, caption, a
+// gap and the buttons.
+float height_of(const ExamplePlayer& example, float width) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float wrap = width - 2.0f * style.WindowPadding.x;
+    float caption = 0.0f;
+    for (const ExampleStep& step : example.steps()) {
+        caption =
+            std::max(caption, ImGui::CalcTextSize(step.caption.c_str(), nullptr, false, wrap).y);
+    }
+    return 2.0f * style.WindowPadding.y + ImGui::GetTextLineHeight() + caption +
+           3.0f * style.ItemSpacing.y + ImGui::GetFrameHeight();
+}
+
 }  // namespace
 
-bool begin_example_panel(const Editor& editor, float bottom, float scale) {
+bool begin_example_panel(const Editor& editor, const ImVec2& min, const ImVec2& max, float scale) {
     if (!editor.example().is_open()) return false;
-    const ImVec2 display = ImGui::GetIO().DisplaySize;
-    const float width = std::min(kWidth * scale, 0.9f * display.x);
-    ImGui::SetNextWindowPos(ImVec2(0.5f * display.x, bottom), ImGuiCond_Always, ImVec2(0.5f, 1.0f));
-    ImGui::SetNextWindowSizeConstraints(ImVec2(width, 0.0f), ImVec2(width, display.y));
+    const float width = std::min(kWidth * scale, max.x - min.x);
+    const float height = std::min(height_of(editor.example(), width), max.y - min.y);
+    ImGui::SetNextWindowPos(ImVec2(0.5f * (min.x + max.x), max.y), ImGuiCond_Always,
+                            ImVec2(0.5f, 1.0f));
+    ImGui::SetNextWindowSize(ImVec2(width, height));
     ImGui::Begin("example", nullptr, kFlags);
     return true;
 }
@@ -39,7 +52,8 @@ void draw_example_panel(ExamplePlayer& example) {
     ImGui::SameLine();
     ImGui::TextDisabled("step %zu of %zu", example.step() + 1, example.steps().size());
     ImGui::TextWrapped("%s", example.caption().c_str());
-    ImGui::Spacing();
+    ImGui::SetCursorPosY(ImGui::GetWindowHeight() - ImGui::GetStyle().WindowPadding.y -
+                         ImGui::GetFrameHeight());
     ImGui::BeginDisabled(example.is_at_end());
     if (button("Next", "Shows the next step, or ends the present one at once.")) example.next();
     ImGui::SameLine();

@@ -7,6 +7,7 @@
 
 #include "app/fuzzy_match.h"
 #include "app/ui/action_widgets.h"
+#include "app/ui/columns.h"
 #include "app/ui/help_widgets.h"
 
 namespace pectin {
@@ -53,21 +54,33 @@ void draw_section(const InputSection& section) {
     ImGui::Spacing();
 }
 
-// Fills one column after the other, so that all have about the same number of lines.
-void fill_columns(const std::vector<InputSection>& sections, std::size_t columns) {
-    constexpr std::size_t kTitleLines = 2;
-    std::size_t lines = 0, done = 0, column = 1;
-    for (const InputSection& section : sections) lines += section.lines.size() + kTitleLines;
+// The height of a section in a column of this width.
+float height_of(const InputSection& section, float width) {
+    const ImGuiStyle& style = ImGui::GetStyle();
+    const float input = kInputWidth * ImGui::GetFontSize();
+    const float effect = width - input - 4.0f * style.CellPadding.x;
+    const auto wrapped = [](const std::string& text, float wrap) {
+        return ImGui::CalcTextSize(text.c_str(), nullptr, false, wrap).y;
+    };
+    float height = ImGui::GetTextLineHeight() + 2.0f * style.ItemSpacing.y;
+    for (const InputLine& line : section.lines) {
+        height += std::max(wrapped(line.input, input), wrapped(line.effect, effect)) +
+                  2.0f * style.CellPadding.y;
+    }
+    return height;
+}
+
+// Draws the sections in columns of about the same height, in a table that has been begun.
+void fill_columns(const std::vector<InputSection>& sections, std::size_t columns, float width) {
+    std::vector<float> heights;
+    for (const InputSection& section : sections) heights.push_back(height_of(section, width));
+    const std::vector<std::size_t> column_of = balanced_columns(heights, columns);
     ImGui::TableNextRow();
-    ImGui::TableNextColumn();
-    for (const InputSection& section : sections) {
-        const std::size_t middle = done + section.lines.size() / 2;
-        if (middle * columns > lines * column && column < columns) {
-            ImGui::TableNextColumn();
-            ++column;
+    for (std::size_t i = 0; i < sections.size(); ++i) {
+        if (i == 0 || column_of[i] != column_of[i - 1]) {
+            ImGui::TableSetColumnIndex(static_cast<int>(column_of[i]));
         }
-        draw_section(section);
-        done += section.lines.size() + kTitleLines;
+        draw_section(sections[i]);
     }
 }
 
@@ -96,7 +109,8 @@ void HelpOverlay::draw_columns() const {
     const float gap = ImGui::GetStyle().CellPadding.x;
     ImGui::PushStyleVar(ImGuiStyleVar_CellPadding, ImVec2(gap, kLineGap));
     if (ImGui::BeginTable("columns", columns, ImGuiTableFlags_SizingStretchSame)) {
-        fill_columns(sections, static_cast<std::size_t>(columns));
+        fill_columns(sections, static_cast<std::size_t>(columns),
+                     available / static_cast<float>(columns) - 2.0f * gap);
         ImGui::EndTable();
     }
     ImGui::PopStyleVar();

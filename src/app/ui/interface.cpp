@@ -138,6 +138,8 @@ void Interface::begin_layout(Editor& editor) {
     ImGui::GetIO().DeltaTime = std::max(passed.count(), kShortestLayout);
     has_moved_ = false;
     ImGui::NewFrame();
+    // What is behind a dialog would be dimmed gradually, but a window without input draws nothing.
+    ImGui::GetCurrentContext()->DimBgRatio = ImGui::GetTopMostPopupModal() ? 1.0f : 0.0f;
     try {
         panels_.draw(editor, figures_, scale_);
     } catch (...) {

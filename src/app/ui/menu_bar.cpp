@@ -1,6 +1,7 @@
 #include "app/ui/menu_bar.h"
 
 #include <imgui.h>
+#include <imgui_internal.h>
 
 #include <array>
 #include <cstddef>
@@ -35,7 +36,7 @@ void draw_undo_limits(Editor& editor) {
 void MenuBar::draw(Editor& editor) {
     hovered_.reset();
     open_.reset();
-    is_at_submenu_ = false;
+    has_submenu_ = is_at_submenu_ = false;
     if (std::exchange(editor.menus_requested, false)) requested_ = 0;
     if (requested_) ImGui::OpenPopup(menu_title(kMenuBar[*requested_]));
     requested_.reset();
@@ -46,8 +47,18 @@ void MenuBar::draw(Editor& editor) {
 }
 
 bool MenuBar::take_key(Key key) {
-    if (!open_ || is_at_submenu_ || (key != Key::left && key != Key::right)) return false;
-    const std::size_t step = key == Key::right ? 1 : kMenuBar.size() - 1;
+    if (!open_ || (key != Key::left && key != Key::right)) return false;
+    const bool is_right = key == Key::right;
+    // Left closes a submenu, and Right opens the one that the arrow keys are at.
+    if (has_submenu_ ? !is_right : is_at_submenu_ && is_right) return false;
+    ImGuiContext& context = *ImGui::GetCurrentContext();
+    if (has_submenu_ && context.NavDisableHighlight) {
+        // The cursor has opened it. The keys begin at its first entry.
+        context.NavDisableHighlight = false;
+        context.NavDisableMouseHover = true;
+        return true;
+    }
+    const std::size_t step = is_right ? 1 : kMenuBar.size() - 1;
     requested_ = (*open_ + step) % kMenuBar.size();
     return true;
 }
@@ -63,7 +74,7 @@ void MenuBar::draw_menu(Editor& editor, Menu menu) {
 }
 
 void MenuBar::draw_submenu(Editor& editor, Menu menu) {
-    is_at_submenu_ |= ImGui::IsPopupOpen(menu_title(menu));
+    has_submenu_ |= ImGui::IsPopupOpen(menu_title(menu));
     draw_menu(editor, menu);
     is_at_submenu_ |= ImGui::IsItemHovered();
 }

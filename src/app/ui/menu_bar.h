@@ -14,8 +14,9 @@ class MenuBar {
     // To be called within a main menu bar of Dear ImGui.
     void draw(Editor& editor);
 
-    // The keys Left and Right lead from an open menu to the next one. Dear ImGui only moves within
-    // menus and into their submenus. Returns whether the key does this now.
+    // The keys Left and Right lead from an open menu to the next one, unless they open, enter or
+    // close a submenu. Dear ImGui moves within menus, and opens and closes submenus. Returns
+    // whether the key is none of Dear ImGui's now.
     bool take_key(Key key);
 
     // The entry under the cursor in the last frame, also if it is disabled.
@@ -30,7 +31,8 @@ class MenuBar {
     std::optional<Action> hovered_;
     std::optional<std::size_t> open_;       // the menu of the bar that is open
     std::optional<std::size_t> requested_;  // the menu to open
-    bool is_at_submenu_ = false;            // a submenu is open, or its entry is under the cursor
+    bool has_submenu_ = false;              // a submenu of it is open
+    bool is_at_submenu_ = false;  // the entry of one is under the cursor, or the keys are there
 };
 
 }  // namespace pectin

@@ -30,6 +30,7 @@ constexpr float kSideWidth = 312.0f;
 constexpr float kMostSideWidth = 0.5f;  // of the window
 constexpr float kStripPadding = 5.0f;
 constexpr float kMessageGap = 12.0f;  // between a message and its close button
+constexpr float kLeastMessageWidth = 220.0f;
 constexpr float kHintOpacity = 0.8f;
 constexpr float kLeastHintWidth = 18.0f;  // in heights of the font
 
@@ -181,19 +182,36 @@ void Panels::draw_selection(const Editor& editor) const {
     list.AddRectFilled(to_imgui(low), to_imgui(high), ImGui::GetColorU32(colour));
 }
 
+// Where a message may be: at the top of the free area, to the left of the axes, or below them where
+// that is too narrow.
+Panels::Area Panels::message_space(const Editor& editor) const {
+    const auto margin = static_cast<double>(scaled(kMargin));
+    Area space{free_.min + margin, free_.max - margin};
+    const std::optional<AxesGizmo> axes = editor.view_control().axes();
+    if (!axes) return space;
+    const double left = axes->centre.x - axes->radius - margin;
+    if (left - space.min.x >= static_cast<double>(scaled(kLeastMessageWidth))) {
+        space.max.x = left;
+    } else {
+        space.min.y = axes->centre.y + axes->radius + margin;
+    }
+    return space;
+}
+
 void Panels::draw_message(Editor& editor) {
     const Workspace& workspace = editor.workspace();
     const std::string message = workspace.message();
     if (message.empty() || status_.shows_message()) return;
     const float close = ImGui::GetFrameHeight();
-    const float frame =
-        close + scaled(kMessageGap + 2.0f * kMargin) + 2.0f * ImGui::GetStyle().WindowPadding.x;
-    const auto free_width = static_cast<float>(free_.max.x - free_.min.x);
-    const float longest = std::max(free_width - frame, scaled(120.0f));
+    const float frame = close + scaled(kMessageGap) + 2.0f * ImGui::GetStyle().WindowPadding.x;
+    const Area space = message_space(editor);
+    const auto longest = static_cast<float>(space.max.x - space.min.x) - frame;
     const float text = std::min(longest, ImGui::CalcTextSize(message.c_str()).x + scaled(2.0f));
-    const Vec2 at{0.5 * (free_.min.x + free_.max.x),
-                  free_.min.y + static_cast<double>(scaled(kMargin))};
-    ImGui::SetNextWindowPos(to_imgui(at), ImGuiCond_Always, ImVec2(0.5f, 0.0f));
+    // In the middle of the free area, if there is enough space on both sides.
+    const double half = 0.5 * static_cast<double>(text + frame);
+    const double middle = std::clamp(0.5 * (free_.min.x + free_.max.x), space.min.x + half,
+                                     std::max(space.min.x + half, space.max.x - half));
+    ImGui::SetNextWindowPos(to_imgui({middle, space.min.y}), ImGuiCond_Always, ImVec2(0.5f, 0.0f));
     ImGui::PushStyleColor(ImGuiCol_Border, workspace.message_warns()
                                                ? theme_colour(ThemeColour::warning_border)
                                                : ImGui::GetStyleColorVec4(ImGuiCol_Border));
@@ -236,10 +254,12 @@ void Panels::draw_hint(const Editor& editor) const {
 }
 
 void Panels::draw_example(Editor& editor) {
-    const auto bottom = static_cast<float>(free_.max.y) - scaled(kMargin);
-    if (!begin_example_panel(editor, bottom, scale_)) return;
+    const Area space{free_.min + static_cast<double>(scaled(kMargin)),
+                     free_.max - static_cast<double>(scaled(kMargin))};
+    if (!begin_example_panel(editor, to_imgui(space.min), to_imgui(space.max), scale_)) return;
     claim_window();
     draw_example_panel(editor.example());
+    free_.max.y = static_cast<double>(ImGui::GetWindowPos().y);
     ImGui::End();
 }
 

@@ -50,6 +50,7 @@ class Panels {
     void draw_strip(Editor& editor);
     void draw_side(Editor& editor);
     void draw_selection(const Editor& editor) const;
+    Area message_space(const Editor& editor) const;
     void draw_message(Editor& editor);
     void draw_hint(const Editor& editor) const;
     void draw_example(Editor& editor);

@@ -8,13 +8,18 @@
 namespace pectin {
 namespace {
 
-// Draws the heading of a section. Returns whether the section is open.
-bool begin_section(const char* name, const char* help) {
+// Draws a section: its heading and, unless it is folded, its contents. Controls of the contents may
+// be called like the section.
+template <typename Contents>
+void section(const char* name, const char* help, Contents draw) {
     ImGui::PushFont(heading_font());
     const bool is_open = ImGui::CollapsingHeader(name, ImGuiTreeNodeFlags_DefaultOpen);
     ImGui::PopFont();
     tooltip((std::string(name) + " section").c_str(), help);
-    return is_open;
+    if (!is_open) return;
+    ImGui::PushID(name);
+    draw();
+    ImGui::PopID();
 }
 
 void draw_display(Editor& editor) {
@@ -28,13 +33,12 @@ void draw_display(Editor& editor) {
 }  // namespace
 
 void SidePanel::draw(Editor& editor) {
-    if (begin_section("Brush", "How far drags reach and how they act.")) brush_.draw(editor);
-    if (begin_section("Detail", "How fine drags make the mesh.")) detail_.draw(editor);
-    if (editor.shown_settings().cage &&
-        begin_section("Cage", "A box of control points around the object.")) {
-        cage_.draw(editor);
+    section("Brush", "How far drags reach and how they act.", [&] { brush_.draw(editor); });
+    section("Detail", "How fine drags make the mesh.", [&] { detail_.draw(editor); });
+    if (editor.shown_settings().cage) {
+        section("Cage", "A box of control points around the object.", [&] { cage_.draw(editor); });
     }
-    if (begin_section("Display", "What is shown of the object.")) draw_display(editor);
+    section("Display", "What is shown of the object.", [&] { draw_display(editor); });
 }
 
 void SidePanel::update_preview(Editor& editor) {
