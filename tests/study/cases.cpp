@@ -110,8 +110,8 @@ void add_shapes(Collector& to) {
            });
     to.add("cube of 192 faces", shape(ShapeKind::cube, 4), "twisted by 70 degrees",
            [](const TriMesh&) {
-               return brush_drag({.from = {0, 1, 0}, .to = {0, 1, 0}, .twist = Twist{{0, 1, 0}, 70.0}},
-                                 1.8);
+               return brush_drag(
+                   {.from = {0, 1, 0}, .to = {0, 1, 0}, .twist = Twist{{0, 1, 0}, 70.0}}, 1.8);
            });
     to.add("plane of 2 faces", shape(ShapeKind::plane, 1), "pulled up in the middle",
            [](const TriMesh&) {
@@ -129,7 +129,9 @@ void add_shapes(Collector& to) {
                return pull(mesh, {1, 0, 0}, {0.35, 0.1, 0.0}, 0.3, true);
            });
     to.add("cylinder of 120 faces", shape(ShapeKind::cylinder, 3), "bent by a cage",
-           [](const TriMesh& mesh) { return cage(mesh, {3, 4, 3}, bend); });
+           [](const TriMesh& mesh) {
+               return cage(mesh, {3, 4, 3}, bend);
+           });
 }
 
 void add_models(Collector& to) {
@@ -141,15 +143,16 @@ void add_models(Collector& to) {
                  [](const TriMesh& mesh) {
                      return pull(mesh, {0, 0, 1}, {0.05, 0.0, -0.1}, 0.3);
                  });
-    to.add_model("fandisk", "cube of 108 faces", shape(ShapeKind::cube, 3), "rippled by a cage",
-                 [](const TriMesh& mesh) {
-                     const double size = 0.3 * mesh.bounding_box().diagonal();
-                     return cage(mesh, {4, 4, 4},
-                                 [size](const Vec3& at) { return size * ripple(at); });
-                 });
+    to.add_model(
+        "fandisk", "cube of 108 faces", shape(ShapeKind::cube, 3), "rippled by a cage",
+        [](const TriMesh& mesh) {
+            const double size = 0.3 * mesh.bounding_box().diagonal();
+            return cage(mesh, {4, 4, 4}, [size](const Vec3& at) { return size * ripple(at); });
+        });
     to.add_model("rocker-arm", "torus of 512 faces", shape(ShapeKind::torus, 8),
-                 "twisted by 60 degrees",
-                 [](const TriMesh& mesh) { return twist(mesh, {1, 0, 0}, 60.0, 0.3); });
+                 "twisted by 60 degrees", [](const TriMesh& mesh) {
+                     return twist(mesh, {1, 0, 0}, 60.0, 0.3);
+                 });
 }
 
 }  // namespace

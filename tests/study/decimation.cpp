@@ -93,8 +93,8 @@ Distance distance(const TriMesh& from, const TriMesh& to) {
                                v * corner(from, f, 2);
                 const FaceId g = *tree.nearest(p, to);
                 const double d = glm::distance(
-                    p, nearest_on_triangle(p, corner(to, g, 0), corner(to, g, 1),
-                                           corner(to, g, 2)));
+                    p,
+                    nearest_on_triangle(p, corner(to, g, 0), corner(to, g, 1), corner(to, g, 2)));
                 result.largest = std::max(result.largest, d);
                 squares += d * d;
                 ++count;
@@ -120,8 +120,8 @@ Oversaturated oversaturated(std::string object, TriMesh base, const Vec3& from, 
     const Warp extrusion = brush_drag({.from = from, .to = to}, reach);
     Scene scene(base, extrusion);
     refine(scene.active(), scene.embedding(),
-           scene.criteria({.curvature = NormalDivergence({.theta_max = kFine},
-                                                         kDefaultRestAllowance)}));
+           scene.criteria(
+               {.curvature = NormalDivergence({.theta_max = kFine}, kDefaultRestAllowance)}));
     Oversaturated result{.object = std::move(object),
                          .base = std::move(base),
                          .refined = scene.finish(),
@@ -148,16 +148,17 @@ Json judge(const std::string& method, const Oversaturated& of, const TriMesh& be
     std::size_t returned = 0, base_vertices = 0;
     for (const Triangle& t : of.split_faces) returned += now.contains(t) ? 1 : 0;
     for (const std::uint32_t v : used) base_vertices += v < of.base.vertex_count() ? 1 : 0;
-    return {{"method", method},
-            {"faces", corners.size() / 3},
-            {"removed", removed},
-            {"ns_per_removal", 1e9 * seconds / static_cast<double>(std::max<std::size_t>(removed, 1))},
-            {"largest", std::max(there.largest, back.largest) / diagonal},
-            {"rms", std::max(there.rms, back.rms) / diagonal},
-            {"split_base_faces", of.split_faces.size()},
-            {"returned_base_faces", returned},
-            {"base_vertices", of.base.vertex_count()},
-            {"kept_base_vertices", base_vertices}};
+    return {
+        {"method", method},
+        {"faces", corners.size() / 3},
+        {"removed", removed},
+        {"ns_per_removal", 1e9 * seconds / static_cast<double>(std::max<std::size_t>(removed, 1))},
+        {"largest", std::max(there.largest, back.largest) / diagonal},
+        {"rms", std::max(there.rms, back.rms) / diagonal},
+        {"split_base_faces", of.split_faces.size()},
+        {"returned_base_faces", returned},
+        {"base_vertices", of.base.vertex_count()},
+        {"kept_base_vertices", base_vertices}};
 }
 
 // The mesh after the flattening.
@@ -223,10 +224,9 @@ Json compare(const Oversaturated& of, const std::string& aim,
                              : by_full_reversal(of, before, repetitions));
 #ifdef PECTIN_STUDY_PEERS
     const std::size_t faces = methods[0]["faces"];
+    methods.push_back(by_peer(of, before, "vtkDecimatePro", faces, repetitions, decimate_by_vtk));
     methods.push_back(
-        by_peer(of, before, "vtkDecimatePro", faces, repetitions, decimate_by_vtk));
-    methods.push_back(by_peer(of, before, "meshopt_simplify", faces, repetitions,
-                              decimate_by_meshoptimizer));
+        by_peer(of, before, "meshopt_simplify", faces, repetitions, decimate_by_meshoptimizer));
 #endif
     return {{"object", of.object},
             {"aim", aim},
@@ -252,8 +252,8 @@ Json study_decimation(const Options& options) {
     Json comparisons = Json::array();
     for (const Oversaturated& of : objects) {
         const Case with{.object = of.object, .drag = {}, .mesh = of.refined, .warp = of.flattening};
-        comparisons.push_back(compare(of, "the default limits",
-                                      limits_of(AdaptSettings{}, with), options.repetitions));
+        comparisons.push_back(compare(of, "the default limits", limits_of(AdaptSettings{}, with),
+                                      options.repetitions));
         comparisons.push_back(
             compare(of, "the mesh before the refinement", std::nullopt, options.repetitions));
     }

@@ -103,14 +103,13 @@ Json textbook(const char* what, int repetitions, Test test) {
 }
 
 Json textbook_tests(int repetitions) {
-    return {textbook("endpoint normals, before the trigger", repetitions,
-                     [](const auto&, const auto& e) { return endpoint_normals(e); }),
-            textbook("endpoint normals, after the trigger", repetitions,
-                     [](const auto& patch, const auto& e) {
-                         return image_of_midpoint(patch, e)[0];
-                     }),
-            textbook("midpoint distance, before the trigger", repetitions,
-                     [](const auto& patch, const auto& e) { return midpoint_distance(patch, e); })};
+    return {
+        textbook("endpoint normals, before the trigger", repetitions,
+                 [](const auto&, const auto& e) { return endpoint_normals(e); }),
+        textbook("endpoint normals, after the trigger", repetitions,
+                 [](const auto& patch, const auto& e) { return image_of_midpoint(patch, e)[0]; }),
+        textbook("midpoint distance, before the trigger", repetitions,
+                 [](const auto& patch, const auto& e) { return midpoint_distance(patch, e); })};
 }
 
 // --- Time of the program's tests: all edges of a fine object in a frame that refines nothing.
@@ -196,11 +195,10 @@ Warp cage_of(const TriMesh& mesh, int counts, int moved, const Vec3& by) {
 }
 
 Json program_tests(int repetitions) {
-    const Case dragged = fine_object(
-        "one handle", brush_drag({.from = {0, 0, 1}, .to = {0, 0, 1.02}}, 2.5));
-    const Case in_cage =
-        fine_object("a cage of 5 x 5 x 5 control points",
-                    cage_of(dragged.mesh, 5, 2, {0.004, 0.0, 0.004}));
+    const Case dragged =
+        fine_object("one handle", brush_drag({.from = {0, 0, 1}, .to = {0, 0, 1.02}}, 2.5));
+    const Case in_cage = fine_object("a cage of 5 x 5 x 5 control points",
+                                     cage_of(dragged.mesh, 5, 2, {0.004, 0.0, 0.004}));
     return {program_tests_on(dragged, repetitions), program_tests_on(in_cage, repetitions)};
 }
 
@@ -240,10 +238,10 @@ Json bit_index_with(const TriMesh& mesh, int counts, int moved, int repetitions)
     std::size_t edges = 0;
     for (std::uint32_t e = 0; e < mesh.edge_slots(); ++e) {
         const HalfEdgeId h = mesh.half_edge(EdgeId{e});
-        edges += is_altered(mesh.position(mesh.origin(h))) ||
-                         is_altered(mesh.position(mesh.target(h)))
-                     ? 1
-                     : 0;
+        edges +=
+            is_altered(mesh.position(mesh.origin(h))) || is_altered(mesh.position(mesh.target(h)))
+                ? 1
+                : 0;
     }
     const auto time = [&](const auto& evaluate) {
         return median_of(static_cast<std::size_t>(repetitions), [&] {

@@ -46,8 +46,7 @@ Json curve(const Method& method, const Case& of) {
 
 // A trigger with the settings that the program has by default.
 Json by_default(const Trigger& trigger, const Case& of, int repetitions) {
-    const AdaptLimits limits =
-        limits_of(*AdaptSettings{}.with({.trigger = trigger.trigger}), of);
+    const AdaptLimits limits = limits_of(*AdaptSettings{}.with({.trigger = trigger.trigger}), of);
     Json result;
     const double time = median_of(static_cast<std::size_t>(repetitions), [&] {
         Scene scene(of.mesh, of.warp);

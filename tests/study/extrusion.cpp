@@ -102,8 +102,8 @@ Json by_print() {
         if (!drag) continue;
         const Warp warp = brush_drag(drag->moves.front(), radius, span);
         const PrintedRules rules{
-            .curvature = NormalDivergence({.theta_max = kDefaultThetaMax,
-                                           .theta_min = default_theta_min(kDefaultThetaMax)}),
+            .curvature = NormalDivergence(
+                {.theta_max = kDefaultThetaMax, .theta_min = default_theta_min(kDefaultThetaMax)}),
             .l_max = default_l_max(warp.smallest_feature_extent())};
         Scene scene(mesh, warp);
         const PrintedRefinement refined = refine_as_printed(scene, rules);

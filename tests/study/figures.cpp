@@ -93,9 +93,7 @@ Json edges_of(const TriMesh& mesh) {
     return lines;
 }
 
-Json point_of(const TriMesh& mesh, VertexId v) {
-    return {mesh.position(v).x, mesh.position(v).z};
-}
+Json point_of(const TriMesh& mesh, VertexId v) { return {mesh.position(v).x, mesh.position(v).z}; }
 
 // A square is split at its diagonal, which inserts p, and then between p and a corner, which
 // inserts q. Both p and q have four edges. Without p, q has three, and nothing can remove it.

@@ -15,17 +15,19 @@ using pectin::study::Options;
 const std::map<std::string, Json (*)(const Options&)>& studies() {
     using namespace pectin::study;
     static const std::map<std::string, Json (*)(const Options&)> kStudies{
-        {"edge_tests", study_edge_tests}, {"figures", study_figures},
-        {"extrusion", study_extrusion},   {"errors", study_errors},
+        {"edge_tests", study_edge_tests},   {"figures", study_figures},
+        {"extrusion", study_extrusion},     {"errors", study_errors},
         {"propagation", study_propagation}, {"decimation", study_decimation},
     };
     return kStudies;
 }
 
 int usage() {
-    std::fputs("usage: pectin_study PART FILE [FOLDER [REPETITIONS]]\n"
-               "  Writes the results of a part of the study to FILE. FOLDER has real models.\n"
-               "  Parts:", stderr);
+    std::fputs(
+        "usage: pectin_study PART FILE [FOLDER [REPETITIONS]]\n"
+        "  Writes the results of a part of the study to FILE. FOLDER has real models.\n"
+        "  Parts:",
+        stderr);
     for (const auto& [name, study] : studies()) std::fprintf(stderr, " %s", name.c_str());
     std::fputs("\n", stderr);
     return 2;

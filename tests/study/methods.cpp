@@ -33,8 +33,7 @@ Refined subdivide(Scene& scene, int rounds) {
                 const TriMesh& mesh = scene.mesh();
                 EdgeId of_face = kNone<EdgeId>;
                 for (int k = 0; k < 3; ++k) {
-                    const EdgeId e =
-                        mesh.representative(mesh.edge(TriMesh::half_edge(f, k)));
+                    const EdgeId e = mesh.representative(mesh.edge(TriMesh::half_edge(f, k)));
                     if (!exists(of_face) ||
                         scene.active().rest_length(e) > scene.active().rest_length(of_face)) {
                         of_face = e;

@@ -50,13 +50,25 @@ class PrintedRefiner {
         if (!mesh_.is_live(e) || mesh_.representative(e) != e) return;
         ++result_.tests;
         const double length = mesh_.length(e);
-        const bool needs_refinement =
-            criteria_.curvature_needs_refinement(scene_.active(), e) || length > rules_.l_max;
+        const bool needs_refinement = criteria_.curvature_needs_refinement(scene_.active(), e) ||
+                                      (length > rules_.l_max && meets_zone(e));
         if (!needs_refinement) return;
-        const double precedence = rules_.order == Order::longest_first
-                                      ? length
-                                      : -static_cast<double>(result_.tests);
+        const double precedence =
+            rules_.order == Order::longest_first ? length : -static_cast<double>(result_.tests);
         heap_.push({precedence, e, end_of(e), length});
+    }
+
+    // Whether a face of e meets the zone at rest.
+    bool meets_zone(EdgeId e) const {
+        bool any = false;
+        mesh_.for_each_side(e, [&](HalfEdgeId h) {
+            const auto rest = [&](HalfEdgeId of) {
+                return scene_.active().rest_position(mesh_.origin(of));
+            };
+            any = any || triangle_meets_box(rest(h), rest(TriMesh::next(h)), rest(TriMesh::prev(h)),
+                                            scene_.active().zone());
+        });
+        return any;
     }
 
     void split(EdgeId e) {
@@ -77,8 +89,7 @@ class PrintedRefiner {
     void test_outer(EdgeId edge, VertexId m) {
         std::vector<EdgeId> outer;
         mesh_.for_each_side(edge, [&](HalfEdgeId h) {
-            outer.push_back(
-                mesh_.edge(mesh_.origin(h) == m ? TriMesh::next(h) : TriMesh::prev(h)));
+            outer.push_back(mesh_.edge(mesh_.origin(h) == m ? TriMesh::next(h) : TriMesh::prev(h)));
         });
         for (const EdgeId e : outer) test(e);
     }

@@ -20,7 +20,9 @@ enum class Order {
 
 struct PrintedRules {
     CurvatureTrigger curvature{};  // conditions (a)
-    double l_max = kOff;           // conditions (b): of any active edge, wherever it lies
+    // Conditions (b). The paper does not say where they hold. Here, as in the program, it is at the
+    // edges of faces that meet the influenced zone at rest.
+    double l_max = kOff;
     Order order = Order::longest_first;
     std::size_t most_faces = 40'000;  // of the mesh; the rules alone need not terminate
 };

@@ -9,8 +9,8 @@ namespace pectin::study {
 using Json = nlohmann::ordered_json;
 
 struct Options {
-    std::string models;     // a folder of real models; may be empty or absent
-    int repetitions = 5;    // of whatever is timed; the median counts
+    std::string models;   // a folder of real models; may be empty or absent
+    int repetitions = 5;  // of whatever is timed; the median counts
 };
 
 // The paper's figure 5: operations and time for each test of an edge; and the bit index of cells.

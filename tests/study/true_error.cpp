@@ -53,8 +53,8 @@ Corners present_corners(const TriMesh& mesh, FaceId f) {
 }
 
 double longest_edge(const Corners& c) {
-    return std::max({glm::distance(c[0], c[1]), glm::distance(c[1], c[2]),
-                     glm::distance(c[2], c[0])});
+    return std::max(
+        {glm::distance(c[0], c[1]), glm::distance(c[1], c[2]), glm::distance(c[2], c[0])});
 }
 
 // Sums over some faces.

@@ -30,8 +30,7 @@ DecimatedTriangles decimate_by_vtk(const IndexedTriangles& input, std::size_t tr
     }
     vtkNew<vtkCellArray> cells;
     for (std::size_t i = 0; i < input.corners.size(); i += 3) {
-        const vtkIdType corners[3] = {input.corners[i], input.corners[i + 1],
-                                      input.corners[i + 2]};
+        const vtkIdType corners[3] = {input.corners[i], input.corners[i + 1], input.corners[i + 2]};
         cells->InsertNextCell(3, corners);
     }
     vtkNew<vtkPolyData> mesh;
