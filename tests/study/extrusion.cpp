@@ -95,8 +95,8 @@ Json by_print() {
     int span = 0;
     for (const Command& command : commands_of("extrusion.jsonl")) {
         if (const auto* const brush = std::get_if<command::Brush>(&command)) {
-            radius = *brush->radius;
-            span = *brush->span;
+            radius = brush->radius.value_or(radius);
+            span = brush->span.value_or(span);
         }
         const auto* const drag = std::get_if<command::Drag>(&command);
         if (!drag) continue;
