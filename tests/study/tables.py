@@ -225,9 +225,9 @@ def propagation(d):
     for f in d["factors"]:
         def ratio(key):
             return median([c[key] / b[key] for c, b in zip(f["cases"], base) if b[key] > 0])
+        angles = [c["smallest_angle"] / b["smallest_angle"] for c, b in zip(f["cases"], base)]
         rows.append([f"{f['factor']:g}", number(ratio("splits"), 3), number(ratio("from_face"), 3),
-                     number(ratio("seconds"), 3),
-                     f"{min(c['smallest_angle'] / b['smallest_angle'] for c, b in zip(f['cases'], base)):.2f}",
+                     number(ratio("seconds"), 3), number(min(angles), 2),
                      f"{median([c['smallest_angle'] for c in f['cases']]):.1f}°",
                      f"{median([c['median_angle'] for c in f['cases']]):.1f}°"])
     return table(["factor", "splits", "error", "time", "smallest angle, worst case",
