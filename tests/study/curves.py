@@ -36,16 +36,17 @@ def trigger_of(curve):
 
 
 def ratio_to_best_other(case, trigger, measure, least_error, largest_error):
-    """For each run of a trigger's default form: its triangles over the fewest by which another
-    trigger has the same true error. The median over the runs with errors in the range."""
+    """For each run of a trigger's default form that refines anything: its triangles over the fewest
+    by which another trigger has the same true error; 0 if no other one reaches that error. The
+    median over the runs with errors in the range; None if there is no such run."""
     own = next(c for c in case["curves"] if c["name"] == trigger)
     others = [c for c in case["curves"] if trigger_of(c) not in (trigger, "uniform", "printed")]
     ratios = []
     for run in ended(own):
-        if not least_error <= run[measure] <= largest_error:
+        if (run["faces"] == case["faces_at_rest"] or
+                not least_error <= run[measure] <= largest_error):
             continue
         needed = [faces_needed(ended(c), run[measure], measure) for c in others]
         needed = [n for n in needed if n is not None]
-        if needed:
-            ratios.append(run["faces"] / min(needed))
+        ratios.append(run["faces"] / min(needed) if needed else 0.0)
     return median(ratios)

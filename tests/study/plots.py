@@ -61,10 +61,11 @@ def figure4(d, path):
             panel = Panel(drawing, left, top, width, height, (-1, 1),
                           (min(ys) - 0.02, max(ys) + 0.02), logarithmic=False)
             panel.curve(u["surface"], "#bbbbbb", 4)
-            for line in result["lines"]:
-                drawing.line([panel.at(*p) for p in line], "#1f6fb4", 1.3)
-                for p in line:
-                    drawing.dot(panel.at(*p), "#1f6fb4", 1.6)
+            segments = [[panel.at(*p) for p in line] for line in result["lines"]]
+            drawing.segments(segments, "#1f6fb4", 1.3)
+            if len(segments) < 40:
+                for p in (p for segment in segments for p in segment):
+                    drawing.dot(p, "#1f6fb4", 1.6)
             plural = "" if u["waves"] == 1 else "s"
             drawing.text(left, top - 5, f"{u['waves']} wave{plural} in an edge: {result['name']}, "
                                         f"{result['splits']} splits", 11)

@@ -1,6 +1,8 @@
 // A mesh in the hands of one warp: what every part of the study measures.
 #pragma once
 
+#include <time.h>
+
 #include <chrono>
 #include <cstddef>
 #include <memory>
@@ -30,6 +32,19 @@ double seconds(Work work) {
     const auto begin = std::chrono::steady_clock::now();
     work();
     return std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+}
+
+// The same for work of this thread alone, without the time in which other programs ran.
+template <typename Work>
+double own_seconds(Work work) {
+    const auto now = [] {
+        timespec time{};
+        clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+        return static_cast<double>(time.tv_sec) + 1e-9 * static_cast<double>(time.tv_nsec);
+    };
+    const double begin = now();
+    work();
+    return now() - begin;
 }
 
 // The median of some repetitions of measure(), which returns a number.

@@ -20,6 +20,12 @@ class Drawing:
         self.parts.append(f'<{tag} points="{text}" fill="none" stroke="{colour}" '
                           f'stroke-width="{width}" stroke-linejoin="round"{dashes}/>')
 
+    def segments(self, segments, colour, width=1.5):
+        """Many lines of two points each, as one element."""
+        path = "".join(f"M{p[0]:.1f} {p[1]:.1f}L{q[0]:.1f} {q[1]:.1f}" for p, q in segments)
+        self.parts.append(f'<path d="{path}" fill="none" stroke="{colour}" '
+                          f'stroke-width="{width}" stroke-linecap="round"/>')
+
     def dot(self, point, colour, radius=2):
         self.parts.append(f'<circle cx="{point[0]:.1f}" cy="{point[1]:.1f}" r="{radius}" '
                           f'fill="{colour}"/>')

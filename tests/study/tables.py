@@ -16,13 +16,13 @@ LEAST_ERROR, LARGEST_ERROR = 1e-5, 1e-2
 
 
 def table(header, rows):
-    """Numbers are aligned to the right. A cell may be a number with its format."""
-    right = [not isinstance(cell, str) or cell[:1].isdigit() or cell in ("–", "")
-             for cell in rows[0]]
+    """Cells are texts. Columns of numbers are aligned to the right."""
+    right = [all(cell[:1].isdigit() or cell in ("–", "alone") for cell in column)
+             for column in zip(*rows)]
     right[0] = False
     lines = ["| " + " | ".join(header) + " |",
              "|" + "|".join("---:" if r else "---" for r in right) + "|"]
-    lines += ["| " + " | ".join(str(cell) for cell in row) + " |" for row in rows]
+    lines += ["| " + " | ".join(row) + " |" for row in rows]
     return "\n".join(lines)
 
 
@@ -118,7 +118,7 @@ def figure4(d):
     for u in d["undulations"]:
         for r in u["results"]:
             rows.append([f"{u['waves']} in each edge", r["name"], count(r["splits"]),
-                         count(r["faces"]), small(r["from_face"] / u["tolerance"])])
+                         count(r["faces"]), number(r["from_face"] / u["tolerance"], 2)])
     return table(["waves", "trigger", "splits", "faces", "error, in default tolerances"], rows)
 
 
@@ -185,9 +185,8 @@ def equal_error(d):
     rows, medians = [], []
     columns = [(t, m) for m in ("from_face", "from_interpolation") for t in triggers]
     for case in d["cases"]:
-        rows.append([name_of(case)] + [
-            number(ratio_to_best_other(case, t, m, LEAST_ERROR, LARGEST_ERROR), 3)
-            for t, m in columns])
+        ratios = [ratio_to_best_other(case, t, m, LEAST_ERROR, LARGEST_ERROR) for t, m in columns]
+        rows.append([name_of(case)] + ["alone" if r == 0 else number(r, 3) for r in ratios])
     for t, m in columns:
         medians.append(median([ratio_to_best_other(case, t, m, LEAST_ERROR, LARGEST_ERROR)
                                for case in d["cases"]]))
