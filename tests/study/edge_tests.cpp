@@ -14,6 +14,7 @@
 #include "adapt/defaults.h"
 #include "study/bit_index.h"
 #include "study/cases.h"
+#include "study/certificate.h"
 #include "study/counted.h"
 #include "study/methods.h"
 #include "study/studies.h"
@@ -187,7 +188,11 @@ Json program_tests_on(const Case& of, int repetitions) {
         sink = sum;
         return 1e9 * time / static_cast<double>(midpoints.size());
     });
-    return {{"drag", of.drag}, {"edges", edges.size()}, {"tests", tests}, {"image_ns", image}};
+    return {{"drag", of.drag},
+            {"edges", edges.size()},
+            {"tests", tests},
+            {"image_ns", image},
+            {"certificate", certificate_times(scene, repetitions)}};
 }
 
 // Of the control points of a lattice with as many on each axis, a cube of `moved` on each axis in

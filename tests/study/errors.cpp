@@ -17,6 +17,7 @@ Json outcome(const Scene& scene, const Case& of) {
     const TrueError error = true_error(scene, faces);
     const Angles angles = smallest_angles(scene, faces);
     return {{"faces", faces.size()},
+            {"from_mesh", error.from_mesh / of.diagonal()},
             {"from_face", error.from_face / of.diagonal()},
             {"from_face_rms", error.from_face_rms / of.diagonal()},
             {"from_interpolation", error.from_interpolation / of.diagonal()},

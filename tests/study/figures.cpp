@@ -49,7 +49,7 @@ Json refined_section(const Case& of, const std::string& name, const AdaptSetting
     return {{"name", name},
             {"splits", done.refinement.splits},
             {"faces", faces.size()},
-            {"from_face", true_error(scene, faces).from_face},
+            {"from_mesh", true_error(scene, faces).from_mesh},
             {"lines", section_of(scene.mesh())}};
 }
 

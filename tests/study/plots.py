@@ -28,8 +28,8 @@ def errors(d, path):
     for i, case in enumerate(d["cases"]):
         left = 46 + (i % columns) * (width + gap)
         top = 24 + (i // columns) * (height + gap + 4)
-        points = {c["name"]: [(p["faces"], p["from_face"]) for p in ended(c)
-                              if p["from_face"] > 0] for c in case["curves"]}
+        points = {c["name"]: [(p["faces"], p["from_mesh"]) for p in ended(c)
+                              if p["from_mesh"] > 0] for c in case["curves"]}
         every = [p for some in points.values() for p in some]
         xs = (0.9 * min(x for x, _ in every), 1.1 * max(x for x, _ in every))
         ys = (0.8 * min(y for _, y in every), 1.25 * max(y for _, y in every))

@@ -30,7 +30,7 @@ Json with_factor(const Case& of, double factor, int repetitions) {
             result = {{"faces", faces.size()},
                       {"splits", done.splits},
                       {"chain_steps", done.chain_steps},
-                      {"from_face", true_error(scene, faces).from_face / of.diagonal()},
+                      {"from_mesh", true_error(scene, faces).from_mesh / of.diagonal()},
                       {"smallest_angle", angles.smallest},
                       {"median_angle", angles.median}};
         }

@@ -4,6 +4,17 @@ import math
 FONT = 'font-family="sans-serif"'
 
 
+def marks(low, high):
+    """The powers of ten between two numbers; where there are fewer than two, also their doubles and
+    fivefolds."""
+    powers = range(math.floor(math.log10(low)), math.ceil(math.log10(high)) + 1)
+    for factors in ((1,), (1, 2, 5)):
+        values = [f * 10.0 ** p for p in powers for f in factors if low <= f * 10.0 ** p <= high]
+        if len(values) >= 2:
+            break
+    return values
+
+
 class Drawing:
     def __init__(self, width, height):
         self.width, self.height = width, height
@@ -61,16 +72,15 @@ class Panel:
                 self.top + self.height * (1 - self._part(y, self.ys)))
 
     def axes(self):
-        """A frame with a grid line and a label for each power of ten."""
+        """A frame with grid lines and their labels."""
         d = self.drawing
         for limits, is_x in ((self.xs, True), (self.ys, False)):
-            for power in range(math.ceil(math.log10(limits[0]) - 1e-9),
-                               math.floor(math.log10(limits[1]) + 1e-9) + 1):
-                value = 10.0 ** power
+            for value in marks(*limits):
                 ends = ([self.at(value, y) for y in self.ys] if is_x
                         else [self.at(x, value) for x in self.xs])
                 d.line(ends, "#ddd", 1)
-                label = f"{value:g}" if 0 <= power < 4 else f"1e{power}"
+                label = f"{value:g}" if 1 <= value < 1e4 else f"{value:.0e}".replace("e+0", "e")
+                label = label.replace("e-0", "e-")
                 if is_x:
                     d.text(ends[0][0], self.top + self.height + 12, label, 9, "middle")
                 else:

@@ -15,12 +15,16 @@ namespace pectin::study {
 // The image of a point, in double throughout (an embedding rounds the weights of drags to float).
 Vec3 exact_image(const Warp& warp, const Vec3& x);
 
-// Two distances of the image F(x) of a point x of a face at rest:
-// - from the deformed face, from its nearest point: what one sees;
+// Three distances of the image F(x) of a point x of a face at rest, each at least as large as the one
+// before it:
+// - from the mesh near that face: from the nearest of all faces that share a corner with it. It does
+//   not count what crosses the border of the face within a plane, as under a twist.
+// - from the deformed face itself, from its nearest point;
 // - from the point with the same barycentric coordinates on the deformed face: what linear
-//   interpolation errs by. It is at least as large, since it counts what slides along the face too.
+//   interpolation errs by. It counts what slides along the face, too.
 struct TrueError {
-    double from_face = 0.0;      // the largest of all samples
+    double from_mesh = 0.0;  // the largest of all samples
+    double from_face = 0.0;
     double from_face_rms = 0.0;  // over the area at rest
     double from_interpolation = 0.0;
     std::uint64_t samples = 0;
