@@ -4,7 +4,8 @@ from svg import Drawing, Panel
 
 # Colour and dashes by method; others take the next ones of MORE.
 STYLES = {
-    "uniform": ("#999999", ""), "printed": ("#e07b00", ""), "printed, first come": ("#e07b00", "3,2"),
+    "uniform": ("#999999", ""),
+    "printed": ("#e07b00", ""), "printed, first come": ("#e07b00", "3,2"),
     "normals": ("#1f6fb4", ""), "normals, no L_max": ("#1f6fb4", "3,2"),
     "midpoint": ("#2f9e44", ""), "midpoint, no L_max": ("#2f9e44", "3,2"),
     "certified": ("#c2185b", ""),

@@ -15,9 +15,10 @@ namespace pectin::study {
 // The image of a point, in double throughout (an embedding rounds the weights of drags to float).
 Vec3 exact_image(const Warp& warp, const Vec3& x);
 
-// Three distances of the image F(x) of a point x of a face at rest, each at least as large as the one
-// before it:
-// - from the mesh near that face: from the nearest of all faces that share a corner with it. It does
+// Three distances of the image F(x) of a point x of a face at rest, each at least as large as the
+// one before it:
+// - from the mesh near that face: from the nearest of all faces that share a corner with it. It
+// does
 //   not count what crosses the border of the face within a plane, as under a twist.
 // - from the deformed face itself, from its nearest point;
 // - from the point with the same barycentric coordinates on the deformed face: what linear
