@@ -17,9 +17,8 @@ Vec3 exact_image(const Warp& warp, const Vec3& x);
 
 // Three distances of the image F(x) of a point x of a face at rest, each at least as large as the
 // one before it:
-// - from the mesh near that face: from the nearest of all faces that share a corner with it. It
-// does
-//   not count what crosses the border of the face within a plane, as under a twist.
+// - from the mesh near that face, that is from the nearest of all faces that share a corner with
+//   it: what crosses the border of a face within a plane, as under a twist, does not count;
 // - from the deformed face itself, from its nearest point;
 // - from the point with the same barycentric coordinates on the deformed face: what linear
 //   interpolation errs by. It counts what slides along the face, too.
