@@ -200,6 +200,22 @@ def equal_error(d):
             dict(zip(columns, medians)))
 
 
+def about_certified(edges, medians):
+    """A paragraph about the certified trigger, where there is one."""
+    if ("certified", "from_mesh") not in medians:
+        return ""
+    bounds = [part["ns"] for scene in edges["program"] for part in scene.get("certificate", [])
+              if "bound" in part["what"]]
+    time = f" Its bound takes {count(max(bounds))} ns for a face." if bounds else ""
+    ratio = {m: number(medians["certified", m], 2) for m in MEASURES}
+    return ("The certificate is asked for the distance from interpolation. For that it needs "
+            f"{ratio['from_interpolation']} times as many faces as the best other trigger, in the "
+            f"median, and {ratio['from_face']} times for the distance from the face. For the "
+            f"distance from the mesh it needs {ratio['from_mesh']} times as many, as it also "
+            f"refines where a face is only distorted within its plane.{time} It needs no L_max, "
+            "and nothing escapes it.")
+
+
 def orders(d):
     """The printed rules with the heap and without, at the angles at which both end."""
     rows = []
@@ -274,6 +290,7 @@ def all_tables(parts):
                     "The folder of models was absent, so all objects are shapes of the program."),
         "peers": ("" if decimated["has_peers"] else
                   "The peers were left out of this run (`scripts/study --peers` adds them)."),
+        "about_certified": about_certified(edges, medians),
         "most_faces": f"{errors['most_faces']:,}",
         "machine": parts["machine"]["text"],
     }
