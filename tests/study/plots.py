@@ -24,7 +24,7 @@ def errors(d, path):
     """Error over triangles, a panel for each case."""
     columns, width, height, gap = 3, 250, 170, 48
     rows = -(-len(d["cases"]) // columns)
-    drawing = Drawing(columns * (width + gap) + 20, rows * (height + gap + 4) + 50)
+    drawing = Drawing(columns * (width + gap) + 20, rows * (height + gap + 4) + 64)
     names = [c["name"] for c in d["cases"][0]["curves"]]
     for i, case in enumerate(d["cases"]):
         left = 46 + (i % columns) * (width + gap)
@@ -43,9 +43,12 @@ def errors(d, path):
     x, y = 46, rows * (height + gap + 4) + 34
     for name in names:
         colour, dash = style_of(name, names)
+        wide = 42 + 6.2 * len(name)
+        if x + wide > drawing.width:
+            x, y = 46, y + 18
         drawing.line([(x, y - 4), (x + 24, y - 4)], colour, 2, dash)
         drawing.text(x + 28, y, name, 11)
-        x += 48 + 6.2 * len(name)
+        x += wide + 6
     drawing.save(path / "errors.svg")
     return "![Error over triangles, by method, for each of the twelve cases](study/errors.svg)"
 
