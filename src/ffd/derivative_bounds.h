@@ -56,7 +56,8 @@ class DerivativeBounds {
     // table of bounds over the eighths of cells: several times as large, and much faster. Without a
     // table it is the bound over all of space. Cost: O(eighths that the region's box meets).
     double estimate(const std::array<Vec3, 3>& corners) const;
-    // An upper bound of |D(x)| over all of space.
+    // Upper bounds of |D²F(u, u)|, for unit vectors u, and of |D(x)| over all of space.
+    double bend_everywhere() const { return everywhere_.second; }
     double reach() const { return reach_; }
 
   private:

@@ -25,6 +25,9 @@ struct Derivatives {
     std::array<Cube<T>, 6> second;  // xx, yy, zz, xy, yz, zx
 };
 
+// std::hypot() takes several times as long, to avoid an overflow that cannot happen here.
+inline double root_of_squares(double x, double y) { return std::sqrt(x * x + y * y); }
+
 inline double squared(double value) { return value * value; }
 inline double squared(const Vec3& v) { return glm::dot(v, v); }
 inline double product(double a, double b) { return a * b; }
@@ -35,8 +38,8 @@ inline double product(const Vec3& a, const Vec3& b) { return glm::dot(a, b); }
 template <typename T>
 double squared_bound(const T& a, const T& b, const T& c) {
     const double bb = squared(b), cc = squared(c), bc = product(b, c);
-    const double largest = 0.5 * (bb + cc) + std::hypot(0.5 * (bb - cc), bc);
-    return squared(a) + 2.0 * std::hypot(product(a, b), product(a, c)) + largest;
+    const double largest = 0.5 * (bb + cc) + root_of_squares(0.5 * (bb - cc), bc);
+    return squared(a) + 2.0 * root_of_squares(product(a, b), product(a, c)) + largest;
 }
 
 // The greatest singular value, by the eigenvalues of mᵀm in closed form.
@@ -116,7 +119,7 @@ double squared_bend_any(const std::array<Cube<T>, 6>& second) {
 // The square of the greatest length of cos t · p + sin t · q.
 inline double squared_radius(const Vec3& p, const Vec3& q) {
     const double pp = squared(p), qq = squared(q);
-    return 0.5 * (pp + qq) + std::hypot(0.5 * (pp - qq), glm::dot(p, q));
+    return 0.5 * (pp + qq) + root_of_squares(0.5 * (pp - qq), glm::dot(p, q));
 }
 
 }  // namespace pectin::derivative_norms

@@ -22,6 +22,7 @@ constexpr double kJacobianRounding = 8.0 * std::numeric_limits<float>::epsilon()
 constexpr double kNeedle = 1e-16;
 
 constexpr double kRadiusRoundedUp = 1.0 + 1e-7;
+constexpr double kRoughlyRoundedUp = 1.0 + 1e-6;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
 // Where a triangle may be farther from its image than this, nothing is said about it.
 constexpr double kMostMargin = 1e100;
@@ -132,6 +133,14 @@ double InterpolationError::bound(std::span<const Corners> before) const {
     const Corners& rest = before.front();
     if (!moves(steps_.front(), {rest, 0.0})) return 0.0;
     return displacement() * slope(rest) + rounding(rest);
+}
+
+double InterpolationError::rough_bound(const Corners& rest) const {
+    if (steps_.size() > 1) return kUnknown;
+    if (steps_.empty() || !moves(steps_.front(), {rest, 0.0})) return 0.0;
+    const double radius = std::sqrt(enclosing_circle(rest).squared_radius) * kRadiusRoundedUp;
+    return (0.5 * radius * radius * steps_.front().bounds.bend_everywhere() + rounding(rest)) *
+           kRoughlyRoundedUp;
 }
 
 double InterpolationError::transported(double distance, std::span<const Corners> before) const {

@@ -57,6 +57,10 @@ class InterpolationError {
     // whose zone the triangle is.
     double bound(std::span<const Corners> before) const;
 
+    // A bound that is some ten times as large and costs O(1), from those over all of space;
+    // infinite for a warp of several steps. It is never below bound().
+    double rough_bound(const Corners& rest) const;
+
     // If two points are no farther apart than `distance`, and one of them is on the triangle before
     // each step, how far their images may be apart. Cost: the same.
     double transported(double distance, std::span<const Corners> before) const;
