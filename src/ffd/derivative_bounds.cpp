@@ -323,7 +323,7 @@ DerivativeBounds::Bound DerivativeBounds::bound_over(const Region& region, const
         if (only_bend) return;
         bound.bend_any = std::max(bound.bend_any, derivative_norms::squared_bend_any(of.second));
         bound.stretch =
-            std::max(bound.stretch, derivative_norms::stretch_bound(of.first, direction));
+            std::max(bound.stretch, derivative_norms::stretch_over(of.first, direction));
     });
     bound.bend = std::sqrt(bound.bend) * kRoundedUp;
     bound.bend_any = std::sqrt(bound.bend_any) * kRoundedUp;

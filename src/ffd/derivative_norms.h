@@ -64,7 +64,7 @@ inline Mat3 matrix(const Vec3&, const Vec3& x, const Vec3& y, const Vec3& z) {
 
 // An upper bound of |J v|: that of the middle of the range, and the deviations from it.
 template <typename T>
-double stretch_bound(const std::array<Cube<T>, 3>& first, const Vec3& direction) {
+double stretch_over(const std::array<Cube<T>, 3>& first, const Vec3& direction) {
     std::array<T, 3> middle{};
     for (std::size_t axis = 0; axis < 3; ++axis) {
         for (const T& g : first[axis]) middle[axis] += (1.0 / 64.0) * g;

@@ -159,6 +159,41 @@ TEST(CertifiedError, IsNotErodedByManyDragsThatDoNothing) {
 
 // --- Faces that are due
 
+// Frames of a drag, and the mesh after each of them.
+std::vector<TriMesh> frames(CertifiedError::Search search, std::uint64_t seed) {
+    Random random(seed);
+    TriMesh mesh = build_mesh(make_shape(ShapeKind::sphere, 3)).mesh;
+    const std::vector<Vec3> grabbed{mesh.position(VertexId{5})};
+    const auto solver = std::get<DragSolver>(
+        DragSolver::create(brush_lattice(grabbed[0], random.scale(0.5, 2.0), 3), grabbed, {}));
+    const Warp warp{{DragStep{solver.field(), {Vec3{0.0}}}}};
+    ActiveSet active(mesh);
+    Gesture gesture(
+        active, {.moving = test::live_faces(mesh)}, warp,
+        Gesture::Adaptivity{{.curvature = CertifiedError(5e-3, search), .floor = 1e-3}});
+    std::vector<TriMesh> meshes;
+    for (int i = 0; i < 8; ++i) {
+        const Vec3 d = random.uniform(0.0, 0.6) * random.direction();
+        gesture.frame(std::span(&d, 1));
+        meshes.push_back(mesh);
+    }
+    return meshes;
+}
+
+TEST(DueFaces, GiveTheSameMeshesAsATestOfAllFaces) {
+    const int cases = test::case_count(6);
+    for (int i = 0; i < cases; ++i) {
+        const auto seed = 4600 + static_cast<std::uint64_t>(i);
+        SCOPED_TRACE("seed " + std::to_string(seed));
+        const std::vector<TriMesh> due = frames(CertifiedError::Search::due, seed),
+                                   all = frames(CertifiedError::Search::all, seed);
+        for (std::size_t k = 0; k < all.size(); ++k) {
+            ASSERT_TRUE(due[k] == all[k]) << "frame " << k;
+        }
+        EXPECT_GT(all.back().face_count(), 1280u);
+    }
+}
+
 std::vector<FaceId> due_by_definition(const ActiveSet& active, const InterpolationError& error,
                                       double tolerance) {
     std::vector<FaceId> due;

@@ -90,7 +90,7 @@ double CertifiedError::accumulated(const ActiveSet& active, FaceId f, double own
 
 std::vector<FaceId> CertifiedError::faces_to_test(const ActiveSet& active) const {
     if (!state_) return {};
-    if (state_->error.is_proportional()) {
+    if (search_ == Search::due && state_->error.is_proportional()) {
         return state_->due.find(active, state_->error, tolerance_);
     }
     return face_pairs::live(active.mesh(), {active.faces().begin(), active.faces().end()});

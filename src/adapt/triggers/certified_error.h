@@ -44,8 +44,14 @@ class CertifiedError {
     static constexpr bool kDependsOnFaces = false;
 
     CertifiedError() = default;  // off
+    // Which faces refinement looks at first. The result is the same.
+    enum class Search {
+        due,  // if bounds grow in proportion to the drag, those that are due (DueFaces), else all
+        all   // the reference
+    };
     // tolerance: in world units, above 0.
-    explicit CertifiedError(double tolerance) : tolerance_(tolerance) {}
+    explicit CertifiedError(double tolerance, Search search = Search::due)
+        : tolerance_(tolerance), search_(search) {}
 
     double tolerance() const { return tolerance_; }
     // embedding: in the warp, which must outlive this; null if nothing moves.
@@ -59,8 +65,7 @@ class CertifiedError {
     // Of the error of f after this gesture: with what earlier ones have left.
     double accumulated(const ActiveSet& active, FaceId f, double own_bound) const;
 
-    // The active faces that refinement has to look at first: all, or if their bounds grow in
-    // proportion to the drag, those that need refinement (DueFaces). One thread at a time.
+    // The active faces that refinement has to look at first. One thread at a time.
     std::vector<FaceId> faces_to_test(const ActiveSet& active) const;
     // How often refinement has tested a face, and estimated one.
     std::uint64_t examined_faces() const;
@@ -95,6 +100,7 @@ class CertifiedError {
     bool may_restore(const Face& face, double error, bool is_exact) const;
 
     double tolerance_ = kOff;
+    Search search_ = Search::due;
     const Embedding* embedding_ = nullptr;
     std::optional<SplitOrder> order_;
     std::optional<Floor> floor_;
