@@ -42,8 +42,11 @@ AdaptLimits random_limits(Trigger trigger, const Warp& warp, double diagonal, Ra
     // Small thresholds on large zones need millions of triangles; a floor keeps the cases small
     // and is itself part of what is tested.
     settings.floor = Setting::of(diagonal * random.scale(8e-3, 6e-2));
-    if (trigger != Trigger::normals) {
+    if (trigger == Trigger::midpoint) {
         settings.tolerance = Setting::of(diagonal * random.scale(1e-5, 3e-2));
+    }
+    if (trigger == Trigger::certified) {
+        settings.tolerance = Setting::of(diagonal * random.scale(2e-3, 1e-1));
     }
     const double extent = warp.smallest_feature_extent();
     AdaptLimits limits = random.chance(0.6) ? settings.drag_limits(extent, diagonal)
@@ -210,7 +213,7 @@ TEST_P(Adapt, TerminatesAtAFixedPointIsReversibleAndLeavesNothingToRefine) {
         return run_case(GetParam(), std::stoull(seed));
     }
     // A certificate takes longer.
-    const int cases = test::case_count(GetParam() == Trigger::certified ? 60 : 400);
+    const int cases = test::case_count(GetParam() == Trigger::certified ? 80 : 400);
     for (int i = 0; i < cases; ++i) {
         run_case(GetParam(), 1000 + static_cast<std::uint64_t>(i));
         if (HasFailure()) {

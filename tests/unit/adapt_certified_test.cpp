@@ -182,6 +182,7 @@ std::vector<TriMesh> frames(CertifiedError::Search search, std::uint64_t seed) {
 
 TEST(DueFaces, GiveTheSameMeshesAsATestOfAllFaces) {
     const int cases = test::case_count(6);
+    std::size_t refined = 0;
     for (int i = 0; i < cases; ++i) {
         const auto seed = 4600 + static_cast<std::uint64_t>(i);
         SCOPED_TRACE("seed " + std::to_string(seed));
@@ -189,9 +190,10 @@ TEST(DueFaces, GiveTheSameMeshesAsATestOfAllFaces) {
                                    all = frames(CertifiedError::Search::all, seed);
         for (std::size_t k = 0; k < all.size(); ++k) {
             ASSERT_TRUE(due[k] == all[k]) << "frame " << k;
+            if (all[k].face_count() > 1280) ++refined;
         }
-        EXPECT_GT(all.back().face_count(), 1280u);
     }
+    EXPECT_GT(refined, static_cast<std::size_t>(cases));
 }
 
 std::vector<FaceId> due_by_definition(const ActiveSet& active, const InterpolationError& error,
