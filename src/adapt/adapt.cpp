@@ -8,6 +8,7 @@
 #include <span>
 
 #include "adapt/edge_classifier.h"
+#include "adapt/face_pairs.h"
 #include "adapt/self_intersections.h"
 #include "geometry/parallel.h"
 #include "mesh/first_of_siblings.h"
@@ -91,9 +92,37 @@ void count_after_decimation(SelfIntersections& self_intersections, Refinement& r
     }
 }
 
+// The same where condition (a) is one for faces and (b) is off.
+std::vector<EdgeId> edges_of_curved_faces(const ActiveSet& active, const Criteria& criteria) {
+    const TriMesh& mesh = active.mesh();
+    const std::vector<FaceId> faces =
+        face_pairs::live(mesh, {active.faces().begin(), active.faces().end()});
+    const EdgeClassifier classifier(active, criteria);
+    std::vector<EdgeId> all;
+    std::mutex mutex;
+    for_pieces(
+        0, static_cast<std::uint32_t>(faces.size()), [&](std::uint32_t first, std::uint32_t end) {
+            std::vector<EdgeId> found;
+            for (std::uint32_t i = first; i < end; ++i) {
+                classifier.visit_curved(
+                    TriMesh::half_edge(faces[i], 0),
+                    [&](EdgeId e, std::uint16_t) { found.push_back(mesh.representative(e)); });
+            }
+            const std::scoped_lock lock(mutex);
+            all.insert(all.end(), found.begin(), found.end());
+        });
+    std::ranges::sort(all);
+    all.erase(std::unique(all.begin(), all.end()), all.end());
+    return all;
+}
+
 // The active edges that need refinement, and those that would if sides with opposed normals
 // counted. Of siblings the representative. Sorted, each once.
 std::vector<EdgeId> edges_in_need(const ActiveSet& active, const Criteria& criteria) {
+    criteria.update();
+    if (criteria.curvature_tests_faces() && !criteria.length().is_on()) {
+        return edges_of_curved_faces(active, criteria);
+    }
     const TriMesh& mesh = active.mesh();
     const EdgeClassifier classifier(active, criteria);
     const auto test = [&](EdgeId e, std::vector<EdgeId>& found) {
@@ -149,7 +178,7 @@ Adaptation adapt_without_self_intersections(ActiveSet& active, Embedding& embedd
                                             const Criteria& criteria,
                                             const Surroundings& surroundings,
                                             const StopToken& stop) {
-    const bool is_guarded = criteria.limits().flatness != kOff;
+    const bool is_guarded = criteria.limits_removal();
     SelfIntersections self_intersections(active, surroundings, stop);
     Adaptation result = timed(
         [&] {

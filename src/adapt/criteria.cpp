@@ -45,14 +45,24 @@ Criteria::Criteria(const AdaptLimits& limits, std::vector<Box> zones,
               SplitOrder(limits.propagation, limits.symmetry), floor_),
       curvature_depends_on_faces_(
           ask_curvature([](const auto& trigger) { return trigger.kDependsOnFaces; })),
+      curvature_tests_faces_(ask_curvature([](const auto& trigger) {
+          return requires(const ActiveSet& active, HalfEdgeId h) {
+              trigger.needed_split(active, h);
+          };
+      })),
       squared_difference_bound_(
           ask_curvature([](const auto& trigger) { return trigger.fast_path_bound(); })),
       squared_length_bound_(length_.fast_path_bound()) {
     if (scope) scope_ = with_images(*std::move(scope), limits.symmetry);
     // Concurrent edits are tested while others are made.
     if (curvature_depends_on_faces_) limits_.partitioning.batch = Partitioning::kNever;
+    const SplitOrder order(limits.propagation, limits.symmetry);
     const auto bind = [&](auto& trigger) {
-        if constexpr (requires { trigger.bind(embedding); }) trigger.bind(embedding);
+        if constexpr (requires { trigger.bind(embedding); }) {
+            trigger.bind(embedding);
+        } else if constexpr (requires { trigger.bind(embedding, order, floor_); }) {
+            trigger.bind(embedding, order, floor_);
+        }
     };
     std::visit(bind, limits_.curvature);
 }

@@ -18,6 +18,7 @@
 #include "adapt/concurrent/partitions.h"
 #include "adapt/floor.h"
 #include "adapt/off.h"
+#include "adapt/triggers/certified_error.h"
 #include "adapt/triggers/edge_length.h"
 #include "adapt/triggers/midpoint_distance.h"
 #include "adapt/triggers/normal_divergence.h"
@@ -51,9 +52,14 @@ class Embedding;
 // - fast_path_bound(): if the trigger does not follow from the difference of the end normals, it
 //   returns 0; then the fast path accepts no edge.
 //
+// A trigger may ask about faces instead of edges. Then it has a member needed_split(active, h), the
+// half-edge at which the face of h has to be split, and needs_refinement(e) rests on it. Passes
+// then test each face once (Criteria::curvature_tests_faces), and of a split the new faces.
+// bind() gets the order of splits and the floor as well, and update() is called when a pass begins.
+//
 // An alternative takes the place of NormalDivergence. A condition beside (a) and (b) is a member of
 // Criteria as EdgeLength is: need(), edges_pass(), may_unsplit() and classify_one_ring() ask it.
-using CurvatureTrigger = std::variant<NormalDivergence, MidpointDistance>;
+using CurvatureTrigger = std::variant<NormalDivergence, MidpointDistance, CertifiedError>;
 
 // Lengths in world units. kOff switches a limit off, in refinement and in decimation.
 struct AdaptLimits {
@@ -105,6 +111,26 @@ class Criteria {
     // (AdaptLimits::partitioning), and edges and vertices are tested in groups before one of the
     // group is split or removed, so that the order within the group does not matter.
     bool curvature_depends_on_faces() const { return curvature_depends_on_faces_; }
+    // Whether it is a condition for faces, which need to be split at one of their edges:
+    // curvature_needed_split() is that half-edge of the face of h, or none. Then
+    // curvature_needs_refinement() says whether a face has to be split at e, and refinement begins
+    // with faces_to_test().
+    bool curvature_tests_faces() const { return curvature_tests_faces_; }
+    HalfEdgeId curvature_needed_split(const ActiveSet& active, HalfEdgeId h) const;
+    // Of the certified trigger, which alone can prove an error; null if another one is in use.
+    const CertifiedError* certified_error() const {
+        return std::get_if<CertifiedError>(&limits_.curvature);
+    }
+    std::vector<FaceId> faces_to_test(const ActiveSet& active) const;
+    // To be called by each pass before it asks anything: the displacements of the warp may have
+    // changed since the pass before.
+    void update() const;
+    // Whether decimation keeps the shape of the surface, so that it has to keep it free of
+    // self-intersections, too.
+    bool limits_removal() const {
+        return limits_.flatness != kOff ||
+               (certified_error() && certified_error()->tolerance() < kOff);
+    }
     // The trigger of conditions (b).
     const EdgeLength& length() const { return length_; }
     // Fast path of needs_refinement() for smooth edges (ActiveSet::smooth_edges). True means that e
@@ -150,7 +176,7 @@ class Criteria {
     EdgeLength length_;
     std::optional<std::vector<Box>> scope_;
     std::vector<VertexId> kept_;  // sorted
-    bool curvature_depends_on_faces_;
+    bool curvature_depends_on_faces_, curvature_tests_faces_;
     // Bounds of the fast path, from the triggers: of |n1 - n2|^2 and of the squared length.
     float squared_difference_bound_;
     double squared_length_bound_;
@@ -158,6 +184,32 @@ class Criteria {
 
 inline bool Criteria::curvature_needs_refinement(const ActiveSet& active, EdgeId e) const {
     return ask_curvature([&](const auto& trigger) { return trigger.needs_refinement(active, e); });
+}
+
+inline HalfEdgeId Criteria::curvature_needed_split(const ActiveSet& active, HalfEdgeId h) const {
+    return ask_curvature([&](const auto& trigger) {
+        if constexpr (requires { trigger.needed_split(active, h); }) {
+            return trigger.needed_split(active, h);
+        } else {
+            return kNone<HalfEdgeId>;
+        }
+    });
+}
+
+inline std::vector<FaceId> Criteria::faces_to_test(const ActiveSet& active) const {
+    return ask_curvature([&](const auto& trigger) {
+        if constexpr (requires { trigger.faces_to_test(active); }) {
+            return trigger.faces_to_test(active);
+        } else {
+            return std::vector<FaceId>{};
+        }
+    });
+}
+
+inline void Criteria::update() const {
+    ask_curvature([](const auto& trigger) {
+        if constexpr (requires { trigger.update(); }) trigger.update();
+    });
 }
 
 inline bool Criteria::satisfies_criteria_fast(const TriMesh& mesh, EdgeId e,

@@ -144,6 +144,7 @@ std::optional<Star> removable_star(const ActiveSet& active, const Criteria& crit
 
 Decimation decimate(ActiveSet& active, const Criteria& criteria,
                     SelfIntersections* self_intersections, const StopToken& stop) {
+    criteria.update();
     Decimator decimator(active, criteria, self_intersections, stop);
     std::uint64_t before = 0;
     bool may_go_on = false;

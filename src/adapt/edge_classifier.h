@@ -41,20 +41,14 @@ class EdgeClassifier {
     //          d
     template <typename Visit>
     void classify_one_ring(const ActiveSet::Inserted& made, Visit visit) const {
-        for (std::size_t k = 0; k < made.edges.size(); ++k) {
-            const EdgeId e = made.edges[k];
-            if (!exists(e)) continue;
-            const bool is_smooth = k >= 2 || made.is_smooth;
-            if (is_smooth && criteria_.satisfies_criteria_fast(mesh_, e, false)) continue;
-            if (criteria_.curvature_needs_refinement(active_, e)) visit(e, length_class_of(e));
+        if (criteria_.curvature_tests_faces()) {
+            visit_new_faces(made, [&](HalfEdgeId h) { visit_curved(h, visit); });
+        } else {
+            visit_new_edges(made, visit);
         }
         if (criteria_.curvature_depends_on_faces()) visit_outer_edges(made, visit);
         if (!criteria_.length().is_on()) return;
-        // Each new face has one of the edges am and dm, the second pair.
-        for (std::size_t k = 2; k < made.edges.size(); ++k) {
-            if (!exists(made.edges[k])) continue;
-            mesh_.for_each_side(made.edges[k], [&](HalfEdgeId h) { visit_needed(h, visit); });
-        }
+        visit_new_faces(made, [&](HalfEdgeId h) { visit_needed(h, visit); });
     }
     // A split calls visit at most this often for each sheet, without outer edges.
     static constexpr std::size_t kMaxNeeded = 8;
@@ -71,7 +65,34 @@ class EdgeClassifier {
         });
     }
 
+    // Calls visit(edge, length class or kBelowFloor) for the edge at which the face of h has to be
+    // split by refinement condition (a), if that is a condition for faces.
+    template <typename Visit>
+    void visit_curved(HalfEdgeId h, Visit visit) const {
+        const HalfEdgeId first = criteria_.curvature_needed_split(active_, h);
+        if (exists(first)) visit(mesh_.edge(first), length_class_of(mesh_.edge(first)));
+    }
+
   private:
+    template <typename Visit>
+    void visit_new_edges(const ActiveSet::Inserted& made, Visit visit) const {
+        for (std::size_t k = 0; k < made.edges.size(); ++k) {
+            const EdgeId e = made.edges[k];
+            if (!exists(e)) continue;
+            const bool is_smooth = k >= 2 || made.is_smooth;
+            if (is_smooth && criteria_.satisfies_criteria_fast(mesh_, e, false)) continue;
+            if (criteria_.curvature_needs_refinement(active_, e)) visit(e, length_class_of(e));
+        }
+    }
+
+    // visit(a half-edge): each new face has one of the edges am and dm, the second pair.
+    template <typename Visit>
+    void visit_new_faces(const ActiveSet::Inserted& made, Visit visit) const {
+        for (std::size_t k = 2; k < made.edges.size(); ++k) {
+            if (exists(made.edges[k])) mesh_.for_each_side(made.edges[k], visit);
+        }
+    }
+
     // The edges ab, ca, bd and dc by refinement condition (a).
     template <typename Visit>
     void visit_outer_edges(const ActiveSet::Inserted& made, Visit visit) const {

@@ -14,6 +14,9 @@
 namespace pectin {
 namespace {
 
+// A test of a face takes some microseconds.
+constexpr std::uint32_t kFacesOfAPiece = 256;
+
 class Refiner {
   public:
     Refiner(ActiveSet& active, Embedding& embedding, const Criteria& criteria)
@@ -28,12 +31,15 @@ class Refiner {
                                                      : RefinementQueue::kSerialBatch) {}
 
     Refinement refine(const StopToken& stop) {
-        queue_needed_edges();
+        criteria_.update();
+        if (criteria_.curvature_tests_faces()) queue_curved_faces();
+        if (!criteria_.curvature_tests_faces() || criteria_.length().is_on()) queue_needed_edges();
         split_queued_edges(stop);
         return result();
     }
 
     Refinement refine_at(std::span<const EdgeId> edges, const StopToken& stop) {
+        criteria_.update();
         for (EdgeId e : edges) {
             const bool is_below = criteria_.is_below_floor(active_.mesh(), e);
             result_.floor_hit |= is_below;
@@ -130,6 +136,30 @@ class Refiner {
         if (!may_be_long) return;
         for_each_equal(needs, SplitNeed::neighbour,
                        [&](std::size_t i) { push_needed_neighbours(active_.edges()[i]); });
+    }
+
+    // Where refinement condition (a) is one for faces, they are tested on all threads, and their
+    // edges queued in the order of the faces.
+    void queue_curved_faces() {
+        const std::vector<FaceId> faces = criteria_.faces_to_test(active_);
+        std::vector<std::uint8_t> needs(faces.size());
+        for_pieces(
+            0, static_cast<std::uint32_t>(faces.size()),
+            [&](std::uint32_t first, std::uint32_t end) {
+                for (std::uint32_t i = first; i < end; ++i) {
+                    needs[i] = exists(criteria_.curvature_needed_split(
+                                   active_, TriMesh::half_edge(faces[i], 0)))
+                                   ? 1
+                                   : 0;
+                }
+            },
+            kFacesOfAPiece);
+        for (std::size_t i = 0; i < faces.size(); ++i) {
+            if (needs[i] == 0) continue;
+            classifier_.visit_curved(
+                TriMesh::half_edge(faces[i], 0),
+                [this](EdgeId e, std::uint16_t length_class) { push(e, length_class); });
+        }
     }
 
     // Writes a SplitNeed for each edge. An edge along a cut is only marked here, as `itself`, and

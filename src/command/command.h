@@ -48,11 +48,11 @@ struct Shape {
 };
 
 struct Adapt {
-    enum class Trigger { normals, midpoint };
+    enum class Trigger { normals, midpoint, certified };
     std::optional<bool> enabled{};
     std::optional<Trigger> trigger{};
     std::optional<Setting> theta_max{}, theta_min{};  // of normals
-    std::optional<Setting> tolerance{};               // of midpoint
+    std::optional<Setting> tolerance{};               // of midpoint and certified
     std::optional<Setting> l_max{};
     std::optional<Setting> flatness{};
     std::optional<Setting> floor{};

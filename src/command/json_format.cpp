@@ -106,6 +106,22 @@ void write_last(JsonWriter& json, const Statistics::Last& last) {
     json.close('}');
 }
 
+void write_error(JsonWriter& json, const Statistics::Error& error) {
+    const auto write = [&](const char* name, const std::optional<double>& value) {
+        json.key(name);
+        if (value) {
+            json.value(*value);
+        } else {
+            json.null();
+        }
+    };
+    json.key("error");
+    json.open('{');
+    write("last", error.last);
+    write("total", error.total);
+    json.close('}');
+}
+
 }  // namespace
 
 std::string format_command(const Command& command) {
@@ -127,6 +143,7 @@ std::string format_statistics(const Statistics& statistics) {
     json.field("max_level", statistics.max_level);
     write_input(json, statistics.input);
     write_last(json, statistics.last);
+    write_error(json, statistics.error);
     json.field("edge_max", statistics.edge_max);
     json.field("angle_min_deg", statistics.angle_min_deg);
     json.field("divergence_max_deg", statistics.divergence_max_deg);

@@ -126,10 +126,11 @@ struct Schema<command::Adapt> {
     static constexpr std::tuple kFields{
         make_field("enabled", &command::Adapt::enabled, field::Flag{}, "true",
                    "Whether drags refine and decimate."),
-        make_field("trigger", &command::Adapt::trigger, field::Choice<2>{{"normals", "midpoint"}},
-                   "\"normals\"",
-                   "What tells that an edge bends: the normals at its ends, by theta_max and "
-                   "theta_min, or how far its middle leaves the faces at it, by tolerance."),
+        make_field("trigger", &command::Adapt::trigger,
+                   field::Choice<3>{{"normals", "midpoint", "certified"}}, "\"normals\"",
+                   "What tells that the surface bends: the normals at an edge's ends, by theta_max "
+                   "and theta_min, how far its middle leaves the faces at it, by tolerance, or how "
+                   "far a face is from the exact surface at most, by tolerance."),
         make_field(
             "theta_max", &command::Adapt::theta_max,
             field::NumberOr{field::above(0.0), field::Unit::angle}.or_null(), "180/7",
@@ -144,20 +145,20 @@ struct Schema<command::Adapt> {
                    field::NumberOr{field::above(0.0), field::Unit::length}.or_auto(), "\"auto\"",
                    "With midpoint, an edge is refined if its middle is farther from the planes of "
                    "its two faces, in sum, and a vertex may be decimated if it is nearer than a "
-                   "quarter of this to the middle of the edge that it leaves; \"auto\": 1e-3 of "
-                   "the box diagonal."),
+                   "quarter of this to the middle of the edge that it leaves; with certified, the "
+                   "largest distance that is left; \"auto\": 1e-3 of the box diagonal."),
         make_field("l_max", &command::Adapt::l_max,
                    field::NumberOr{field::above(0.0), field::Unit::length}.or_auto().or_null(),
                    "\"auto\"",
                    "An edge in the zone of a drag that is longer is refined, with a length also by "
                    "readapt in the whole object; \"auto\": the smallest cell extent of the lattice "
                    "in use, and in a fold-free drag of several steps longer edges may stay where "
-                   "the surface is straight; null: none is."),
+                   "the surface is straight, with certified null; null: none is."),
         make_field("flatness", &command::Adapt::flatness,
                    field::NumberOr{field::at_least(0.0), field::Unit::ratio}.or_auto().or_null(),
                    "\"auto\"",
                    "How far decimation may move the surface, in lengths of the edge that it "
-                   "restores; \"auto\": tan(theta_max / 4) / 2; null: any distance."),
+                   "restores; \"auto\": tan(theta_max / 4) / 2, with certified null; null: any."),
         make_field("floor", &command::Adapt::floor,
                    field::NumberOr{field::above(0.0), field::Unit::length}.or_auto(), "\"auto\"",
                    "An edge shorter than twice this is not split; \"auto\": 1e-4 of the box "

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <vector>
 
 namespace pectin {
@@ -27,6 +28,15 @@ struct Statistics {
         std::uint64_t steps = 0;                // number of steps of the deformation
         Seconds seconds;
     } last;
+
+    // Upper bounds of the distance between the mesh and the exact surface, to which all drags
+    // together would take the flat faces of the object as it was opened. None where it is not
+    // known, since a drag was adapted by another trigger than certified.
+    struct Error {
+        std::optional<double> last;   // what the last drag, control or readapt has added
+        std::optional<double> total;  // since the object was opened
+        bool operator==(const Error&) const = default;
+    } error{};
 
     double edge_max = 0.0;            // longest edge
     double angle_min_deg = 0.0;       // smallest triangle angle

@@ -52,6 +52,7 @@ class Embedding {
     // The image of a point under the warp with its present displacements: where a vertex goes that
     // a split inserts there, if it moves. Several threads may call it at the same time.
     Vec3 image(const Vec3& rest) const;
+    const Warp& warp() const { return warp_; }
     // Whether the warp has no steps, so that nothing moves.
     bool is_identity() const { return step_starts_.empty(); }
     // Whether the warp has several steps. Known before embed().

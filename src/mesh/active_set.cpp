@@ -14,6 +14,7 @@ void ActiveSet::begin(std::span<const FaceId> faces, const Box& zone,
                       std::span<const FaceId> staying) {
     assert(!begun_);
     begun_ = true;
+    ++roll_backs_;
     split_capacity_ = 0;
     log_.begin(faces, mesh_.slot_counts());
     rest_.begin(faces, zone);
@@ -21,10 +22,13 @@ void ActiveSet::begin(std::span<const FaceId> faces, const Box& zone,
 }
 
 void ActiveSet::roll_back() noexcept {
-    if (log_.edits().empty()) return rest_.restore_attributes(mesh_);
+    ++roll_backs_;
+    if (log_.edits().empty() && errors_.empty()) return rest_.restore_attributes(mesh_);
     log_.take_back(mesh_);
     assert(mesh_.slot_counts() == log_.slots_at_begin());
     rest_.restore(mesh_);
+    errors_.restore(mesh_);
+    errors_.clear();
     staying_.restore(edited_faces());
     log_.clear();
 }
@@ -37,6 +41,7 @@ void ActiveSet::cancel() noexcept {
 void ActiveSet::abandon() noexcept {
     rest_.abandon();
     staying_.abandon();
+    errors_.clear();
     log_.end();
     begun_ = false;
 }
@@ -45,6 +50,7 @@ MeshChange ActiveSet::finish() {
     MeshChange change;
     change.slots_before = log_.slots_at_begin();
     rest_.record(change);
+    errors_.describe(mesh_, edited_faces(), change);
     change.edits.assign(log_.edits().begin(), log_.edits().end());
     change.faces = changed_faces();
     forget();
@@ -67,6 +73,7 @@ std::vector<FaceId> ActiveSet::changed_faces() const {
 
 void ActiveSet::forget() noexcept {
     rest_.end();
+    errors_.clear();
     staying_.end(edited_faces());
     log_.end();
     begun_ = false;
@@ -74,7 +81,7 @@ void ActiveSet::forget() noexcept {
 
 std::size_t ActiveSet::memory_bytes() const {
     return rest_.memory_bytes() + log_.memory_bytes() + staying_.memory_bytes() +
-           capacity_bytes(scratch_);
+           errors_.memory_bytes() + capacity_bytes(scratch_);
 }
 
 }  // namespace pectin

@@ -12,6 +12,7 @@
 #include "geometry/box.h"
 #include "mesh/concurrent_allocation.h"
 #include "mesh/edit_log.h"
+#include "mesh/error_log.h"
 #include "mesh/growing_array.h"
 #include "mesh/mesh_change.h"
 #include "mesh/rest_state.h"
@@ -135,6 +136,16 @@ class ActiveSet {
     // Precondition: star.m has an entry. Throws std::bad_alloc before anything changes.
     void unsplit(const Star& star);
 
+    // Sets the errors of live faces. Throws std::bad_alloc before anything changes. faces, errors:
+    // the same number. Precondition: the mesh tracks errors.
+    void set_errors(std::span<const FaceId> faces, std::span<const float> errors);
+    // The error at rest of the face on the side of h, once the split of star.m has been undone: the
+    // larger one of its two pieces, and how far m is from the middle of bc at rest. h: star.bm, or
+    // star.mb.
+    float merged_error(const Star& star, HalfEdgeId h) const;
+    // Whether undoing the split of star.m leaves the surface at rest, and its errors, as they are.
+    bool merges_exactly(const Star& star) const;
+
     // --- Edits on several threads (concurrent_allocation.h), of active smooth edges.
     //
     // Slots of several splits: in the mesh, among the entries, and in the log.
@@ -161,6 +172,7 @@ class ActiveSet {
         EdgeId bc = kNone<EdgeId>;
         std::array<FaceId, 2> kept_faces{};
         std::uint32_t vertex_entry = kNoEntry, wedge_entry = kNoEntry;
+        std::array<float, 4> errors{};  // of kept_faces, face 3 and face 4 before
     };
     // Two calls may run at the same time if their stencils share no vertex. The removed slots are
     // freed, and the edit is logged, by log_unsplits(). Precondition: may_unsplit_concurrently().
@@ -172,7 +184,7 @@ class ActiveSet {
     };
     // Reserved parts of the log and of the free lists: the indices of the first.
     struct ReservedLogSlots {
-        std::size_t edit = 0, face = 0, vertex_entry = 0, wedge_entry = 0;
+        std::size_t edit = 0, face = 0, vertex_entry = 0, wedge_entry = 0, error = 0;
         FreedSlots freed{};
     };
     // count() and log_unsplits() may run concurrently for different groups of unsplits, in
@@ -186,6 +198,8 @@ class ActiveSet {
     // throw. Throws std::bad_alloc.
     void reserve_unsplits(std::size_t sheets);
 
+    // How often a gesture has begun or was rolled back. Until then edited_faces() only grows.
+    std::uint64_t roll_backs() const { return roll_backs_; }
     std::uint64_t edit_count() const { return log_.edits().size(); }
     std::uint64_t splits() const { return log_.splits(); }
     std::uint64_t unsplits() const { return log_.unsplits(); }
@@ -205,14 +219,19 @@ class ActiveSet {
     bool midpoint_stays(const Split& split) const;
     void log_faces(std::size_t first, const Split& split);
     void drop_sheet(const Star& star);
+    void merge_errors(const Star& star);
+    double distance_from_middle(const Star& star) const;
+    void reserve_errors(std::size_t sheets);
     std::vector<FaceId> changed_faces() const;  // for a MeshChange
     void forget() noexcept;
 
     TriMesh& mesh_;
     RestState rest_;
     EditLog log_;
+    ErrorLog errors_;
     StayingFaces staying_;
     bool begun_ = false;
+    std::uint64_t roll_backs_ = 0;
     std::uint32_t split_capacity_ = 0;  // there is room for at least so many splits outside cuts
     GrowingArray<std::uint8_t> scratch_;
 };

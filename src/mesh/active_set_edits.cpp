@@ -154,6 +154,11 @@ void ActiveSet::reserve_unsplits(std::size_t sheets) {
     mesh_.reserve_unsplits(sheets);
     rest_.reserve_unsplits(sheets);
     log_.reserve(sheets);
+    reserve_errors(sheets);
+}
+
+void ActiveSet::reserve_errors(std::size_t sheets) {
+    if (mesh_.tracks_errors()) errors_.reserve(4 * sheets);
 }
 
 void ActiveSet::unsplit(const Star& star) {
@@ -179,12 +184,64 @@ void ActiveSet::unsplit(const Star& star) {
 // Logs the faces of one sheet and removes the entries of its wedges at m.
 void ActiveSet::drop_sheet(const Star& star) {
     for (HalfEdgeId h : {star.mc, star.bm}) log_.log_face(TriMesh::face(h));
+    merge_errors(star);
     const WedgeId left = mesh_.wedge(star.mc);
     rest_.remove_or_keep(left);
     if (star.on_boundary()) return;
     for (HalfEdgeId h : {star.mb, star.cm}) log_.log_face(TriMesh::face(h));
     const WedgeId right = mesh_.wedge(star.mb);
     if (right != left) rest_.remove_or_keep(right);
+}
+
+//          a                  a
+//         /|\                / \         Each point of the pieces 1 and 3 is at most as far from
+//         the
+//        /1|3\              / 1 \        merged face as m is from the middle of bc, and likewise on
+//       b--m--c    --->    b-----c       the other side.
+//        \2|4/              \ 2 /
+//         \|/                \ /
+//          d                  d
+float ActiveSet::merged_error(const Star& star, HalfEdgeId h) const {
+    const HalfEdgeId other = h == star.bm ? star.mc : star.cm;
+    const float larger = std::max(mesh_.error(TriMesh::face(h)), mesh_.error(TriMesh::face(other)));
+    const double distance = distance_from_middle(star);
+    return distance > 0.0 ? rounded_up(static_cast<double>(larger) + distance) : larger;
+}
+
+double ActiveSet::distance_from_middle(const Star& star) const {
+    const Vec3 middle = 0.5 * rest_.position(star.b) + 0.5 * rest_.position(star.c);
+    return glm::distance(rest_.position(star.m), middle);
+}
+
+bool ActiveSet::merges_exactly(const Star& star) const {
+    const auto are_equal = [&](HalfEdgeId h, HalfEdgeId other) {
+        return mesh_.error(TriMesh::face(h)) == mesh_.error(TriMesh::face(other));
+    };
+    return distance_from_middle(star) == 0.0 && are_equal(star.bm, star.mc) &&
+           (star.on_boundary() || are_equal(star.mb, star.cm));
+}
+
+// Gives the kept faces of one sheet their errors after the unsplit, and logs those before it.
+void ActiveSet::merge_errors(const Star& star) {
+    if (!mesh_.tracks_errors()) return;
+    const auto merge = [&](HalfEdgeId kept, HalfEdgeId freed) {
+        const FaceId f = TriMesh::face(kept), g = TriMesh::face(freed);
+        const float merged = merged_error(star, kept);
+        errors_.record(f, mesh_.error(f));
+        errors_.record(g, mesh_.error(g));
+        mesh_.set_error(f, merged);
+    };
+    merge(star.bm, star.mc);
+    if (!star.on_boundary()) merge(star.mb, star.cm);
+}
+
+void ActiveSet::set_errors(std::span<const FaceId> faces, std::span<const float> errors) {
+    assert(faces.size() == errors.size());
+    errors_.reserve(faces.size());
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        errors_.record(faces[i], mesh_.error(faces[i]));
+        mesh_.set_error(faces[i], errors[i]);
+    }
 }
 
 bool ActiveSet::may_unsplit_concurrently(const Star& star) const {
@@ -196,8 +253,19 @@ ActiveSet::Unsplit ActiveSet::concurrent_unsplit(const Star& star) {
     Unsplit done{.ids = {},
                  .bc = mesh_.edge(star.bm),
                  .kept_faces = {TriMesh::face(star.bm), TriMesh::face(star.mb)},
-                 .vertex_entry = rest_.remove(star.m),
-                 .wedge_entry = rest_.remove(mesh_.wedge(star.mc))};
+                 .vertex_entry = kNoEntry,
+                 .wedge_entry = kNoEntry};
+    if (mesh_.tracks_errors()) {
+        const std::array<float, 2> merged{merged_error(star, star.bm), merged_error(star, star.mb)};
+        for (std::size_t i = 0; i < 2; ++i) {
+            done.errors[i] = mesh_.error(done.kept_faces[i]);
+            mesh_.set_error(done.kept_faces[i], merged[i]);
+        }
+        done.errors[2] = mesh_.error(TriMesh::face(star.mc));
+        done.errors[3] = mesh_.error(TriMesh::face(star.cm));
+    }
+    done.vertex_entry = rest_.remove(star.m);
+    done.wedge_entry = rest_.remove(mesh_.wedge(star.mc));
     done.ids = mesh_.remove_midpoint(star);
     rest_.forget_length(done.bc);
     if (!rest_.is_inserted_vertex(done.vertex_entry)) {
@@ -221,6 +289,7 @@ ActiveSet::ReservedLogSlots ActiveSet::allocate_unsplits(const UnsplitCount& cou
             .face = log_.grow_faces(EditLog::kFacesPerSheet * count.unsplits),
             .vertex_entry = rest_.vertex_table().grow_free(count.vertex_entries),
             .wedge_entry = rest_.wedge_table().grow_free(count.wedge_entries),
+            .error = mesh_.tracks_errors() ? errors_.grow(4 * count.unsplits) : 0,
             .freed = mesh_.allocate_freed(count.unsplits)};
 }
 
@@ -230,6 +299,12 @@ void ActiveSet::log_unsplits(std::span<const Unsplit> unsplits, ReservedLogSlots
         log_.set_edit(at.edit++, TopologyEdit::unsplit(done.bc));
         for (FaceId f : {done.ids.face3, done.kept_faces[0], done.kept_faces[1], done.ids.face4}) {
             log_.set_face(at.face++, f);
+        }
+        if (mesh_.tracks_errors()) {
+            errors_.set(at.error++, done.kept_faces[0], done.errors[0]);
+            errors_.set(at.error++, done.kept_faces[1], done.errors[1]);
+            errors_.set(at.error++, done.ids.face3, done.errors[2]);
+            errors_.set(at.error++, done.ids.face4, done.errors[3]);
         }
         mesh_.free_split(done.ids, at.freed, i);
         if (rest_.is_inserted_vertex(done.vertex_entry)) {

@@ -22,18 +22,32 @@ void AttributeState::grow_wedges(std::size_t count) {
     normals.grow(count);
 }
 
+void AttributeState::grow_faces(std::size_t count) {
+    const std::size_t size = faces.size() + count;
+    faces.reserve(size);
+    errors.reserve(size);
+    faces.grow(count);
+    errors.grow(count);
+}
+
 void AttributeState::write_to(TriMesh& mesh) const {
     for (std::size_t i = 0; i < vertices.size(); ++i) {
         mesh.set_position(vertices[i], positions[i]);
         mesh.set_deformed(vertices[i], deformed[i] != 0);
     }
     for (std::size_t i = 0; i < wedges.size(); ++i) mesh.set_normal(wedges[i], normals[i]);
+    if (!mesh.tracks_errors()) return;
+    for (std::size_t i = 0; i < faces.size(); ++i) {
+        const bool is_there = index(faces[i]) < mesh.face_slots() && mesh.is_live(faces[i]);
+        if (is_there) mesh.set_error(faces[i], errors[i]);
+    }
 }
 
 std::size_t AttributeState::memory_bytes() const {
     return vertices.capacity() * sizeof(VertexId) + positions.capacity() * sizeof(Vec3) +
            deformed.capacity() + wedges.capacity() * sizeof(WedgeId) +
-           normals.capacity() * sizeof(Vec3f);
+           normals.capacity() * sizeof(Vec3f) + faces.capacity() * sizeof(FaceId) +
+           errors.capacity() * sizeof(float);
 }
 
 std::size_t MeshChange::memory_bytes() const {

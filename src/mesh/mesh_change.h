@@ -36,10 +36,13 @@ struct AttributeState {
     GrowingArray<std::uint8_t> deformed;  // n_vertices
     GrowingArray<WedgeId> wedges;
     GrowingArray<Vec3f> normals;  // n_wedges
+    GrowingArray<FaceId> faces;   // those that are not live in this state do not count
+    GrowingArray<float> errors;   // n_faces
 
     // Adds elements that set() then writes. Throws std::bad_alloc.
     void grow_vertices(std::size_t count);
     void grow_wedges(std::size_t count);
+    void grow_faces(std::size_t count);
     void set(std::size_t i, VertexId v, const Vec3& position, bool is_deformed) {
         vertices[i] = v;
         positions[i] = position;
@@ -48,6 +51,10 @@ struct AttributeState {
     void set(std::size_t i, WedgeId w, const Vec3f& normal) {
         wedges[i] = w;
         normals[i] = normal;
+    }
+    void set(std::size_t i, FaceId f, float error) {
+        faces[i] = f;
+        errors[i] = error;
     }
     void write_to(TriMesh& mesh) const;
     std::size_t memory_bytes() const;
@@ -61,8 +68,10 @@ struct MeshChange {
     std::vector<FaceId> faces;  // slots whose face has changed, been added or removed; sorted
 
     // Wedges are tested, too: the normal of a pinned vertex may change while its position does not.
+    // So are the errors of faces: a drag may move the exact surface between the vertices alone.
     bool is_empty() const {
-        return edits.empty() && before.vertices.empty() && before.wedges.empty();
+        return edits.empty() && before.vertices.empty() && before.wedges.empty() &&
+               before.faces.empty();
     }
     std::size_t memory_bytes() const;
 };

@@ -18,6 +18,8 @@ struct Column {
     T cleared;                 // what a freed slot holds
     std::size_t per_slot = 1;  // array entries per slot
     bool is_optional = false;  // an optional column may be absent: its array is then empty
+    // An absent column means the same as one that is cleared throughout, and equals it.
+    bool may_be_left_out = false;
 };
 // As Column::cleared: a freed slot holds its own id.
 struct OwnId {};
@@ -140,9 +142,11 @@ class SlotTable : public Columns {
     // Same slots, same bytes, same free list.
     bool has_same_bytes(const SlotTable& other) const {
         bool is_same = same_bytes(free_, other.free_);
-        Columns::for_each_column([&](const auto&, const auto& x,
-                                     const auto& y) { is_same = is_same && same_bytes(x, y); },
-                                 *this, other);
+        Columns::for_each_column(
+            [&](const auto& column, const auto& x, const auto& y) {
+                is_same = is_same && (same_bytes(x, y) || are_left_out(column, x, y));
+            },
+            *this, other);
         return is_same;
     }
     bool is_cleared(Id id) const {
@@ -166,6 +170,20 @@ class SlotTable : public Columns {
     }
 
   private:
+    // Whether one of two columns is absent and the other holds nothing.
+    template <typename T>
+    static bool are_left_out(const Column<T>& column, const GrowingArray<T>& x,
+                             const GrowingArray<T>& y) {
+        const auto is_cleared = [&](const T& value) { return value == column.cleared; };
+        return column.may_be_left_out && (x.empty() || y.empty()) &&
+               std::all_of(x.begin(), x.end(), is_cleared) &&
+               std::all_of(y.begin(), y.end(), is_cleared);
+    }
+    template <typename T>
+    static bool are_left_out(const Column<OwnId>&, const GrowingArray<T>&, const GrowingArray<T>&) {
+        return false;
+    }
+
     // visit(Column, array) for all columns that are not absent.
     template <typename Visit>
     void for_each_present(Visit visit) {

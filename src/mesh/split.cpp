@@ -138,6 +138,10 @@ void TriMesh::connect(const Split& s) {
     const HalfEdgeId bc = half_edge(s.bm);
     faces_.bases[index(s.face3)] = base_face(face(bc));
     if (s.right) faces_.bases[index(s.face4)] = base_face(face(twin(bc)));
+    if (tracks_errors()) {
+        set_error(s.face3, error(face(bc)));
+        if (s.right) set_error(s.face4, error(face(twin(bc))));
+    }
     describe_edge(s.mc, level(s.bm));
     describe_edge(s.am, level(s.m));
     describe_wedge(s.left);

@@ -150,6 +150,20 @@ class TriMesh {
     std::uint16_t level(VertexId v) const { return vertices_.levels[index(v)]; }
     std::uint16_t level(EdgeId e) const { return edges_.levels[index(e)]; }
 
+    // An upper bound of the distance between f and the exact surface, to which the deformations so
+    // far have taken the original one (adapt/triggers/certified_error.h). 0 where none was set. The
+    // pieces of a face inherit its bound.
+    float error(FaceId f) const { return tracks_errors() ? faces_.errors[index(f)] : 0.0f; }
+    bool tracks_errors() const { return !faces_.errors.empty(); }
+    // Makes room for errors, which are 0. Throws std::bad_alloc before anything changes. O(faces).
+    void track_errors() {
+        if (tracks_errors()) return;
+        faces_.errors.resize(face_slots());
+        split_capacity_.splits = 0;
+    }
+    // Precondition: tracks_errors(). Safe to call concurrently for different faces.
+    void set_error(FaceId f, float error) { faces_.errors[index(f)] = error; }
+
     // The base face that f is a piece of; f itself if it is a base face.
     FaceId base_face(FaceId f) const { return faces_.bases[index(f)]; }
     const Part& part(FaceId f) const { return form_.parts[part_index(f)]; }

@@ -4,6 +4,7 @@
 #include <limits>
 #include <utility>
 
+#include "adapt/accumulated_error.h"
 #include "command/json.h"
 #include "geometry/decimal.h"
 #include "io/atomic_file.h"
@@ -156,6 +157,7 @@ Frame Session::State::adapt_everything() {
     const bool is_used_up_now = adaptation.refinement.budget_hit && !outcome.has_ended_at_budget();
     frame.drag_budget_hit = is_used_up_now && is_drag_budget_less;
     frame.budget_hit = outcome.budget_hit || (is_used_up_now && !is_drag_budget_less);
+    frame.error = accumulate_errors(*active, criteria);
     frame.assessment = assess(*active, criteria, std::move(adaptation.refinement.blocked));
     frame.refine_seconds = adaptation.refine_seconds;
     frame.decimate_seconds = adaptation.decimate_seconds;
@@ -173,6 +175,7 @@ Done Session::State::run(const command::Readapt& readapt) {
     last = {};
     last.influenced_vertices = vertices_inside(*mesh, zones_in_use);
     try {
+        if (adapt_settings.trigger == command::Adapt::Trigger::certified) mesh->track_errors();
         active->begin(faces, Box{});
     } catch (...) {
         active->abandon();

@@ -130,7 +130,8 @@ Done Session::State::begin_control(std::span<const IVec3> indices) {
     Warp warp{{LatticeField{*lattice_settings.cage, std::move(*displacements)}}};
     Box zone = warp.zone();
     if (symmetry) zone.include(symmetry->image(zone));  // they differ by rounding at most
-    start_gesture(*begun, {.moving = face_tree().faces_meeting(zone, *mesh)}, std::move(warp));
+    start_gesture(*begun, {.moving = face_tree().faces_meeting(with_error_margin(zone), *mesh)},
+                  std::move(warp));
     begun->measured.seconds.begin = stopwatch.lap();
     active_gesture = std::move(begun);
     return {};

@@ -35,6 +35,14 @@ std::vector<Box> Session::State::zones_on_both_sides(const Warp& warp) const {
     return zones;
 }
 
+// The zones, and beyond them as far as the exact surface may be from a face that lies outside. It
+// is moved where it reaches into a zone, and may then be somewhat farther away.
+Box Session::State::with_error_margin(Box zone) const {
+    if (adapt_settings.trigger != command::Adapt::Trigger::certified) return zone;
+    const double margin = 2.0 * outcome.error.total.value_or(0.0);
+    return {.min = zone.min - margin, .max = zone.max + margin};
+}
+
 // Sorted.
 std::vector<FaceId> Session::State::faces_meeting(std::span<const Box> zones) {
     std::vector<FaceId> faces;
@@ -79,8 +87,12 @@ std::vector<FaceId> Session::State::staying_faces(std::span<const Vec3> displace
 // the handles.
 Result<GestureFaces> Session::State::faces_of(const command::Drag& drag,
                                               std::span<const Box> zones) {
-    std::vector<FaceId> faces = faces_meeting(zones);
-    if (!drag.connected) return GestureFaces{.moving = std::move(faces)};
+    if (!drag.connected) {
+        std::vector<Box> reached;
+        for (const Box& zone : zones) reached.push_back(with_error_margin(zone));
+        return GestureFaces{.moving = faces_meeting(reached)};
+    }
+    const std::vector<FaceId> faces = faces_meeting(zones);
     std::vector<FaceId> seeds;
     for (const Move& move : drag.moves) {
         if (const auto face = face_tree().nearest(move.from, *mesh)) seeds.push_back(*face);

@@ -7,6 +7,7 @@
 #include <new>
 #include <utility>
 
+#include "adapt/accumulated_error.h"
 #include "geometry/stop_token.h"
 
 namespace pectin {
@@ -32,6 +33,7 @@ Gesture::Gesture(ActiveSet& active, const GestureFaces& faces, Warp warp,
         criteria_->keep(std::move(adaptivity->kept));
     }
     try {
+        if (criteria_ && criteria_->certified_error()) active_.mesh().track_errors();
         active_.begin(faces.moving, zone, faces.staying);
         stop.throw_if_requested();
         embedding_.embed(stop);
@@ -135,6 +137,7 @@ MeshChange Gesture::commit(std::span<const Vec3> displacements, const SearchedFa
         return adaptation;
     });
     last_.assessment = assessment();
+    if (criteria_) last_.error = accumulate_errors(active_, *criteria_);
     folded_ = embedding_.folded_vertices();
     last_.passed = find_passed_faces(active_, searched.staying, stop);
     return active_.finish();

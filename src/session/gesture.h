@@ -27,8 +27,9 @@ struct Frame {
     Assessment assessment;                             // only a commit makes one
     std::uint64_t self_intersections = 0;  // that remain; see Refinement. Only a commit finds them.
     IntersectionLimit intersection_limit = IntersectionLimit::none;
-    PassedFaces passed;       // of the faces that stay; only a commit searches for them
-    bool is_complete = true;  // false if adaptive meshing was stopped and would continue
+    std::optional<double> error;  // see accumulate_errors(); only a commit finds it
+    PassedFaces passed;           // of the faces that stay; only a commit searches for them
+    bool is_complete = true;      // false if adaptive meshing was stopped and would continue
     double deform_seconds = 0.0, refine_seconds = 0.0, decimate_seconds = 0.0;
 
     bool is_budget_used_up() const { return budget_hit || drag_budget_hit; }

@@ -12,6 +12,7 @@
 
 #include "adapt/adapt.h"
 #include "command/command.h"
+#include "command/statistics.h"
 #include "mesh/mesh_change.h"
 
 namespace pectin {
@@ -22,6 +23,7 @@ struct AdaptOutcome {
     bool budget_hit = false;
     bool drag_budget_hit = false;  // in this step or an earlier one, with the present settings
     Assessment assessment{};       // of the edges that the step could refine
+    Statistics::Error error{.last = std::nullopt, .total = 0.0};
 
     bool has_ended_at_budget() const { return budget_hit || drag_budget_hit; }
     // Which limits were hit means nothing after a change of settings.

@@ -6,6 +6,7 @@
 #include <new>
 #include <utility>
 
+#include "adapt/accumulated_error.h"
 #include "command/check.h"
 #include "geometry/parallel.h"
 #include "session/session_state.h"
@@ -85,6 +86,10 @@ void Session::State::record(const Frame& frame) {
     // What an earlier drag has left coarse stays so.
     outcome.drag_budget_hit |= frame.drag_budget_hit;
     outcome.assessment = frame.assessment;
+    // A gesture without a bound leaves an unknown error, whatever follows.
+    const bool is_known = frame.error && outcome.error.total;
+    outcome.error.last = frame.error;
+    outcome.error.total = is_known ? std::optional(largest_error(*mesh)) : std::nullopt;
     if (!outcome.has_ended_at_budget()) return;
     outcome.assessment.held_back += outcome.assessment.needing_refinement;
     outcome.assessment.needing_refinement = 0;

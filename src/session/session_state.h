@@ -159,6 +159,7 @@ struct Session::State {
     std::vector<Box> zones_on_both_sides(const Warp& warp) const;
     Result<GestureFaces> faces_of(const command::Drag& drag, std::span<const Box> zones);
     std::vector<FaceId> faces_meeting(std::span<const Box> zones);
+    Box with_error_margin(Box zone) const;
     Surroundings surroundings();
     std::vector<FaceId> staying_faces(std::span<const Vec3> displacements);
     Result<bool> is_single_step(std::span<const Move> asked);

@@ -41,11 +41,12 @@ Result<AdaptSettings> AdaptSettings::with(const command::Adapt& change) const {
 
 // The trigger by which conditions (a) are decided.
 CurvatureTrigger AdaptSettings::curvature(double diagonal, double largest_coordinate) const {
-    if (trigger == command::Adapt::Trigger::midpoint) {
-        const double length =
-            tolerance.is_automatic() ? kDefaultToleranceFraction * diagonal : tolerance.value;
-        return MidpointDistance(std::max(length, kLeastToleranceFraction * largest_coordinate));
-    }
+    using Trigger = command::Adapt::Trigger;
+    const double length =
+        std::max(tolerance.is_automatic() ? kDefaultToleranceFraction * diagonal : tolerance.value,
+                 kLeastToleranceFraction * largest_coordinate);
+    if (trigger == Trigger::midpoint) return MidpointDistance(length);
+    if (trigger == Trigger::certified) return CertifiedError(length);
     NormalDivergence::Angles angles;
     angles.theta_max = NormalDivergence::angle_or_off(value_or_off(theta_max));
     angles.theta_min = NormalDivergence::angle_or_off(
@@ -57,12 +58,16 @@ AdaptLimits AdaptSettings::limits(double feature_extent, double diagonal,
                                   double largest_coordinate) const {
     AdaptLimits limits;
     limits.curvature = curvature(diagonal, largest_coordinate);
-    limits.l_max = l_max.is_automatic() ? default_l_max(feature_extent) : value_or_off(l_max);
+    // A certificate needs neither L_max nor the flatness guard.
+    const bool is_certified = trigger == command::Adapt::Trigger::certified;
+    limits.l_max = !l_max.is_automatic() ? value_or_off(l_max)
+                   : is_certified        ? kOff
+                                         : default_l_max(feature_extent);
     limits.l_max_is_automatic = l_max.is_automatic();
     const double greatest_angle = NormalDivergence::angle_or_off(value_or_off(theta_max));
     if (!flatness.is_automatic()) {
         limits.flatness = value_or_off(flatness);
-    } else if (greatest_angle < kOff) {
+    } else if (greatest_angle < kOff && !is_certified) {
         limits.flatness = default_flatness(greatest_angle);
     }
     limits.floor = std::max(floor.is_automatic() ? kDefaultFloorFraction * diagonal : floor.value,

@@ -11,6 +11,7 @@ Statistics Session::State::statistics() const {
     measure(*mesh, s);
     s.input = input_counts(input_report, read_report);
     s.last = last;
+    s.error = outcome.error;
     s.divergence_max_deg = largest_divergence_degrees(*mesh);
     const bool has_frame = active_gesture && active_gesture->gesture;
     const Assessment assessment =

@@ -6,6 +6,8 @@
 #include <cstdio>
 #include <string>
 #include <tuple>
+#include <utility>
+#include <variant>
 #include <vector>
 
 #include "adapt/adapt.h"
@@ -23,20 +25,21 @@ namespace {
 using test::Random;
 
 using Point = std::array<double, 3>;
-using Triangle = std::array<Point, 3>;
+// The corners, and the error of the face.
+using Triangle = std::pair<std::array<Point, 3>, float>;
 
-// The triangles of a mesh in a form that does not depend on ids. They are sorted, and each begins
-// with its least corner.
+// The triangles of a mesh and their errors in a form that does not depend on ids. They are sorted,
+// and each begins with its least corner.
 std::vector<Triangle> triangles(const TriMesh& mesh) {
     std::vector<Triangle> all;
     for (FaceId f : test::live_faces(mesh)) {
-        Triangle triangle;
+        std::array<Point, 3> triangle;
         for (int corner = 0; corner < 3; ++corner) {
             const Vec3& p = mesh.position(mesh.origin(TriMesh::half_edge(f, corner)));
             triangle[static_cast<std::size_t>(corner)] = {p.x, p.y, p.z};
         }
         std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
-        all.push_back(triangle);
+        all.emplace_back(triangle, mesh.error(f));
     }
     std::ranges::sort(all);
     return all;
@@ -57,14 +60,23 @@ struct Scene {
     TriMesh mesh;
     Warp warp;
     AdaptLimits refining, decimating;
+
+    bool is_certified() const { return std::holds_alternative<CertifiedError>(refining.curvature); }
 };
 
-Scene random_scene(Random& random) {
+Scene random_scene(Random& random, bool is_certified) {
     TriMesh mesh = irregular_shape(random);
     const std::vector<Vec3> grabbed{mesh.position(VertexId{0})};
     auto solver = std::get<DragSolver>(
         DragSolver::create(brush_lattice(grabbed[0], random.scale(0.5, 4.0), 3), grabbed, {}));
     Warp warp{{DragStep{solver.field(), {random.uniform(0.0, 0.4) * random.direction()}}}};
+    if (is_certified) {
+        const double tolerance = random.scale(3e-4, 3e-3);
+        return {std::move(mesh),
+                std::move(warp),
+                {.curvature = CertifiedError(tolerance), .floor = 1e-4},
+                {.curvature = CertifiedError(3.0 * tolerance), .floor = 1e-4}};
+    }
     const double theta_max = random.scale(4.0, 20.0), l_max = random.scale(0.05, 0.3);
     // The floor is so small that it blocks no edge. The splits beside a blocked edge would depend
     // on the order.
@@ -87,6 +99,13 @@ Outcome adapted(const Scene& scene, const Partitioning& partitioning) {
     TriMesh mesh = scene.mesh;
     const Box zone = scene.warp.zone();
     ActiveSet active(mesh);
+    // Errors of an earlier gesture, so that it shows whether unsplits join them alike.
+    if (scene.is_certified()) {
+        mesh.track_errors();
+        for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
+            mesh.set_error(FaceId{f}, 1e-5f * static_cast<float>(f % 7));
+        }
+    }
     active.begin(FaceTree(mesh).faces_meeting(zone, mesh), zone);
     Embedding embedding(active, scene.warp);
     embedding.embed();
@@ -94,9 +113,10 @@ Outcome adapted(const Scene& scene, const Partitioning& partitioning) {
     AdaptLimits refining = scene.refining, decimating = scene.decimating;
     refining.partitioning = decimating.partitioning = partitioning;
     Outcome outcome;
-    const Refinement refinement = refine(active, embedding, Criteria(refining, zone, zone));
+    const Refinement refinement =
+        refine(active, embedding, Criteria(refining, zone, zone, &embedding));
     outcome.refined = triangles(mesh);
-    const Decimation decimation = decimate(active, Criteria(decimating, zone, zone));
+    const Decimation decimation = decimate(active, Criteria(decimating, zone, zone, &embedding));
     outcome.decimated = triangles(mesh);
     active.finish();
     EXPECT_EQ(mesh.validate(), std::vector<std::string>{});
@@ -107,14 +127,14 @@ Outcome adapted(const Scene& scene, const Partitioning& partitioning) {
     return outcome;
 }
 
-TEST(Partitions, GiveTheSameTrianglesAsSerialAdaptationOnRandomMeshes) {
-    const int cases = test::case_count(120);
+void expect_same_triangles_as_serial_adaptation(std::uint64_t first_seed, int cases,
+                                                bool is_certified) {
     std::uint64_t splits = 0, unsplits = 0;
     for (int i = 0; i < cases; ++i) {
-        const auto seed = 91000 + static_cast<std::uint64_t>(i);
+        const std::uint64_t seed = first_seed + static_cast<std::uint64_t>(i);
         SCOPED_TRACE("seed " + std::to_string(seed));
         Random random(seed);
-        const Scene scene = random_scene(random);
+        const Scene scene = random_scene(random, is_certified);
         const Outcome serial = adapted(scene, {.batch = Partitioning::kNever});
         ASSERT_FALSE(serial.floor_hit);
         ASSERT_EQ(serial.concurrent_splits + serial.concurrent_unsplits, 0u);
@@ -132,9 +152,17 @@ TEST(Partitions, GiveTheSameTrianglesAsSerialAdaptationOnRandomMeshes) {
     }
     EXPECT_GT(splits, 100u * static_cast<std::uint64_t>(cases));
     EXPECT_GT(unsplits, 10u * static_cast<std::uint64_t>(cases));
-    std::printf("seeds 91000 to %d: %llu concurrent splits, %llu concurrent unsplits\n",
-                91000 + cases - 1, static_cast<unsigned long long>(splits),
-                static_cast<unsigned long long>(unsplits));
+    std::printf("%d seeds from %llu: %llu concurrent splits, %llu concurrent unsplits\n", cases,
+                static_cast<unsigned long long>(first_seed),
+                static_cast<unsigned long long>(splits), static_cast<unsigned long long>(unsplits));
+}
+
+TEST(Partitions, GiveTheSameTrianglesAsSerialAdaptationOnRandomMeshes) {
+    expect_same_triangles_as_serial_adaptation(91000, test::case_count(120), false);
+}
+
+TEST(Partitions, GiveTheSameTrianglesAndErrorsWithACertificate) {
+    expect_same_triangles_as_serial_adaptation(92000, test::case_count(40), true);
 }
 
 }  // namespace

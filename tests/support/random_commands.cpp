@@ -74,7 +74,8 @@ command::Adapt random_adapt(Random& random, double size, std::uint64_t budget) {
     // A copy of the generator, so that later random numbers stay the same.
     if (Random copy = random; copy.chance(0.5)) {
         using Trigger = command::Adapt::Trigger;
-        adapt.trigger = copy.chance(0.5) ? Trigger::midpoint : Trigger::normals;
+        constexpr Trigger kTriggers[] = {Trigger::normals, Trigger::midpoint, Trigger::certified};
+        adapt.trigger = kTriggers[copy.integer(0, 2)];
         adapt.tolerance = Setting::of(size * copy.scale(3e-4, 3e-2));
     }
     return adapt;

@@ -96,12 +96,15 @@ void DetailAdvanced::draw(Editor& editor) {
         ImGui::TableNextColumn();
         ImGui::TextDisabled("%s", name);
     }
+    draw_trigger(editor, settings);
+    draw_tolerance(editor, settings);
     draw_angles(editor, settings);
     draw_lengths(editor, settings);
     draw_budgets(editor, settings);
     ImGui::EndTable();
     const bool misses_bends =
-        settings.l_max.is_off() || value_of(settings.l_max, 0.0) > next_cell(editor);
+        settings.trigger != command::Adapt::Trigger::certified &&
+        (settings.l_max.is_off() || value_of(settings.l_max, 0.0) > next_cell(editor));
     if (misses_bends) {
         draw_warning(
             "L max is longer than a cell of the lattice, so bends inside large triangles can be "
@@ -147,6 +150,56 @@ void DetailAdvanced::draw_modes(Editor& editor, const Row& row) {
         ImGui::EndCombo();
     }
     tooltip((std::string(row.label) + " mode").c_str(), kModeHelp);
+}
+
+// What decides where the surface is divided.
+void DetailAdvanced::draw_trigger(Editor& editor, const AdaptSettings& settings) {
+    struct Choice {
+        const char* name;
+        command::Adapt::Trigger trigger;
+        const char* help;
+    };
+    using Trigger = command::Adapt::Trigger;
+    static constexpr std::array<Choice, 3> kChoices{
+        {{"normals", Trigger::normals, "Divides where the surface bends by more than an angle."},
+         {"midpoint", Trigger::midpoint,
+          "Divides edges whose middle would be farther from the surface than the tolerance."},
+         {"certified", Trigger::certified,
+          "Divides triangles until it is proven that none is farther from the exact surface than "
+          "the tolerance. It takes longer."}}};
+    const Choice& now = kChoices[static_cast<std::size_t>(settings.trigger)];
+    ImGui::TableNextRow();
+    ImGui::TableNextColumn();
+    ImGui::AlignTextToFramePadding();
+    ImGui::TextUnformatted("Trigger");
+    ImGui::TableNextColumn();
+    ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x);
+    if (ImGui::BeginCombo("##trigger", now.name)) {
+        for (const Choice& choice : kChoices) {
+            const bool is_chosen = choice.trigger == settings.trigger;
+            if (ImGui::Selectable(choice.name, is_chosen) && !is_chosen) {
+                editor.execute(command::Adapt{.trigger = choice.trigger});
+            }
+            tooltip(choice.name, choice.help);
+        }
+        ImGui::EndCombo();
+    }
+    tooltip("Trigger", now.help);
+    ImGui::TableNextColumn();
+}
+
+// The detail as a length. The normals do not use it.
+void DetailAdvanced::draw_tolerance(Editor& editor, const AdaptSettings& settings) {
+    if (settings.trigger == command::Adapt::Trigger::normals) return;
+    const double automatic = kDefaultToleranceFraction * editor.workspace().diagonal();
+    draw_row(editor,
+             {.label = "Tolerance",
+              .help = "How far the triangles may be from the surface that the drags mean.",
+              .setting = settings.tolerance,
+              .automatic = automatic,
+              .style = length_style(editor, 1e-5, value_of(settings.tolerance, automatic)),
+              .modes = kAutoOnly,
+              .change = [](const Setting& set) { return command::Adapt{.tolerance = set}; }});
 }
 
 void DetailAdvanced::draw_angles(Editor& editor, const AdaptSettings& settings) {

@@ -21,6 +21,8 @@ class DetailAdvanced {
     struct Row;
     void draw_row(Editor& editor, const Row& row);
     static void draw_modes(Editor& editor, const Row& row);
+    static void draw_trigger(Editor& editor, const AdaptSettings& settings);
+    void draw_tolerance(Editor& editor, const AdaptSettings& settings);
     void draw_angles(Editor& editor, const AdaptSettings& settings);
     void draw_lengths(Editor& editor, const AdaptSettings& settings);
     void draw_budgets(Editor& editor, const AdaptSettings& settings);

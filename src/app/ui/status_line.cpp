@@ -111,6 +111,14 @@ std::vector<Figure> notices_of(const Editor& editor) {
             "The last drag turned the surface inside out there. Undo it, or drag with Fold-free.",
             true);
     }
+    const Statistics::Error error = editor.workspace().object_figures().outcome.error;
+    if (error.last) {
+        add("Error " + formatted("%.2g", *error.last) +
+                (error.total ? ", in all " + formatted("%.2g", *error.total) : ""),
+            "The object is no farther than this from the exact surface, in its units: by the last "
+            "drag, and by all drags together.",
+            false);
+    }
     if (frame.budget_hit) {
         add("Triangle budget used up",
             "The object has as many triangles as it may get. The budget stands in Detail, "

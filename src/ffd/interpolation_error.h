@@ -1,0 +1,107 @@
+// How far a flat triangle with deformed corners may be from the exact image of the flat triangle at
+// rest: a proven bound.
+// Source: S. Waldron. The error in linear interpolation at the vertices of a simplex. SIAM Journal
+// on Numerical Analysis 35(3), 1998.
+//
+// Let Π F interpolate F linearly at the corners of a triangle T. For each x in T
+//
+//     |F(x) − Π F(x)| ≤ ½ R² M,    M ≥ |D²F(u, u)| on T, for all unit vectors u in its plane,
+//
+// where R is the radius of the smallest circle that encloses T. F is the warp, F_n ∘ … ∘ F_1. Let
+// G = F_k ∘ … ∘ F_1 be its first steps and M a bound of |D²G(u, u)|, c the centre of the circle,
+// and A = DG(c) on the plane of T. Then DG(x)u differs from A u by at most δ = M R |u|, and the
+// next step F maps to
+//
+//     D²(F ∘ G)(u, u) = DF · D²G(u, u) + D²F(DG u, DG u),
+//     M' = L M + sup |D²F(A u, A u)| + K (2 |A| δ + δ²).
+//
+// L bounds |DF| and K bounds |D²F| over the image G(T), which lies no farther from the flat
+// triangle of its corners than the bound up to there. So each step is bounded where the triangle
+// is, and in the directions that it has there.
+//
+// Corners are rounded: weights of drags are stored as floats. Each step adds its rounding to what
+// the next ones make of that of the steps before.
+#pragma once
+
+#include <array>
+#include <optional>
+#include <span>
+#include <vector>
+
+#include "ffd/derivative_bounds.h"
+#include "ffd/warp.h"
+
+namespace pectin {
+
+// The smallest circle that encloses a triangle, in its plane. Its centre lies in the triangle.
+struct EnclosingCircle {
+    Vec3 centre{0.0};
+    double squared_radius = 0.0;
+};
+EnclosingCircle enclosing_circle(const std::array<Vec3, 3>& corners);
+
+class InterpolationError {
+  public:
+    using Corners = std::array<Vec3, 3>;
+
+    // Keeps a reference to the warp. Cost: O(control points) for each step.
+    explicit InterpolationError(const Warp& warp);
+    // Takes over the displacements of the last step if they have changed; those of the other steps
+    // must not. Cost: O(control points) of the last step.
+    void update();
+
+    // An upper bound of the distance of the flat triangle of the deformed corners, as an Embedding
+    // computes them, from the image of the flat triangle at rest: point by point, with the same
+    // barycentric coordinates. before: the corners before each step; those before the first are at
+    // rest. Several threads may call this. Cost: that of DerivativeBounds::over() for each step in
+    // whose zone the triangle is.
+    double bound(std::span<const Corners> before) const;
+
+    // A bound that is some ten times as large and costs O(1), from those over all of space;
+    // infinite for a warp of several steps. It is never below bound().
+    double rough_bound(const Corners& rest) const;
+
+    // If two points are no farther apart than `distance`, and one of them is on the triangle before
+    // each step, how far their images may be apart. Cost: the same.
+    double transported(double distance, std::span<const Corners> before) const;
+
+    // Of a warp of one step with one weight, the bound is |d| times a number, plus the rounding:
+    // its displacement is d. Then `slope` is that number, which does not change with d.
+    bool is_proportional() const { return unit_step_.has_value(); }
+    double slope(const Corners& rest) const;
+    // An upper bound of slope(), several times as large and much faster.
+    double slope_estimate(const Corners& rest) const;
+    double displacement() const;  // |d|
+    double rounding(const Corners& corners) const { return rounding_of(0, corners); }
+
+  private:
+    struct Step {
+        DerivativeBounds bounds;
+        std::vector<Box> zones;
+        double rounding = 0.0;  // of the displacements of corners
+    };
+    // What is known about a triangle before a step.
+    struct Path {
+        Vec3 centre;                // where the warp has taken the centre of its circle
+        std::array<Vec3, 2> plane;  // the columns of A
+        double bend = 0.0;          // M
+        double rounding = 0.0;      // of the corners
+        double plane_rounding = 0.0;
+    };
+    struct Walk {
+        double bound = 0.0, distance = 0.0;
+    };
+    static Step bounded(const Deformation& step);
+    Walk walk(std::span<const Corners> before, double distance) const;
+    void advance(Path& path, const DerivativeBounds::Bound& over, double radius) const;
+    static void move(Path& path, const Deformation& step);
+    bool moves(const Step& step, const DerivativeBounds::Region& region) const;
+    double rounding_of(std::size_t step, const Corners& corners) const;
+
+    const Warp& warp_;
+    std::vector<Step> steps_;
+    std::vector<Vec3> known_;                    // displacements of the last step
+    std::optional<DerivativeBounds> unit_step_;  // by a displacement of unit length
+};
+
+}  // namespace pectin
