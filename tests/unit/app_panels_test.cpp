@@ -208,20 +208,32 @@ TEST_F(PanelsTest, TheButtonCageMakesACageThoughItsSectionHasTheSameName) {
 
 TEST_F(PanelsTest, AnglesAreDisabledAndSayWhyWhileTheTriggerAsksForNone) {
     open_advanced();
-    for (const bool is_midpoint : {true, false}) {
-        editor_->execute(command::Adapt{.trigger = is_midpoint ? command::Adapt::Trigger::midpoint
-                                                               : command::Adapt::Trigger::normals});
-        for (const char* name : {"Detail", "θ max", "θ max mode", "θ min", "θ min mode"}) {
+    using Trigger = command::Adapt::Trigger;
+    for (const Trigger trigger : {Trigger::midpoint, Trigger::certified, Trigger::normals}) {
+        const bool has_effect = trigger == Trigger::normals;
+        editor_->execute(command::Adapt{.trigger = trigger});
+        for (const char* name : {"θ max", "θ max mode", "θ min", "θ min mode"}) {
             const Control* const control = find(name);
             ASSERT_TRUE(control) << name;
-            EXPECT_EQ(control->is_enabled, !is_midpoint) << name;
+            EXPECT_EQ(control->is_enabled, has_effect) << name;
         }
-        for (const char* name : {"Detail", "θ max", "θ min"}) {
+        for (const char* name : {"θ max", "θ min"}) {
             const std::string tooltip = find(name)->tooltip;
-            EXPECT_EQ(tooltip.find("midpoint trigger") != std::string::npos, is_midpoint)
+            EXPECT_EQ(tooltip.find("has no effect now") == std::string::npos, has_effect)
                 << tooltip;
         }
         EXPECT_TRUE(find("L max")->is_enabled);
+    }
+}
+
+TEST_F(PanelsTest, TheDetailIsAToleranceWhereTheTriggerGoesByDistances) {
+    using Trigger = command::Adapt::Trigger;
+    for (const Trigger trigger : {Trigger::midpoint, Trigger::certified}) {
+        editor_->execute(command::Adapt{.trigger = trigger, .tolerance = Setting::automatic()});
+        const double theta_max = editor_->session().adapt_settings().theta_max.value;
+        type_into("Detail", "0.0125");
+        EXPECT_EQ(editor_->session().adapt_settings().tolerance, Setting::of(0.0125));
+        EXPECT_EQ(editor_->session().adapt_settings().theta_max, Setting::of(theta_max));
     }
 }
 

@@ -261,6 +261,11 @@ const std::vector<Row>& brush_rows() {
         {"Apply detail to the whole object", 0, kClick, "", "readapt", "readapt"},
         {"Detail section", 0, kCheck, "", "", "", check_detail_section},
         {"Advanced", 0, kClick, "", "", ""},  // the next rows could not be used without
+        {"Trigger", 0, kChoose, "certified", "adapt", "\"trigger\": \"certified\""},
+        {"Tolerance", 0, kType, "0.25", "adapt", "\"tolerance\": 0.25"},
+        {"Tolerance mode", 0, kChoose, "auto", "adapt", "\"tolerance\": \"auto\""},
+        {"Detail", 0, kType, "0.125", "adapt", "\"tolerance\": 0.125"},
+        {"Trigger", 0, kChoose, "normals", "adapt", "\"trigger\": \"normals\""},
         {"θ max", 0, kType, "12.5", "adapt", "\"theta_max\": 12.5"},
         {"θ max mode", 0, kChoose, "off", "adapt", "\"theta_max\": null"},
         {"θ max mode", 0, kChoose, "set", "adapt", "\"theta_max\": "},

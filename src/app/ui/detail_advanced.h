@@ -10,8 +10,7 @@ namespace pectin {
 // if it does not.
 bool uses_angles(const AdaptSettings& settings);
 inline constexpr const char* kUnusedAngleHelp =
-    "This angle has no effect now: the midpoint trigger splits edges by their distance from the "
-    "surface.";
+    "This angle has no effect now, because the trigger goes by distances and not by angles.";
 
 class DetailAdvanced {
   public:

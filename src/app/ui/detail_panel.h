@@ -21,6 +21,8 @@ class DetailPanel {
 
   private:
     void draw_detail(Editor& editor);
+    void draw_angle(Editor& editor, const AdaptSettings& settings);
+    void draw_tolerance(Editor& editor, const AdaptSettings& settings);
 
     NumberField fields_;
     DetailAdvanced advanced_;
