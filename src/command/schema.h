@@ -161,8 +161,7 @@ struct Schema<command::Adapt> {
                    "restores; \"auto\": tan(theta_max / 4) / 2, with certified null; null: any."),
         make_field("floor", &command::Adapt::floor,
                    field::NumberOr{field::above(0.0), field::Unit::length}.or_auto(), "\"auto\"",
-                   "An edge shorter than twice this is not split; \"auto\": 1e-4 of the box "
-                   "diagonal."),
+                   "An edge shorter than twice this is kept; \"auto\": 1e-4 of the box diagonal."),
         make_field("budget", &command::Adapt::budget, field::Whole{}, "4000000",
                    "The most triangles that the object may get."),
         make_field(
@@ -175,8 +174,7 @@ struct Schema<command::Adapt> {
             "or four times the faces that it works on if that is more; null: no limit."),
         make_field("propagation", &command::Adapt::propagation,
                    field::Number{field::at_least_and_below(1.0, 1.5)}, "1",
-                   "How much longer than an edge that is split the other edges of its faces may "
-                   "be.")};
+                   "How much longer than a split edge the other edges of its faces may be.")};
 };
 
 template <>
@@ -216,9 +214,8 @@ struct Schema<command::Cage> {
         make_field("fit", &command::Cage::fit, field::Counts{1, 254}, "none",
                    "The numbers of control points along each axis of the object's box. One more "
                    "layer lies beyond the box on each side, and two where a number is 1, so that "
-                   "moving all of them by one affine map moves the object by that map. If the "
-                   "symmetry plane goes through the box, it is enlarged to be its own mirror "
-                   "image.")};
+                   "moving all of them by one affine map moves the object by that map. A box that "
+                   "the symmetry plane meets is enlarged to be its own mirror image.")};
 };
 
 template <>
