@@ -231,6 +231,7 @@ TEST_F(PanelsTest, TheDetailIsAToleranceWhereTheTriggerGoesByDistances) {
     for (const Trigger trigger : {Trigger::midpoint, Trigger::certified}) {
         editor_->execute(command::Adapt{.trigger = trigger, .tolerance = Setting::automatic()});
         const double theta_max = editor_->session().adapt_settings().theta_max.value;
+        type_into("Radius", "20");  // so that the clicks at the detail are the first ones there
         type_into("Detail", "0.0125");
         EXPECT_EQ(editor_->session().adapt_settings().tolerance, Setting::of(0.0125));
         EXPECT_EQ(editor_->session().adapt_settings().theta_max, Setting::of(theta_max));
