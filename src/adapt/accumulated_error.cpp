@@ -22,11 +22,11 @@ std::optional<double> accumulate_errors(ActiveSet& active, const Criteria& crite
     std::vector<FaceId> faces =
         face_pairs::live(mesh, {active.faces().begin(), active.faces().end()});
     std::vector<double> bounds(faces.size());
-    std::vector<float> errors(faces.size());
+    std::vector<ErrorEllipsoid> errors(faces.size());
     const auto add = [&](std::uint32_t first, std::uint32_t end) {
         for (std::uint32_t i = first; i < end; ++i) {
             bounds[i] = trigger->bound(active, faces[i]);
-            errors[i] = rounded_up(trigger->accumulated(active, faces[i], bounds[i]));
+            errors[i] = trigger->accumulated(active, faces[i], bounds[i]);
         }
     };
     for_pieces(0, static_cast<std::uint32_t>(faces.size()), add, kFacesOfAPiece);
@@ -44,11 +44,12 @@ std::optional<double> accumulate_errors(ActiveSet& active, const Criteria& crite
 }
 
 double largest_error(const TriMesh& mesh) {
-    float largest = 0.0f;
+    double largest = 0.0;
     for (std::uint32_t f = 0; f < mesh.face_slots() && mesh.tracks_errors(); ++f) {
-        largest = std::max(largest, mesh.error(FaceId{f}));
+        const ErrorEllipsoid error = mesh.error(FaceId{f});
+        if (error.rough_radius() > largest) largest = std::max(largest, error.radius());
     }
-    return static_cast<double>(largest);
+    return largest;
 }
 
 }  // namespace pectin

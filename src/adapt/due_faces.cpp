@@ -1,15 +1,24 @@
 #include "adapt/due_faces.h"
 
 #include <algorithm>
+#include <cmath>
+#include <limits>
 #include <span>
 
 #include "adapt/face_pairs.h"
 #include "geometry/parallel.h"
-#include "mesh/error_log.h"
 #include "mesh/sort_ids.h"
 
 namespace pectin {
 namespace {
+
+// A float that is no less than the value.
+float rounded_up(double value) {
+    const auto rounded = static_cast<float>(value);
+    return static_cast<double>(rounded) >= value
+               ? rounded
+               : std::nextafter(rounded, std::numeric_limits<float>::infinity());
+}
 
 DueFaces::Corners rest_corners(const ActiveSet& active, FaceId f) {
     const auto corners = face_pairs::corners_of(active.mesh(), f);

@@ -19,9 +19,6 @@ namespace {
 // Displacements whose cross product is below this fraction of their squared length are parallel.
 constexpr double kParallel = 1e-13;
 // The most fields, intervals of an axis and pieces of a region that are told apart.
-// The largest table of estimates; rounding in it; and in the parameters of a region, in halves.
-constexpr std::size_t kMostTabulated = 1 << 16;
-constexpr double kTableRoundedUp = 1.0 + 1e-6, kSameHalf = 1e-9;
 constexpr std::size_t kMostFields = 2, kMostIntervals = 16, kMostPieces = 512;
 
 constexpr CubicCoefficients derivative(const CubicCoefficients& p) {
@@ -261,10 +258,11 @@ bool DerivativeBounds::gather(const Pieces& pieces, const std::array<std::size_t
     return any;
 }
 
-// Calls measure(derivatives) for each piece that meets the region and in which something moves.
-template <typename T, typename Measure>
+// Calls measure(derivatives) for each piece that meets the region, or still() if nothing moves
+// there.
+template <typename T, typename Measure, typename Still>
 void DerivativeBounds::for_each_piece(const Region& region, const Pieces& pieces,
-                                      const Measure& measure) const {
+                                      const Measure& measure, const Still& still) const {
     const auto& [nx, ny, nz] = pieces.counts;
     const bool is_whole = nx * ny * nz <= 2;
     Derivatives<T> sum;
@@ -308,7 +306,10 @@ void DerivativeBounds::for_each_piece(const Region& region, const Pieces& pieces
             }
             moves = true;
         }
-        if (moves) measure(sum);
+        if (moves)
+            measure(sum);
+        else
+            still();
     }
 }
 
@@ -318,13 +319,17 @@ DerivativeBounds::Bound DerivativeBounds::bound_over(const Region& region, const
                                                      bool only_bend) const {
     Bound bound;
     const Vec3 direction = direction_.value_or(Vec3{0.0});
-    for_each_piece<T>(region, pieces, [&](const Derivatives<T>& of) {
-        bound.bend = std::max(bound.bend, derivative_norms::squared_bend(of.second, p, q));
-        if (only_bend) return;
-        bound.bend_any = std::max(bound.bend_any, derivative_norms::squared_bend_any(of.second));
-        bound.stretch =
-            std::max(bound.stretch, derivative_norms::stretch_over(of.first, direction));
-    });
+    for_each_piece<T>(
+        region, pieces,
+        [&](const Derivatives<T>& of) {
+            bound.bend = std::max(bound.bend, derivative_norms::squared_bend(of.second, p, q));
+            if (only_bend) return;
+            bound.bend_any =
+                std::max(bound.bend_any, derivative_norms::squared_bend_any(of.second));
+            bound.stretch =
+                std::max(bound.stretch, derivative_norms::stretch_over(of.first, direction));
+        },
+        [] {});
     bound.bend = std::sqrt(bound.bend) * kRoundedUp;
     bound.bend_any = std::sqrt(bound.bend_any) * kRoundedUp;
     return bound;
@@ -347,54 +352,45 @@ DerivativeBounds::Bound DerivativeBounds::over(const Region& region, const Vec3&
     return bound(region, p, q, false);
 }
 
-void DerivativeBounds::tabulate() {
-    if (fields_.size() != 1) return;
-    const Lattice& lattice = fields_.front().lattice;
-    const IVec3 size = 2 * (lattice.deformable + 3);
-    const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
-                              static_cast<std::size_t>(size.z);
-    if (count > kMostTabulated) return;
-    std::vector<float> table;
-    table.reserve(count);
-    for (int k = 0; k < size.z; ++k) {
-        for (int j = 0; j < size.y; ++j) {
-            for (int i = 0; i < size.x; ++i) {
-                const auto corner = [&](const IVec3& half) {
-                    return lattice.origin + (0.5 * Vec3{half} - 2.0) * lattice.cell;
-                };
-                const Vec3 low = corner({i, j, k}), high = corner({i + 1, j + 1, k + 1});
-                const Bound of_part = over({{low, high, high}, 0.0}, Vec3{0.0}, Vec3{0.0});
-                table.push_back(static_cast<float>(of_part.bend_any * kTableRoundedUp));
-            }
-        }
-    }
-    table_ = std::move(table);
-    table_size_ = size;
+template <typename T>
+void DerivativeBounds::transport_over(const Region& region, Pieces& pieces,
+                                      const std::array<T, 3>& from, const Mat3& s,
+                                      Transport& result) const {
+    double bend = 0.0, deviation = 0.0;
+    const auto reach_out = [&](const Derivatives<T>& of) {
+        bend = std::max(bend, derivative_norms::squared_bend_within(of.second, s));
+        result.stretch = std::max(result.stretch, derivative_norms::stretch_over(
+                                                      of.first, direction_.value_or(Vec3{0.0})));
+    };
+    for_each_piece<T>(region, pieces, reach_out, [] {});
+    const auto deviate = [&](const std::array<Cube<T>, 3>& first) {
+        deviation = std::max(deviation, derivative_norms::squared_variation(first, from, s));
+    };
+    const Region triangle{region.corners, 0.0};
+    divide(triangle, pieces);
+    for_each_piece<T>(
+        triangle, pieces, [&](const Derivatives<T>& of) { deviate(of.first); },
+        [&] { deviate(std::array<Cube<T>, 3>{}); });
+    result.rest = (std::sqrt(deviation) + 0.5 * std::sqrt(bend)) * kRoundedUp;
 }
 
-double DerivativeBounds::estimate(const std::array<Vec3, 3>& corners) const {
-    if (table_.empty()) return everywhere_.second * kTableRoundedUp;
-    const Lattice& lattice = fields_.front().lattice;
-    const auto& [a, b, c] = corners;
-    const auto halves = [&](const Vec3& x) { return 2.0 * (lattice.parameter(x) + 2.0); };
-    const Vec3 from = halves(glm::min(glm::min(a, b), c)) - kSameHalf,
-               to = halves(glm::max(glm::max(a, b), c)) + kSameHalf;
-    const Vec3 last{table_size_ - 1};
-    if (!glm::all(glm::lessThanEqual(from, last + 1.0)) ||
-        !glm::all(glm::greaterThanEqual(to, Vec3{0.0}))) {
-        return 0.0;
+DerivativeBounds::Transport DerivativeBounds::transport(const Region& region, const Mat3& at_centre,
+                                                        const Mat3& s) const {
+    Transport result;
+    const Mat3 g = at_centre - Mat3{1.0};
+    Pieces pieces;
+    if (!divide(region, pieces)) {
+        result.stretch = (1.0 + everywhere_.gradient) * kRoundedUp;
+        result.rest = everywhere_.gradient * std::sqrt(s[0][0] + s[1][1] + s[2][2]) * kRoundedUp;
+    } else if (direction_) {
+        const Vec3 slope = *direction_ * g;
+        result.jacobian += glm::outerProduct(*direction_, slope);
+        transport_over<double>(region, pieces, {slope.x, slope.y, slope.z}, s, result);
+    } else {
+        result.jacobian = at_centre;
+        transport_over<Vec3>(region, pieces, {g[0], g[1], g[2]}, s, result);
     }
-    const IVec3 low{glm::clamp(from, Vec3{0.0}, last)}, high{glm::clamp(to, Vec3{0.0}, last)};
-    float greatest = 0.0f;
-    for (int k = low.z; k <= high.z; ++k) {
-        for (int j = low.y; j <= high.y; ++j) {
-            for (int i = low.x; i <= high.x; ++i) {
-                const int at = i + table_size_.x * (j + table_size_.y * k);
-                greatest = std::max(greatest, table_[static_cast<std::size_t>(at)]);
-            }
-        }
-    }
-    return static_cast<double>(greatest);
+    return result;
 }
 
 double DerivativeBounds::bend(const Region& region, const Vec3& p, const Vec3& q) const {

@@ -47,6 +47,16 @@ class DerivativeBounds {
     // as many where control points move in different directions. From some hundred cells on it is
     // a constant time, and the bounds are those over all of space.
     Bound over(const Region& region, const Vec3& p, const Vec3& q) const;
+    // What F makes of the ellipsoid of s, that is, of all v with v vᵀ ≼ s: for each point x of the
+    // triangle F(x + v) − F(x) is jacobian · v and a vector no longer than `rest`, which is
+    // parallel to direction() if there is one. The margin has to contain the ellipsoid. at_centre:
+    // the Jacobian at a point of the triangle. Cost: twice that of over().
+    struct Transport {
+        Mat3 jacobian{1.0};  // at_centre, without what is beside direction()
+        double rest = 0.0;
+        double stretch = 1.0;  // see Bound
+    };
+    Transport transport(const Region& region, const Mat3& at_centre, const Mat3& s) const;
     // The bend alone.
     double bend(const Region& region, const Vec3& p, const Vec3& q) const;
     // Prepares estimate(), if D is the field of one lattice that is not too large.
@@ -59,6 +69,9 @@ class DerivativeBounds {
     // Upper bounds of |D²F(u, u)|, for unit vectors u, and of |D(x)| over all of space.
     double bend_everywhere() const { return everywhere_.second; }
     double reach() const { return reach_; }
+    // A unit vector to which all displacements are parallel, up to 1e-13 of the longest; none if
+    // there is none.
+    const std::optional<Vec3>& direction() const { return direction_; }
 
   private:
     // The displaced control points of one lattice and the static ones around them, from (−3, −3,
@@ -84,8 +97,12 @@ class DerivativeBounds {
     template <typename T>
     void add_field(const LatticeField& from);
     bool divide(const Region& region, Pieces& pieces) const;
-    template <typename T, typename Measure>
-    void for_each_piece(const Region& region, const Pieces& pieces, const Measure& measure) const;
+    template <typename T, typename Measure, typename Still>
+    void for_each_piece(const Region& region, const Pieces& pieces, const Measure& measure,
+                        const Still& still) const;
+    template <typename T>
+    void transport_over(const Region& region, Pieces& pieces, const std::array<T, 3>& from,
+                        const Mat3& s, Transport& result) const;
     template <typename T>
     bool gather(const Pieces& pieces, const std::array<std::size_t, 3>& piece, std::size_t field,
                 std::array<T, 64>& values) const;

@@ -79,6 +79,43 @@ double stretch_over(const std::array<Cube<T>, 3>& first, const Vec3& direction) 
     return spectral_norm(j) + std::sqrt(farthest);
 }
 
+// The square of an upper bound of |(J − I − G) v| for all v with v vᵀ ≼ s. from: the columns of G.
+template <typename T>
+double squared_variation(const std::array<Cube<T>, 3>& first, const std::array<T, 3>& from,
+                         const Mat3& s) {
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < 64; ++i) {
+        const T x = first[0][i] - from[0], y = first[1][i] - from[1], z = first[2][i] - from[2];
+        const double on = s[0][0] * squared(x) + s[1][1] * squared(y) + s[2][2] * squared(z);
+        greatest =
+            std::max(greatest, on + 2.0 * (s[0][1] * product(x, y) + s[0][2] * product(x, z) +
+                                           s[1][2] * product(y, z)));
+    }
+    return greatest;
+}
+
+inline double component(double value, int) { return value; }
+inline double component(const Vec3& v, int axis) { return v[axis]; }
+
+// The square of an upper bound of |D²F(v, v)| for all v with v vᵀ ≼ s: the sum of tr(H s H s) over
+// the Hessians H of the components.
+template <typename T>
+double squared_bend_within(const std::array<Cube<T>, 6>& second, const Mat3& s) {
+    constexpr int kComponents = sizeof(T) / sizeof(double);
+    double greatest = 0.0;
+    for (std::size_t i = 0; i < 64; ++i) {
+        double sum = 0.0;
+        for (int c = 0; c < kComponents; ++c) {
+            const auto h = [&](std::size_t e) { return component(second[e][i], c); };
+            const Mat3 m = Mat3{{h(0), h(3), h(5)}, {h(3), h(1), h(4)}, {h(5), h(4), h(2)}} * s;
+            const Mat3 rows = glm::transpose(m);
+            for (int k = 0; k < 3; ++k) sum += glm::dot(m[k], rows[k]);
+        }
+        greatest = std::max(greatest, sum);
+    }
+    return greatest;
+}
+
 // The square of an upper bound of |D²F(u, u)|, u = cos t · p + sin t · q, over one piece.
 template <typename T>
 double squared_bend(const std::array<Cube<T>, 6>& second, const Vec3& p, const Vec3& q) {

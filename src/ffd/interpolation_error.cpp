@@ -21,6 +21,9 @@ constexpr double kJacobianRounding = 8.0 * std::numeric_limits<float>::epsilon()
 // circumscribed circle is exact to 1e-8 of its radius.
 constexpr double kNeedle = 1e-16;
 
+// How far displacements along a direction may be beside it, as a fraction of the reach.
+constexpr double kBesideDirection = 1e-12;
+
 constexpr double kRadiusRoundedUp = 1.0 + 1e-7;
 constexpr double kRoughlyRoundedUp = 1.0 + 1e-6;
 constexpr double kUnknown = std::numeric_limits<double>::infinity();
@@ -129,7 +132,7 @@ double InterpolationError::slope_estimate(const Corners& rest) const {
 double InterpolationError::displacement() const { return glm::length(known_.front()); }
 
 double InterpolationError::bound(std::span<const Corners> before) const {
-    if (!is_proportional()) return walk(before, 0.0).bound;
+    if (!is_proportional()) return walk(before);
     const Corners& rest = before.front();
     if (!moves(steps_.front(), {rest, 0.0})) return 0.0;
     return displacement() * slope(rest) + rounding(rest);
@@ -143,36 +146,27 @@ double InterpolationError::rough_bound(const Corners& rest) const {
            kRoughlyRoundedUp;
 }
 
-double InterpolationError::transported(double distance, std::span<const Corners> before) const {
-    return distance > 0.0 ? walk(before, distance).distance : 0.0;
-}
-
-InterpolationError::Walk InterpolationError::walk(std::span<const Corners> before,
-                                                  double distance) const {
+double InterpolationError::walk(std::span<const Corners> before) const {
     assert(before.size() == steps_.size());
-    Walk walk{.distance = distance};
-    if (steps_.empty()) return walk;
+    if (steps_.empty()) return 0.0;
     const EnclosingCircle circle = enclosing_circle(before.front());
     const double radius = std::sqrt(circle.squared_radius) * kRadiusRoundedUp;
     Path path{circle.centre, plane_of(before.front())};
     for (std::size_t k = 0; k < steps_.size(); ++k) {
         const double bulge = 0.5 * radius * radius * path.bend;
-        const DerivativeBounds::Region region{before[k], bulge + path.rounding + walk.distance};
-        if (!(region.margin < kMostMargin)) return {kUnknown, kUnknown};
+        const DerivativeBounds::Region region{before[k], bulge + path.rounding};
+        if (!(region.margin < kMostMargin)) return kUnknown;
         if (!moves(steps_[k], region)) continue;
         const bool is_last = k + 1 == steps_.size();
-        if (is_last && path.bend == 0.0 && path.rounding == 0.0 && distance == 0.0) {
+        if (is_last && path.bend == 0.0 && path.rounding == 0.0) {
             path.bend = steps_[k].bounds.bend(region, path.plane[0], path.plane[1]);
         } else {
-            const auto over = steps_[k].bounds.over(region, path.plane[0], path.plane[1]);
-            walk.distance *= over.stretch * kRoundedUp;
-            advance(path, over, radius);
+            advance(path, steps_[k].bounds.over(region, path.plane[0], path.plane[1]), radius);
         }
         path.rounding += rounding_of(k, before[k]);
         if (!is_last) move(path, warp_.steps[k]);
     }
-    walk.bound = (0.5 * radius * radius * path.bend + path.rounding) * kRoundedUp;
-    return walk;
+    return (0.5 * radius * radius * path.bend + path.rounding) * kRoundedUp;
 }
 
 // What a step makes of the second derivative along the plane, and of rounding.
@@ -194,6 +188,54 @@ void InterpolationError::move(Path& path, const Deformation& step) {
     const Mat3 j = jacobian(step, path.centre);
     for (Vec3& direction : path.plane) direction = j * direction;
     path.centre = image(step, path.centre);
+}
+
+ErrorEllipsoid InterpolationError::accumulated(const ErrorEllipsoid& error, double own_bound,
+                                               std::span<const Corners> before) const {
+    assert(before.size() == steps_.size());
+    const bool is_only = steps_.size() == 1;
+    ErrorEllipsoid sum = error;
+    double longest = error.radius();  // what the steps make of this length, in any direction
+    for (std::size_t k = 0; k < steps_.size(); ++k) {
+        sum = after_step(k, sum, is_only ? own_bound : kUnknown, before[k], longest);
+    }
+    // This is better where derivatives change much over the triangle.
+    longest = (longest + own_bound) * kRoundedUp;
+    return longest < sum.radius() ? ErrorEllipsoid::ball(longest) : sum;
+}
+
+// own_bound: of the step, if it is known. longest: a distance to transport.
+ErrorEllipsoid InterpolationError::after_step(std::size_t k, const ErrorEllipsoid& error,
+                                              double own_bound, const Corners& corners,
+                                              double& longest) const {
+    const Step& step = steps_[k];
+    const double size = error.radius();
+    if (!(size < kMostMargin)) {
+        longest = kUnknown;
+        return error;
+    }
+    if (!moves(step, {corners, size})) return error;
+    const EnclosingCircle circle = enclosing_circle(corners);
+    const double radius = std::sqrt(circle.squared_radius) * kRadiusRoundedUp;
+    const auto [p, q] = plane_of(corners);
+    double around = rounding_of(k, corners) + kBesideDirection * step.bounds.reach();
+    double along = own_bound < kUnknown
+                       ? own_bound
+                       : 0.5 * radius * radius * step.bounds.bend({corners, 0.0}, p, q);
+    ErrorEllipsoid moved = error;
+    if (!error.is_zero()) {
+        const auto [jacobian_there, rest, stretch] = step.bounds.transport(
+            {corners, size}, jacobian(warp_.steps[k], circle.centre), error.matrix());
+        moved = ErrorEllipsoid::image(jacobian_there, error);
+        along += rest;
+        longest *= stretch * kRoundedUp;
+    }
+    const std::optional<Vec3>& direction = step.bounds.direction();
+    const ErrorEllipsoid added =
+        direction ? ErrorEllipsoid::sum(ErrorEllipsoid::segment(along * kRoundedUp * *direction),
+                                        ErrorEllipsoid::ball(around * kRoundedUp))
+                  : ErrorEllipsoid::ball((along + around) * kRoundedUp);
+    return ErrorEllipsoid::sum(moved, added);
 }
 
 }  // namespace pectin

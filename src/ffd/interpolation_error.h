@@ -21,6 +21,14 @@
 //
 // Corners are rounded: weights of drags are stored as floats. Each step adds its rounding to what
 // the next ones make of that of the steps before.
+//
+// Of an error v that earlier deformations have left at a point p of the triangle, a step makes
+//
+//     F(p + v) − F(p) = DF(c) v + r,
+//     |r| ≤ sup |(DF(x) − DF(c)) v| over T + ½ sup |D²F(v, v)| over the points within |v| of T,
+//
+// to which it adds its own error, ½ R² M. If all displacements have one direction, r and its own
+// error have that direction, too.
 #pragma once
 
 #include <array>
@@ -30,6 +38,7 @@
 
 #include "ffd/derivative_bounds.h"
 #include "ffd/warp.h"
+#include "geometry/error_ellipsoid.h"
 
 namespace pectin {
 
@@ -61,9 +70,12 @@ class InterpolationError {
     // infinite for a warp of several steps. It is never below bound().
     double rough_bound(const Corners& rest) const;
 
-    // If two points are no farther apart than `distance`, and one of them is on the triangle before
-    // each step, how far their images may be apart. Cost: the same.
-    double transported(double distance, std::span<const Corners> before) const;
+    // What the steps make of errors: contains the vectors from the points of the flat deformed
+    // triangle to the images of points that were off the triangle at rest by vectors in `error`.
+    // Point by point, with the same barycentric coordinates. own_bound: bound(before). Cost: some
+    // three times that of bound() where there is an error.
+    ErrorEllipsoid accumulated(const ErrorEllipsoid& error, double own_bound,
+                               std::span<const Corners> before) const;
 
     // Of a warp of one step with one weight, the bound is |d| times a number, plus the rounding:
     // its displacement is d. Then `slope` is that number, which does not change with d.
@@ -88,11 +100,10 @@ class InterpolationError {
         double rounding = 0.0;      // of the corners
         double plane_rounding = 0.0;
     };
-    struct Walk {
-        double bound = 0.0, distance = 0.0;
-    };
     static Step bounded(const Deformation& step);
-    Walk walk(std::span<const Corners> before, double distance) const;
+    double walk(std::span<const Corners> before) const;
+    ErrorEllipsoid after_step(std::size_t k, const ErrorEllipsoid& error, double own_bound,
+                              const Corners& corners, double& longest) const;
     void advance(Path& path, const DerivativeBounds::Bound& over, double radius) const;
     static void move(Path& path, const Deformation& step);
     bool moves(const Step& step, const DerivativeBounds::Region& region) const;

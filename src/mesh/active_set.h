@@ -138,11 +138,11 @@ class ActiveSet {
 
     // Sets the errors of live faces. Throws std::bad_alloc before anything changes. faces, errors:
     // the same number. Precondition: the mesh tracks errors.
-    void set_errors(std::span<const FaceId> faces, std::span<const float> errors);
-    // The error at rest of the face on the side of h, once the split of star.m has been undone: the
-    // larger one of its two pieces, and how far m is from the middle of bc at rest. h: star.bm, or
-    // star.mb.
-    float merged_error(const Star& star, HalfEdgeId h) const;
+    void set_errors(std::span<const FaceId> faces, std::span<const ErrorEllipsoid> errors);
+    // The error at rest of the face on the side of h, once the split of star.m has been undone: it
+    // contains those of its two pieces, and the vector from the middle of bc to m at rest. h:
+    // star.bm, or star.mb.
+    ErrorEllipsoid merged_error(const Star& star, HalfEdgeId h) const;
     // Whether undoing the split of star.m leaves the surface at rest, and its errors, as they are.
     bool merges_exactly(const Star& star) const;
 
@@ -172,7 +172,7 @@ class ActiveSet {
         EdgeId bc = kNone<EdgeId>;
         std::array<FaceId, 2> kept_faces{};
         std::uint32_t vertex_entry = kNoEntry, wedge_entry = kNoEntry;
-        std::array<float, 4> errors{};  // of kept_faces, face 3 and face 4 before
+        std::array<ErrorEllipsoid, 4> errors{};  // of kept_faces, face 3 and face 4 before
     };
     // Two calls may run at the same time if their stencils share no vertex. The removed slots are
     // freed, and the edit is logged, by log_unsplits(). Precondition: may_unsplit_concurrently().
@@ -220,7 +220,7 @@ class ActiveSet {
     void log_faces(std::size_t first, const Split& split);
     void drop_sheet(const Star& star);
     void merge_errors(const Star& star);
-    double distance_from_middle(const Star& star) const;
+    Vec3 from_middle(const Star& star) const;
     void reserve_errors(std::size_t sheets);
     std::vector<FaceId> changed_faces() const;  // for a MeshChange
     void forget() noexcept;

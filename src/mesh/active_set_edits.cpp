@@ -194,30 +194,29 @@ void ActiveSet::drop_sheet(const Star& star) {
 }
 
 //          a                  a
-//         /|\                / \         Each point of the pieces 1 and 3 is at most as far from
-//         the
-//        /1|3\              / 1 \        merged face as m is from the middle of bc, and likewise on
-//       b--m--c    --->    b-----c       the other side.
+//         /|\                / \         A point of the pieces 1 and 3 is beside its point of the
+//        /1|3\              / 1 \        merged face by a part of the vector from the middle of bc
+//       b--m--c    --->    b-----c       to m, and likewise on the other side.
 //        \2|4/              \ 2 /
 //         \|/                \ /
 //          d                  d
-float ActiveSet::merged_error(const Star& star, HalfEdgeId h) const {
+ErrorEllipsoid ActiveSet::merged_error(const Star& star, HalfEdgeId h) const {
     const HalfEdgeId other = h == star.bm ? star.mc : star.cm;
-    const float larger = std::max(mesh_.error(TriMesh::face(h)), mesh_.error(TriMesh::face(other)));
-    const double distance = distance_from_middle(star);
-    return distance > 0.0 ? rounded_up(static_cast<double>(larger) + distance) : larger;
+    return ErrorEllipsoid::sum(
+        ErrorEllipsoid::hull(mesh_.error(TriMesh::face(h)), mesh_.error(TriMesh::face(other))),
+        ErrorEllipsoid::segment(from_middle(star)));
 }
 
-double ActiveSet::distance_from_middle(const Star& star) const {
+Vec3 ActiveSet::from_middle(const Star& star) const {
     const Vec3 middle = 0.5 * rest_.position(star.b) + 0.5 * rest_.position(star.c);
-    return glm::distance(rest_.position(star.m), middle);
+    return rest_.position(star.m) - middle;
 }
 
 bool ActiveSet::merges_exactly(const Star& star) const {
     const auto are_equal = [&](HalfEdgeId h, HalfEdgeId other) {
         return mesh_.error(TriMesh::face(h)) == mesh_.error(TriMesh::face(other));
     };
-    return distance_from_middle(star) == 0.0 && are_equal(star.bm, star.mc) &&
+    return from_middle(star) == Vec3{0.0} && are_equal(star.bm, star.mc) &&
            (star.on_boundary() || are_equal(star.mb, star.cm));
 }
 
@@ -226,7 +225,7 @@ void ActiveSet::merge_errors(const Star& star) {
     if (!mesh_.tracks_errors()) return;
     const auto merge = [&](HalfEdgeId kept, HalfEdgeId freed) {
         const FaceId f = TriMesh::face(kept), g = TriMesh::face(freed);
-        const float merged = merged_error(star, kept);
+        const ErrorEllipsoid merged = merged_error(star, kept);
         errors_.record(f, mesh_.error(f));
         errors_.record(g, mesh_.error(g));
         mesh_.set_error(f, merged);
@@ -235,7 +234,7 @@ void ActiveSet::merge_errors(const Star& star) {
     if (!star.on_boundary()) merge(star.mb, star.cm);
 }
 
-void ActiveSet::set_errors(std::span<const FaceId> faces, std::span<const float> errors) {
+void ActiveSet::set_errors(std::span<const FaceId> faces, std::span<const ErrorEllipsoid> errors) {
     assert(faces.size() == errors.size());
     errors_.reserve(faces.size());
     for (std::size_t i = 0; i < faces.size(); ++i) {
@@ -256,7 +255,8 @@ ActiveSet::Unsplit ActiveSet::concurrent_unsplit(const Star& star) {
                  .vertex_entry = kNoEntry,
                  .wedge_entry = kNoEntry};
     if (mesh_.tracks_errors()) {
-        const std::array<float, 2> merged{merged_error(star, star.bm), merged_error(star, star.mb)};
+        const std::array<ErrorEllipsoid, 2> merged{merged_error(star, star.bm),
+                                                   merged_error(star, star.mb)};
         for (std::size_t i = 0; i < 2; ++i) {
             done.errors[i] = mesh_.error(done.kept_faces[i]);
             mesh_.set_error(done.kept_faces[i], merged[i]);

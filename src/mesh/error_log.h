@@ -2,9 +2,7 @@
 #pragma once
 
 #include <algorithm>
-#include <cmath>
 #include <cstddef>
-#include <limits>
 #include <vector>
 
 #include "mesh/array_bytes.h"
@@ -14,14 +12,6 @@
 #include "mesh/tri_mesh.h"
 
 namespace pectin {
-
-// A float that is no less than the value.
-inline float rounded_up(double value) {
-    const auto rounded = static_cast<float>(value);
-    return static_cast<double>(rounded) >= value
-               ? rounded
-               : std::nextafter(rounded, std::numeric_limits<float>::infinity());
-}
 
 // A split hands the error of a face on to its pieces, so that taking it back changes nothing. What
 // an unsplit or the end of the gesture overwrites is recorded here, in order. A face that did not
@@ -40,7 +30,7 @@ class ErrorLog {
         errors_.reserve_additional(count);
     }
     // Precondition of these: reserve() has made room.
-    void record(FaceId f, float error) {
+    void record(FaceId f, const ErrorEllipsoid& error) {
         faces_.push_back_unchecked(f);
         errors_.push_back_unchecked(error);
     }
@@ -52,7 +42,7 @@ class ErrorLog {
         errors_.grow_unchecked(count);
         return first;
     }
-    void set(std::size_t i, FaceId f, float error) {
+    void set(std::size_t i, FaceId f, const ErrorEllipsoid& error) {
         faces_[i] = f;
         errors_[i] = error;
     }
@@ -97,7 +87,7 @@ class ErrorLog {
     }
 
     GrowingArray<FaceId> faces_;
-    GrowingArray<float> errors_;
+    GrowingArray<ErrorEllipsoid> errors_;
 };
 
 }  // namespace pectin

@@ -47,7 +47,7 @@ std::size_t AttributeState::memory_bytes() const {
     return vertices.capacity() * sizeof(VertexId) + positions.capacity() * sizeof(Vec3) +
            deformed.capacity() + wedges.capacity() * sizeof(WedgeId) +
            normals.capacity() * sizeof(Vec3f) + faces.capacity() * sizeof(FaceId) +
-           errors.capacity() * sizeof(float);
+           errors.capacity() * sizeof(ErrorEllipsoid);
 }
 
 std::size_t MeshChange::memory_bytes() const {

@@ -35,9 +35,9 @@ struct AttributeState {
     GrowingArray<Vec3> positions;         // n_vertices
     GrowingArray<std::uint8_t> deformed;  // n_vertices
     GrowingArray<WedgeId> wedges;
-    GrowingArray<Vec3f> normals;  // n_wedges
-    GrowingArray<FaceId> faces;   // those that are not live in this state do not count
-    GrowingArray<float> errors;   // n_faces
+    GrowingArray<Vec3f> normals;          // n_wedges
+    GrowingArray<FaceId> faces;           // those that are not live in this state do not count
+    GrowingArray<ErrorEllipsoid> errors;  // n_faces
 
     // Adds elements that set() then writes. Throws std::bad_alloc.
     void grow_vertices(std::size_t count);
@@ -52,7 +52,7 @@ struct AttributeState {
         wedges[i] = w;
         normals[i] = normal;
     }
-    void set(std::size_t i, FaceId f, float error) {
+    void set(std::size_t i, FaceId f, const ErrorEllipsoid& error) {
         faces[i] = f;
         errors[i] = error;
     }

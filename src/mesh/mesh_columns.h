@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <cstdint>
 
+#include "geometry/error_ellipsoid.h"
 #include "geometry/vec.h"
 #include "mesh/growing_array.h"
 #include "mesh/ids.h"
@@ -83,16 +84,16 @@ struct EdgeColumns {
 struct FaceColumns {
     using Id = FaceId;
 
-    GrowingArray<HalfEdge> half_edges;  // three per face, counter-clockwise
-    GrowingArray<FaceId> bases;         // the base face that the face is a piece of
-    GrowingArray<float> errors;         // see TriMesh::error(); empty where none was set
+    GrowingArray<HalfEdge> half_edges;    // three per face, counter-clockwise
+    GrowingArray<FaceId> bases;           // the base face that the face is a piece of
+    GrowingArray<ErrorEllipsoid> errors;  // see TriMesh::error(); empty where none was set
 
     std::size_t size() const { return bases.size(); }
     template <typename Visit, typename... C>
     static void for_each_column(Visit visit, C&... columns) {
         visit(Column<HalfEdge>{.cleared = {}, .per_slot = 3}, columns.half_edges...);
         visit(Column<FaceId>{kNone<FaceId>}, columns.bases...);
-        visit(Column<float>{.cleared = 0.0f, .is_optional = true, .may_be_left_out = true},
+        visit(Column<ErrorEllipsoid>{.cleared = {}, .is_optional = true, .may_be_left_out = true},
               columns.errors...);
     }
 };

@@ -47,6 +47,7 @@
 #include <vector>
 
 #include "geometry/box.h"
+#include "geometry/error_ellipsoid.h"
 #include "geometry/vec.h"
 #include "mesh/concurrent_allocation.h"
 #include "mesh/growing_array.h"
@@ -150,10 +151,12 @@ class TriMesh {
     std::uint16_t level(VertexId v) const { return vertices_.levels[index(v)]; }
     std::uint16_t level(EdgeId e) const { return edges_.levels[index(e)]; }
 
-    // An upper bound of the distance between f and the exact surface, to which the deformations so
-    // far have taken the original one (adapt/triggers/certified_error.h). 0 where none was set. The
-    // pieces of a face inherit its bound.
-    float error(FaceId f) const { return tracks_errors() ? faces_.errors[index(f)] : 0.0f; }
+    // Contains the vectors from the points of f to those of the exact surface, to which the
+    // deformations so far have taken the original one (adapt/triggers/certified_error.h). Zero
+    // where none was set. The pieces of a face inherit its error.
+    ErrorEllipsoid error(FaceId f) const {
+        return tracks_errors() ? faces_.errors[index(f)] : ErrorEllipsoid{};
+    }
     bool tracks_errors() const { return !faces_.errors.empty(); }
     // Makes room for errors, which are 0. Throws std::bad_alloc before anything changes. O(faces).
     void track_errors() {
@@ -162,7 +165,7 @@ class TriMesh {
         split_capacity_.splits = 0;
     }
     // Precondition: tracks_errors(). Safe to call concurrently for different faces.
-    void set_error(FaceId f, float error) { faces_.errors[index(f)] = error; }
+    void set_error(FaceId f, const ErrorEllipsoid& error) { faces_.errors[index(f)] = error; }
 
     // The base face that f is a piece of; f itself if it is a base face.
     FaceId base_face(FaceId f) const { return faces_.bases[index(f)]; }

@@ -26,7 +26,7 @@ using test::Random;
 
 using Point = std::array<double, 3>;
 // The corners, and the error of the face.
-using Triangle = std::pair<std::array<Point, 3>, float>;
+using Triangle = std::pair<std::array<Point, 3>, std::array<float, 6>>;
 
 // The triangles of a mesh and their errors in a form that does not depend on ids. They are sorted,
 // and each begins with its least corner.
@@ -39,7 +39,7 @@ std::vector<Triangle> triangles(const TriMesh& mesh) {
             triangle[static_cast<std::size_t>(corner)] = {p.x, p.y, p.z};
         }
         std::rotate(triangle.begin(), std::ranges::min_element(triangle), triangle.end());
-        all.emplace_back(triangle, mesh.error(f));
+        all.emplace_back(triangle, mesh.error(f).entries());
     }
     std::ranges::sort(all);
     return all;
@@ -103,7 +103,7 @@ Outcome adapted(const Scene& scene, const Partitioning& partitioning) {
     if (scene.is_certified()) {
         mesh.track_errors();
         for (std::uint32_t f = 0; f < mesh.face_slots(); ++f) {
-            mesh.set_error(FaceId{f}, 1e-5f * static_cast<float>(f % 7));
+            mesh.set_error(FaceId{f}, ErrorEllipsoid::ball(1e-5 * static_cast<double>(f % 7)));
         }
     }
     active.begin(FaceTree(mesh).faces_meeting(zone, mesh), zone);

@@ -21,8 +21,7 @@ constexpr std::size_t kFewSteps = 16;
 
 // Calls ask(the corners of a face before each step).
 template <typename Ask>
-double with_corners(const Embedding& embedding, const std::array<VertexId, 3>& face,
-                    const Ask& ask) {
+auto with_corners(const Embedding& embedding, const std::array<VertexId, 3>& face, const Ask& ask) {
     std::array<InterpolationError::Corners, kFewSteps> few;
     std::vector<InterpolationError::Corners> many;
     const std::size_t steps = embedding.step_count();
@@ -71,10 +70,11 @@ double CertifiedError::bound(const Face& face) const {
                         [this](const auto& corners) { return state_->error.bound(corners); });
 }
 
-double CertifiedError::transported(double distance, const Face& face) const {
-    if (!state_ || !(distance > 0.0)) return distance;
+ErrorEllipsoid CertifiedError::accumulated(const ErrorEllipsoid& error, double own_bound,
+                                           const Face& face) const {
+    if (!state_) return error;
     return with_corners(*embedding_, face, [&](const auto& corners) {
-        return state_->error.transported(distance, corners);
+        return state_->error.accumulated(error, own_bound, corners);
     });
 }
 
@@ -82,10 +82,10 @@ double CertifiedError::bound(const ActiveSet& active, FaceId f) const {
     return active.stays(f) ? 0.0 : bound(face_of(active.mesh(), f));
 }
 
-double CertifiedError::accumulated(const ActiveSet& active, FaceId f, double own_bound) const {
-    const double error = static_cast<double>(active.mesh().error(f));
-    if (active.stays(f)) return error;
-    return transported(error, face_of(active.mesh(), f)) + own_bound;
+ErrorEllipsoid CertifiedError::accumulated(const ActiveSet& active, FaceId f,
+                                           double own_bound) const {
+    const ErrorEllipsoid error = active.mesh().error(f);
+    return active.stays(f) ? error : accumulated(error, own_bound, face_of(active.mesh(), f));
 }
 
 std::vector<FaceId> CertifiedError::faces_to_test(const ActiveSet& active) const {
@@ -134,7 +134,7 @@ bool CertifiedError::merged_edge_needs_refinement(const ActiveSet& active, const
         if (active.stays(TriMesh::face(sheet.bm))) return true;
         const bool is_exact = active.merges_exactly(sheet);
         const auto may = [&](HalfEdgeId h, const Face& face) {
-            return may_restore(face, static_cast<double>(active.merged_error(sheet, h)), is_exact);
+            return may_restore(face, active.merged_error(sheet, h), is_exact);
         };
         return may(sheet.bm, {sheet.b, sheet.c, sheet.a}) &&
                (sheet.on_boundary() || may(sheet.mb, {sheet.c, sheet.b, sheet.d}));
@@ -142,11 +142,12 @@ bool CertifiedError::merged_edge_needs_refinement(const ActiveSet& active, const
 }
 
 // error: of the face before this gesture. is_exact: that of its pieces was the same.
-bool CertifiedError::may_restore(const Face& face, double error, bool is_exact) const {
+bool CertifiedError::may_restore(const Face& face, const ErrorEllipsoid& error,
+                                 bool is_exact) const {
     const double most = kRoundedDown * tolerance_;
     const double own = bound(face);
     if (!(own <= most)) return false;
-    return is_exact || transported(error, face) + own <= most;
+    return is_exact || accumulated(error, own, face).radius() <= most;
 }
 
 }  // namespace pectin

@@ -30,12 +30,13 @@ class Embedding;
 // longest at rest (SplitOrder::first_edge). As with EdgeLength, whether a face needs refinement
 // depends on that face alone, and the result does not depend on the order of splits.
 //
-// Errors add up over the gestures since the object was opened: a gesture that takes two points at
-// the distance e at most to the distance L e leaves a face with the error e at L e + its own bound.
-// TriMesh::error() stores the sum. Removing m must not lose what an earlier gesture has made of the
-// surface, and must not cause a refinement:
+// Errors add up over the gestures since the object was opened. TriMesh::error() stores an ellipsoid
+// that contains the vectors from the points of a face to the exact surface. A gesture transports it
+// and adds its own error (InterpolationError::accumulated). Its largest radius is the error of the
+// face, which thus grows only in the directions in which it is. Removing m must not lose what an
+// earlier gesture has made of the surface, and must not cause a refinement:
 // - the own bound of each restored face is at most the tolerance, and
-// - so is the sum with its errors, to which the distance of m from the middle of bc at rest counts.
+// - so is the sum with its errors, to which the vector from the middle of bc to m at rest counts.
 //   Without this, many gestures that do nothing could erode the surface step by step. A vertex
 //   whose removal changes neither the surface at rest nor its errors, such as one that a frame of
 //   this gesture has inserted, need not pass this.
@@ -62,8 +63,8 @@ class CertifiedError {
     // --- Bounds, in world units. Several threads may ask. Cost: that of InterpolationError.
     // Of what the warp adds, for the face of h.
     double bound(const ActiveSet& active, FaceId f) const;
-    // Of the error of f after this gesture: with what earlier ones have left.
-    double accumulated(const ActiveSet& active, FaceId f, double own_bound) const;
+    // The error of f after this gesture: with what earlier ones have left. own_bound: bound().
+    ErrorEllipsoid accumulated(const ActiveSet& active, FaceId f, double own_bound) const;
 
     // The active faces that refinement has to look at first. One thread at a time.
     std::vector<FaceId> faces_to_test(const ActiveSet& active) const;
@@ -96,8 +97,9 @@ class CertifiedError {
 
     static Face face_of(const TriMesh& mesh, FaceId f);
     double bound(const Face& face) const;
-    double transported(double distance, const Face& face) const;
-    bool may_restore(const Face& face, double error, bool is_exact) const;
+    ErrorEllipsoid accumulated(const ErrorEllipsoid& error, double own_bound,
+                               const Face& face) const;
+    bool may_restore(const Face& face, const ErrorEllipsoid& error, bool is_exact) const;
 
     double tolerance_ = kOff;
     Search search_ = Search::due;
