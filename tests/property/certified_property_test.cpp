@@ -124,6 +124,8 @@ TEST(CertifiedError, IsNeverBelowTheTrueErrorOfAFace) {
         "median: %.2f of %zu faces in one step, %.2f of %zu in several\n",
         9000 + cases - 1, ratios.faces, ratios.at_budget, median(ratios.one_step),
         ratios.one_step.size(), median(ratios.several_steps), ratios.several_steps.size());
+    // The few cases of a run with sanitizers have no median to speak of.
+    if (test::is_sanitized()) return;
     EXPECT_LE(median(ratios.one_step), 4.0);
 }
 
