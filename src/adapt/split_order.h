@@ -40,6 +40,8 @@ class SplitOrder {
     bool precedes(const RestEdge& candidate, const RestEdge& other) const {
         return precedes(candidate, other, 1.0);
     }
+    // The same without symmetry, by lengths at rest.
+    static bool precedes(double candidate, double other) { return candidate > other; }
     // Whether a face may be split at an edge of length e beside an edge of length `candidate`: that
     // one is at most rho times as long.
     bool fits_beside(double candidate, double e) const { return candidate <= propagation_ * e; }
@@ -71,6 +73,8 @@ class SplitOrder {
     static constexpr Vec3 kGenericDirection{0.7390851332151607, 0.4142135623730951,
                                             0.5671432904097838};
 
+    template <typename Edge>
+    HalfEdgeId first_edge(const ActiveSet& active, HalfEdgeId h, const Floor& floor) const;
     bool precedes(const RestEdge& candidate, const RestEdge& e, double factor) const {
         if (!symmetry_) return candidate.length > factor * e.length;
         const bool spans = is_between_images(candidate);

@@ -12,11 +12,6 @@ namespace {
 // Slack for lengths whose squares are summed in another order.
 constexpr double kRoundedDown = 1.0 - 1e-6;
 
-double squared_distance_of(const Vec3& p, const Vec3& q) {
-    const Vec3 along = q - p;
-    return glm::dot(along, along);
-}
-
 // The fraction of L_max by which a corner may be farther from the middle of a zone than its face,
 // and by which the steps may bend a face.
 constexpr double kNoticed = 0.5;
@@ -106,30 +101,21 @@ bool EdgeLength::hides_bends(const ActiveSet& active, HalfEdgeId h) const {
 bool EdgeLength::is_too_coarse(const ActiveSet& active, const Face& face) const {
     const TriMesh& mesh = active.mesh();
     if (!steps_.are_only_sampled) {
-        const Corners now{mesh.position(face.a), mesh.position(face.b), mesh.position(face.c)};
-        return is_long_in_zone(now, face, active) || is_long_before_a_step(face);
+        if (has_long_side(mesh.position(face.a), mesh.position(face.b), mesh.position(face.c)) &&
+            rests_in_zone(active, face))
+            return true;
+        return steps_.embedding != nullptr && is_long_before_a_step(face);
     }
-    if (is_long_in_zone(corners_before(0, face), face, active)) return true;
+    if (has_long_side(corners_before(0, face)) && rests_in_zone(active, face)) return true;
     if (!is_long_before_a_step(face)) return false;
     return may_hide_a_step(active, face) || may_miss_a_step(face);
 }
 
-// Whether an edge is longer than L_max with its ends at these corners, and the face meets a zone at
-// rest.
-bool EdgeLength::is_long_in_zone(const Corners& corners, const Face& face,
-                                 const ActiveSet& active) const {
-    if (!has_long_side(corners)) return false;
-    const Corners rest{active.rest_position(face.a), active.rest_position(face.b),
-                       active.rest_position(face.c)};
-    return std::ranges::any_of(zones_, [&](const Box& zone) { return meets(rest, zone); });
-}
-
-bool EdgeLength::has_long_side(const Corners& corners) const {
-    const auto is_long = [&](const Vec3& p, const Vec3& q) {
-        return squared_distance_of(p, q) > l_max_ * l_max_;
-    };
-    return is_long(corners[1], corners[2]) || is_long(corners[2], corners[0]) ||
-           is_long(corners[0], corners[1]);
+bool EdgeLength::rests_in_zone(const ActiveSet& active, const Face& face) const {
+    const Vec3 &a = active.rest_position(face.a), &b = active.rest_position(face.b),
+               &c = active.rest_position(face.c);
+    return std::ranges::any_of(
+        zones_, [&](const Box& zone) { return triangle_meets_box(a, b, c, zone); });
 }
 
 EdgeLength::Corners EdgeLength::corners_before(std::size_t step, const Face& face) const {
@@ -139,7 +125,7 @@ EdgeLength::Corners EdgeLength::corners_before(std::size_t step, const Face& fac
 }
 
 bool EdgeLength::is_long_before_a_step(const Face& face) const {
-    const std::size_t count = steps_.embedding ? steps_.embedding->step_count() : 0;
+    const std::size_t count = steps_.embedding->step_count();
     for (std::size_t step = 1; step < count; ++step) {
         const Corners corners = corners_before(step, face);
         if (!has_long_side(corners)) continue;

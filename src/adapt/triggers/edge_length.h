@@ -112,11 +112,19 @@ class EdgeLength {
     bool may_hide_a_step(const ActiveSet& active, const Face& face) const;
     bool hides_bends(const ActiveSet& active, HalfEdgeId h) const;
     bool is_too_coarse(const ActiveSet& active, const Face& face) const;
-    bool is_long_in_zone(const Corners& corners, const Face& face, const ActiveSet& active) const;
+    bool rests_in_zone(const ActiveSet& active, const Face& face) const;
+    // Precondition of this and the next: there are several steps.
     bool is_long_before_a_step(const Face& face) const;
     bool may_miss_a_step(const Face& face) const;
     Corners corners_before(std::size_t step, const Face& face) const;
-    bool has_long_side(const Corners& corners) const;
+    bool is_long(const Vec3& p, const Vec3& q) const {
+        const Vec3 along = q - p;
+        return glm::dot(along, along) > l_max_ * l_max_;
+    }
+    bool has_long_side(const Vec3& a, const Vec3& b, const Vec3& c) const {
+        return is_long(b, c) || is_long(c, a) || is_long(a, b);
+    }
+    bool has_long_side(const Corners& at) const { return has_long_side(at[0], at[1], at[2]); }
     bool shows_at_no_corner(const Corners& corners, const Box& zone) const;
 
     double l_max_;
