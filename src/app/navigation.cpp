@@ -213,8 +213,24 @@ void Navigation::frame_again(std::span<const Vec3> points, const PictureArea& ar
 }
 
 void Navigation::look_from(const Vec3& direction, const IVec2& size) {
-    camera_ =
-        looking_from(camera_, oriented(up_axis_, direction), up_vector(up_axis_), pivot(size));
+    const Vec3 pivot = this->pivot(size);
+    camera_ = looking_from(camera_, oriented(up_axis_, direction), up_vector(up_axis_), pivot);
+    leave_object(pivot);
+}
+
+// A view from another side may put the eye into the object. Then the eye moves away from the point,
+// which keeps its pixel, as far before the surface as it was before the point.
+void Navigation::leave_object(const Vec3& point) {
+    const double distance = glm::distance(camera_.eye, point);
+    if (camera_.is_orthographic() || distance == 0.0) return;
+    const Vec3 outwards = (camera_.eye - point) / distance;
+    const Vec3 outside = camera_.eye + 2.0 * object_.diagonal() * outwards;
+    const std::optional<Vec3> hit = object_.first_hit({outside, -outwards});
+    if (!hit) return;
+    const double depth = glm::dot(*hit - point, outwards);
+    if (depth < distance - kClosest * object_.diagonal()) return;
+    const Camera outer = zoomed(camera_, (depth + distance) / distance, point);
+    if (outer.is_valid()) camera_ = outer;
 }
 
 void Navigation::set_up_axis(UpAxis up, const IVec2& size) {
