@@ -258,6 +258,7 @@ constexpr std::array<ActionInfo, kFirstToolAction - kFirstViewAction - kViewActi
          .tooltip = "Make text and controls larger.",
          .is_enabled =
              [](const Editor& editor) { return editor.preferences.scale < kMostTextScale; },
+         .needs = "Text and controls have their largest size.",
          .perform =
              [](Editor& editor) { set_scale(editor, larger_scale(editor.preferences.scale)); }},
         {.action = Action::smaller_text,
@@ -268,6 +269,7 @@ constexpr std::array<ActionInfo, kFirstToolAction - kFirstViewAction - kViewActi
          .tooltip = "Make text and controls smaller.",
          .is_enabled =
              [](const Editor& editor) { return editor.preferences.scale > kLeastTextScale; },
+         .needs = "Text and controls have their smallest size.",
          .perform =
              [](Editor& editor) { set_scale(editor, smaller_scale(editor.preferences.scale)); }},
         {.action = Action::normal_text,
@@ -276,6 +278,7 @@ constexpr std::array<ActionInfo, kFirstToolAction - kFirstViewAction - kViewActi
          .shortcuts = {control('0')},
          .tooltip = "Give text and controls the size that fits the screen.",
          .is_enabled = [](const Editor& editor) { return editor.preferences.scale != 1.0; },
+         .needs = "Text and controls have their normal size.",
          .perform = [](Editor& editor) { set_scale(editor, 1.0); }},
         {.action = Action::open_menus,
          .name = "Menus by keyboard",

@@ -234,7 +234,9 @@ void Editor::choose_cage_counts(const Box& box, const IVec3& counts) {
 void Editor::perform(Action action) {
     example_.interrupt();
     const ActionInfo& info = info_of(action);
-    if (!is_busy() && info.is_enabled(*this)) info.perform(*this);
+    if (is_busy()) return;
+    if (info.is_enabled(*this)) return info.perform(*this);
+    if (*info.needs) workspace_.set_message(info.needs, Messages::Kind::information);
 }
 
 void Editor::undo() {

@@ -62,7 +62,8 @@ class Editor : public ToolContext, private DocumentController::Delegate {
 
     // --- Actions of menus, panels and keys. They do nothing while a tool is active, and during
     // work in the background.
-    void perform(Action action);  // if it is enabled
+    // If the action is not enabled, a message says what it needs.
+    void perform(Action action);
     void undo();
     void remove_pins() { pins_.clear(); }
     // As DocumentController::execute().

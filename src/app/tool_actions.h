@@ -39,8 +39,21 @@ void toggle(Editor& editor) {
     editor.drag_options.*kOption = !(editor.drag_options.*kOption);
 }
 
+constexpr const char* kNoBrush = "The radius cannot be changed while a cage is in use.";
+constexpr const char* kNeedsSurface = "Put the cursor on the surface and press the key.";
+
+inline void say_that_surface_is_needed(Editor& editor) {
+    editor.workspace().set_message(kNeedsSurface, Messages::Kind::information);
+}
+
+inline void toggle_pin(Editor& editor) {
+    if (!toggle_pin_at_cursor(editor)) say_that_surface_is_needed(editor);
+}
+
 inline void repeat_drag(Editor& editor) {
-    if (const auto drag = repeated_drag(editor)) editor.execute(*drag);
+    const auto drag = repeated_drag(editor);
+    if (!drag) return say_that_surface_is_needed(editor);
+    editor.execute(*drag);
 }
 
 // From use_brush to the action before show_inputs.
@@ -82,13 +95,14 @@ inline constexpr std::array<ActionInfo, kToolActionCount> kToolActions{{
      .shortcuts = {plain('P')},
      .tooltip = "Set a pin under the cursor, or remove the one that is there.",
      .is_enabled = has_cursor,
-     .needs = "Put the cursor on the surface and press the key.",
-     .perform = [](Editor& editor) { toggle_pin_at_cursor(editor); }},
+     .needs = kNeedsSurface,
+     .perform = toggle_pin},
     {.action = Action::fit_cage,
      .name = "Fit the cage to the object",
      .menu = Menu::tools,
      .tooltip = "Put the cage around the object as it is now.",
      .is_enabled = has_cage,
+     .needs = "There is no cage.",
      .perform = [](Editor& editor) { editor.fit_cage(); }},
     {.action = Action::toggle_connected,
      .name = "Connected",
@@ -116,6 +130,7 @@ inline constexpr std::array<ActionInfo, kToolActionCount> kToolActions{{
          "Repeat the last drag at the point under the cursor, turned as the surface there is "
          "turned, so that what was pulled outwards is pulled outwards again.",
      .is_enabled = can_repeat,
+     .needs = "Drag with Sculpt first. Then put the cursor on the surface and press the key.",
      .perform = repeat_drag},
     {.action = Action::smaller_radius,
      .name = "Smaller radius",
@@ -124,6 +139,7 @@ inline constexpr std::array<ActionInfo, kToolActionCount> kToolActions{{
      .shortcuts = {typed('[')},
      .tooltip = "Make the radius of the brush smaller by one step.",
      .is_enabled = has_brush,
+     .needs = kNoBrush,
      .perform =
          [](Editor& editor) { editor.set_radius_value(editor.radius_value() / kRadiusStep); }},
     {.action = Action::larger_radius,
@@ -132,6 +148,7 @@ inline constexpr std::array<ActionInfo, kToolActionCount> kToolActions{{
      .shortcuts = {typed(']')},
      .tooltip = "Make the radius of the brush larger by one step.",
      .is_enabled = has_brush,
+     .needs = kNoBrush,
      .perform =
          [](Editor& editor) { editor.set_radius_value(editor.radius_value() * kRadiusStep); }},
 }};

@@ -76,7 +76,7 @@ TEST(Shortcuts, DistinguishUndoFromRedoAndPlainLettersFromControl) {
 
 using ActionKeysTest = EditorTest;
 
-TEST_F(ActionKeysTest, AnActionThatIsNotEnabledDoesNothing) {
+TEST_F(ActionKeysTest, AnActionThatIsNotEnabledOnlySaysWhatItNeeds) {
     auto editor = this->editor();
     const TriMesh before = editor.session().mesh();
     editor.handle(event::Leave{});
@@ -90,11 +90,40 @@ TEST_F(ActionKeysTest, AnActionThatIsNotEnabledDoesNothing) {
         EXPECT_EQ(editor.session().mesh(), before);
         EXPECT_EQ(editor.session().undo_count() + editor.session().redo_count(), 0u);
         EXPECT_TRUE(editor.pins().is_empty());
-        EXPECT_EQ(editor.workspace().message(), "");
+        EXPECT_NE(std::string(info.needs), "");
+        EXPECT_EQ(editor.workspace().message(), info.needs);
+        EXPECT_EQ(editor.workspace().command_message_kind(), Messages::Kind::information);
     }
     for (const Action refused : {Action::undo, Action::redo, Action::remove_pins, Action::bake,
                                  Action::toggle_pin, Action::fit_cage, Action::normal_text}) {
         EXPECT_FALSE(info_of(refused).is_enabled(editor)) << info_of(refused).name;
+    }
+}
+
+TEST_F(ActionKeysTest, ActionsOfTheBrushSayThatACageIsInTheWay) {
+    auto editor = this->editor();
+    editor.use_cage();
+    move(editor, kMiddle);
+    for (const Action refused : {Action::smaller_radius, Action::larger_radius}) {
+        editor.perform(refused);
+        EXPECT_EQ(editor.workspace().message(),
+                  "The radius cannot be changed while a cage is in use.");
+    }
+    for (const ActionInfo& info : all_actions()) {
+        EXPECT_TRUE(info.is_enabled(editor) || *info.needs) << info.name;
+    }
+}
+
+TEST_F(ActionKeysTest, PinAndRepetitionBesideTheSurfaceSayWhereTheyWork) {
+    auto editor = this->editor();
+    drag(editor, kMiddle, kMiddle + Vec2(60, -80));
+    move(editor, kBeside);
+    for (const Modifiers& modifiers : {Modifiers{}, Modifiers{.shift = true}}) {
+        editor.workspace().dismiss();
+        key(editor, Key{modifiers.shift ? 'R' : 'P'}, modifiers);
+        EXPECT_EQ(editor.workspace().message(), "Put the cursor on the surface and press the key.");
+        EXPECT_EQ(editor.session().undo_count(), 1u);
+        EXPECT_TRUE(editor.pins().is_empty());
     }
 }
 

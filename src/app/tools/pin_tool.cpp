@@ -12,14 +12,14 @@ constexpr std::array<InputReference, 2> kInputs{{
 
 }  // namespace
 
-void toggle_pin_at_cursor(ToolContext& context) {
-    if (!context.pointer().is_in_viewport) return;
+bool toggle_pin_at_cursor(ToolContext& context) {
+    if (!context.pointer().is_in_viewport) return false;
     std::optional<Pick> pick = context.pick_at_cursor();
     if (pick) pick = context.snapped_to_symmetry_plane(*pick);
-    if (context.pins().toggle(context.view(), context.pointer().at, pick,
-                              context.session().symmetry())) {
-        context.workspace().clear_command_message();
-    }
+    const bool is_done = context.pins().toggle(context.view(), context.pointer().at, pick,
+                                               context.session().symmetry());
+    if (is_done) context.workspace().clear_command_message();
+    return is_done;
 }
 
 bool PinTool::press(ToolContext& context, MouseButton button) {

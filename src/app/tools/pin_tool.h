@@ -16,7 +16,7 @@ class PinTool final : public Tool {
 };
 
 // Removes the pin under the cursor. If there is none, sets one on the surface there. Does nothing
-// beside the object or if the cursor is not in the viewport.
-void toggle_pin_at_cursor(ToolContext& context);
+// and returns false beside the object or if the cursor is not in the viewport.
+bool toggle_pin_at_cursor(ToolContext& context);
 
 }  // namespace pectin
