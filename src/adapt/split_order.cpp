@@ -6,7 +6,8 @@
 namespace pectin {
 
 HalfEdgeId SplitOrder::first_edge(const ActiveSet& active, HalfEdgeId h, const Floor& floor) const {
-    return symmetry_ ? first_edge<RestEdge>(active, h, floor) : first_edge<double>(active, h, floor);
+    return symmetry_ ? first_edge<RestEdge>(active, h, floor)
+                     : first_edge<double>(active, h, floor);
 }
 
 // Edge: RestEdge with symmetry. Without it the length is enough and is much faster.

@@ -118,7 +118,7 @@ struct ActionInfo {
     bool repeats = false;                 // while the key is held
     const char* tooltip = "";             // one sentence
     bool (*is_enabled)(const Editor&) = nullptr;
-    const char* needs = "";  // what to do before it is enabled, or why it is not
+    const char* needs = "";                  // what to do before it is enabled, or why it is not
     bool (*is_on)(const Editor&) = nullptr;  // null if the action switches nothing on and off
     bool is_choice = false;                  // one of several: it is on until another is performed
     // What it does. Precondition: is_enabled().

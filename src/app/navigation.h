@@ -81,8 +81,8 @@ class Navigation {
     void frame_again(std::span<const Vec3> points, const PictureArea& area);
     // Whether the camera has not moved since frame().
     bool is_as_framed() const { return framed_ == camera_; }
-    // Turns the view about the pivot. direction: of a model with y up. Where the eye would be within
-    // the object it moves out of it.
+    // Turns the view about the pivot. direction: of a model with y up. Where the eye would be
+    // within the object it moves out of it.
     void look_from(const Vec3& direction, const IVec2& size);
     // The present direction, of a model with y up and of any length.
     Vec3 direction() const { return with_y_up(up_axis_, camera_.eye - camera_.target); }

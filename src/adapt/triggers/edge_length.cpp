@@ -114,8 +114,8 @@ bool EdgeLength::is_too_coarse(const ActiveSet& active, const Face& face) const 
 bool EdgeLength::rests_in_zone(const ActiveSet& active, const Face& face) const {
     const Vec3 &a = active.rest_position(face.a), &b = active.rest_position(face.b),
                &c = active.rest_position(face.c);
-    return std::ranges::any_of(
-        zones_, [&](const Box& zone) { return triangle_meets_box(a, b, c, zone); });
+    return std::ranges::any_of(zones_,
+                               [&](const Box& zone) { return triangle_meets_box(a, b, c, zone); });
 }
 
 EdgeLength::Corners EdgeLength::corners_before(std::size_t step, const Face& face) const {
