@@ -172,11 +172,14 @@ class ActiveSet {
         EdgeId bc = kNone<EdgeId>;
         std::array<FaceId, 2> kept_faces{};
         std::uint32_t vertex_entry = kNoEntry, wedge_entry = kNoEntry;
-        std::array<ErrorEllipsoid, 4> errors{};  // of kept_faces, face 3 and face 4 before
     };
+    // The errors of kept_faces, face 3 and face 4 before an unsplit. They stand apart, since they
+    // are larger than all of Unsplit and are needed only if the mesh tracks errors.
+    using FormerErrors = std::array<ErrorEllipsoid, 4>;
     // Two calls may run at the same time if their stencils share no vertex. The removed slots are
-    // freed, and the edit is logged, by log_unsplits(). Precondition: may_unsplit_concurrently().
-    Unsplit concurrent_unsplit(const Star& star);
+    // freed, and the edit is logged, by log_unsplits(). errors: null if the mesh tracks none.
+    // Precondition: may_unsplit_concurrently().
+    Unsplit concurrent_unsplit(const Star& star, FormerErrors* errors);
     // Whether bm and mc are smooth, and star.m, its wedge and bm have entries.
     bool may_unsplit_concurrently(const Star& star) const;
     struct UnsplitCount {
@@ -193,7 +196,9 @@ class ActiveSet {
     // may read or write the log until every group has been logged.
     UnsplitCount count(std::span<const Unsplit> unsplits) const;
     ReservedLogSlots allocate_unsplits(const UnsplitCount& count);
-    void log_unsplits(std::span<const Unsplit> unsplits, ReservedLogSlots at);
+    // errors: one for each unsplit; not used if the mesh tracks none.
+    void log_unsplits(std::span<const Unsplit> unsplits, std::span<const FormerErrors> errors,
+                      ReservedLogSlots at);
     // Makes room for unsplits of `sheets` sheets in all. After that the four functions above do not
     // throw. Throws std::bad_alloc.
     void reserve_unsplits(std::size_t sheets);

@@ -248,21 +248,21 @@ bool ActiveSet::may_unsplit_concurrently(const Star& star) const {
     return entry_of(mesh_.edge(star.bm)) && rest_.entry(mesh_.wedge(star.mc)) != kNoEntry;
 }
 
-ActiveSet::Unsplit ActiveSet::concurrent_unsplit(const Star& star) {
+ActiveSet::Unsplit ActiveSet::concurrent_unsplit(const Star& star, FormerErrors* errors) {
     Unsplit done{.ids = {},
                  .bc = mesh_.edge(star.bm),
                  .kept_faces = {TriMesh::face(star.bm), TriMesh::face(star.mb)},
                  .vertex_entry = kNoEntry,
                  .wedge_entry = kNoEntry};
     if (mesh_.tracks_errors()) {
+        assert(errors);
         const std::array<ErrorEllipsoid, 2> merged{merged_error(star, star.bm),
                                                    merged_error(star, star.mb)};
-        for (std::size_t i = 0; i < 2; ++i) {
-            done.errors[i] = mesh_.error(done.kept_faces[i]);
-            mesh_.set_error(done.kept_faces[i], merged[i]);
-        }
-        done.errors[2] = mesh_.error(TriMesh::face(star.mc));
-        done.errors[3] = mesh_.error(TriMesh::face(star.cm));
+        const auto& [first, second] = done.kept_faces;
+        *errors = {mesh_.error(first), mesh_.error(second), mesh_.error(TriMesh::face(star.mc)),
+                   mesh_.error(TriMesh::face(star.cm))};
+        mesh_.set_error(first, merged[0]);
+        mesh_.set_error(second, merged[1]);
     }
     done.vertex_entry = rest_.remove(star.m);
     done.wedge_entry = rest_.remove(mesh_.wedge(star.mc));
@@ -293,7 +293,8 @@ ActiveSet::ReservedLogSlots ActiveSet::allocate_unsplits(const UnsplitCount& cou
             .freed = mesh_.allocate_freed(count.unsplits)};
 }
 
-void ActiveSet::log_unsplits(std::span<const Unsplit> unsplits, ReservedLogSlots at) {
+void ActiveSet::log_unsplits(std::span<const Unsplit> unsplits,
+                             std::span<const FormerErrors> errors, ReservedLogSlots at) {
     for (std::size_t i = 0; i < unsplits.size(); ++i) {
         const Unsplit& done = unsplits[i];
         log_.set_edit(at.edit++, TopologyEdit::unsplit(done.bc));
@@ -301,10 +302,10 @@ void ActiveSet::log_unsplits(std::span<const Unsplit> unsplits, ReservedLogSlots
             log_.set_face(at.face++, f);
         }
         if (mesh_.tracks_errors()) {
-            errors_.set(at.error++, done.kept_faces[0], done.errors[0]);
-            errors_.set(at.error++, done.kept_faces[1], done.errors[1]);
-            errors_.set(at.error++, done.ids.face3, done.errors[2]);
-            errors_.set(at.error++, done.ids.face4, done.errors[3]);
+            errors_.set(at.error++, done.kept_faces[0], errors[i][0]);
+            errors_.set(at.error++, done.kept_faces[1], errors[i][1]);
+            errors_.set(at.error++, done.ids.face3, errors[i][2]);
+            errors_.set(at.error++, done.ids.face4, errors[i][3]);
         }
         mesh_.free_split(done.ids, at.freed, i);
         if (rest_.is_inserted_vertex(done.vertex_entry)) {

@@ -69,8 +69,8 @@ void log_in_parts(ActiveSet& active, std::span<const ActiveSet::Unsplit> done) {
     const auto first = done.first(done.size() / 3), second = done.subspan(done.size() / 3);
     const auto first_at = active.allocate_unsplits(active.count(first));
     const auto second_at = active.allocate_unsplits(active.count(second));
-    active.log_unsplits(second, second_at);
-    active.log_unsplits(first, first_at);
+    active.log_unsplits(second, {}, second_at);
+    active.log_unsplits(first, {}, first_at);
 }
 
 // Edits whose stencils share no vertex may be made in any order, and hence concurrently. Mesh,
@@ -106,7 +106,7 @@ TEST(ActiveSet, ConcurrentEditsMatchSerialOnesInAnyOrder) {
             const std::vector<VertexId> vertices = independent_vertices(concurrent);
             std::vector<ActiveSet::Unsplit> done(vertices.size());
             for (std::size_t k = vertices.size(); k-- > 0;) {
-                done[k] = concurrent.concurrent_unsplit(*mesh.removable(vertices[k]));
+                done[k] = concurrent.concurrent_unsplit(*mesh.removable(vertices[k]), nullptr);
             }
             log_in_parts(concurrent, done);
             for (VertexId m : vertices) in_turn.unsplit(*other.removable(m));

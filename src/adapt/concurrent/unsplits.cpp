@@ -41,7 +41,7 @@ void ConcurrentUnsplits::log() {
     for (Partition& partition : partitions_)
         partition.slots = active_.allocate_unsplits(partition.count);
     for_each_concurrently(partitions_, [this](Partition& partition) {
-        active_.log_unsplits(partition.unsplits, partition.slots);
+        active_.log_unsplits(partition.unsplits, partition.errors, partition.slots);
     });
 }
 
@@ -71,13 +71,21 @@ void ConcurrentUnsplits::distribute(std::span<const VertexId> level) {
 }
 
 // Allocates what unsplit() may need, so that it does not throw.
-void ConcurrentUnsplits::reserve(Partition& partition) {
+void ConcurrentUnsplits::reserve(Partition& partition) const {
     partition.unsplits.clear();
     partition.deferred.clear();
     partition.last.clear();
     partition.unsplits.reserve(partition.vertices.size());
     partition.deferred.reserve(partition.vertices.size());
     partition.last.reserve(partition.vertices.size());
+    if (active_.mesh().tracks_errors()) partition.errors.resize(partition.vertices.size());
+}
+
+// The removal that is number i of the partition.
+ActiveSet::Unsplit ConcurrentUnsplits::unsplit(Partition& partition, const Star& star,
+                                               std::size_t i) {
+    return active_.concurrent_unsplit(star,
+                                      partition.errors.empty() ? nullptr : &partition.errors[i]);
 }
 
 // Until it has claimed the corners of a star, a partition only reads what no other partition
@@ -90,7 +98,7 @@ void ConcurrentUnsplits::unsplit(Partition& partition) {
         if (!corners) {
             partition.last.push_back(m);
         } else if (claims_.try_claim(*corners, partition.number)) {
-            partition.unsplits.push_back(active_.concurrent_unsplit(*star));
+            partition.unsplits.push_back(unsplit(partition, *star, partition.unsplits.size()));
         } else {
             partition.deferred.push_back(partition.unsplits.size());
             partition.unsplits.push_back({.ids = {.m = m}});
@@ -107,7 +115,7 @@ std::optional<CornerClaims::Corners> ConcurrentUnsplits::corners_of(const Star& 
 void ConcurrentUnsplits::unsplit_deferred(Partition& partition) {
     for (std::size_t i : partition.deferred) {
         ActiveSet::Unsplit& deferred = partition.unsplits[i];
-        deferred = active_.concurrent_unsplit(*active_.mesh().removable(deferred.ids.m));
+        deferred = unsplit(partition, *active_.mesh().removable(deferred.ids.m), i);
     }
 }
 

@@ -44,6 +44,7 @@ class ConcurrentUnsplits {
         CornerClaims::PartitionIndex number = 0;
         std::vector<VertexId> vertices;
         std::vector<ActiveSet::Unsplit> unsplits;
+        std::vector<ActiveSet::FormerErrors> errors;  // of the unsplits, if the mesh tracks errors
         ActiveSet::UnsplitCount count;
         ActiveSet::ReservedLogSlots slots;
         std::vector<std::size_t> deferred;  // indices of the unsplits that have yet to be done
@@ -51,7 +52,8 @@ class ConcurrentUnsplits {
     };
 
     void distribute(std::span<const VertexId> level);
-    static void reserve(Partition& partition);
+    void reserve(Partition& partition) const;
+    ActiveSet::Unsplit unsplit(Partition& partition, const Star& star, std::size_t i);
     std::optional<CornerClaims::Corners> corners_of(const Star& star) const;
     void unsplit(Partition& partition);
     void unsplit_deferred(Partition& partition);
