@@ -1,5 +1,6 @@
 #include "geometry/error_ellipsoid.h"
 
+#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -19,48 +20,23 @@ constexpr double kInfinite = std::numeric_limits<double>::infinity();
 
 double trace_of(const Mat3& m) { return m[0][0] + m[1][1] + m[2][2]; }
 
-// The eigenvalues of a symmetric matrix, and unit eigenvectors, by rotations of Jacobi. They do not
-// depend on the signs of the axes.
-struct Eigen3 {
-    Vec3 values{0.0};
-    Mat3 vectors{1.0};
-};
+using EigenSolver = Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>;
 
-Eigen3 eigen_decomposition(Mat3 m) {
-    constexpr int kMostSweeps = 12;
-    Eigen3 result;
-    Mat3& v = result.vectors;
-    for (int sweep = 0; sweep < kMostSweeps; ++sweep) {
-        const double beside = std::abs(m[1][0]) + std::abs(m[2][0]) + std::abs(m[2][1]);
-        const double on = std::abs(m[0][0]) + std::abs(m[1][1]) + std::abs(m[2][2]);
-        if (!(beside > 1e-17 * on)) break;
-        for (int p = 0; p < 2; ++p) {
-            for (int q = p + 1; q < 3; ++q) {
-                if (m[p][q] == 0.0) continue;
-                const double theta = (m[q][q] - m[p][p]) / (2.0 * m[p][q]);
-                const double t =
-                    (theta < 0.0 ? -1.0 : 1.0) / (std::abs(theta) + std::hypot(theta, 1.0));
-                const double c = 1.0 / std::hypot(t, 1.0), s = t * c;
-                for (int i = 0; i < 3; ++i) {  // columns
-                    const double a = m[p][i], b = m[q][i];
-                    m[p][i] = c * a - s * b;
-                    m[q][i] = s * a + c * b;
-                }
-                for (int i = 0; i < 3; ++i) {  // rows
-                    const double a = m[i][p], b = m[i][q];
-                    m[i][p] = c * a - s * b;
-                    m[i][q] = s * a + c * b;
-                }
-                for (int i = 0; i < 3; ++i) {
-                    const double a = v[p][i], b = v[q][i];
-                    v[p][i] = c * a - s * b;
-                    v[q][i] = s * a + c * b;
-                }
-            }
-        }
+Eigen::Matrix3d as_eigen(const Mat3& symmetric) {
+    return Eigen::Map<const Eigen::Matrix3d>(&symmetric[0][0]);
+}
+
+// The matrix with the absolute values of the eigenvalues. Bit for bit the same for the mirror image
+// in a plane across an axis, since changes of sign are not rounded.
+Mat3 absolute(const Mat3& symmetric) {
+    const EigenSolver solver(as_eigen(symmetric));
+    Mat3 sum{0.0};
+    for (int i = 0; i < 3; ++i) {
+        const Vec3 v{solver.eigenvectors()(0, i), solver.eigenvectors()(1, i),
+                     solver.eigenvectors()(2, i)};
+        sum += std::abs(solver.eigenvalues()(i)) * glm::outerProduct(v, v);
     }
-    result.values = {m[0][0], m[1][1], m[2][2]};
-    return result;
+    return sum;
 }
 
 // Whether Cholesky's factorisation exists.
@@ -117,8 +93,8 @@ double ErrorEllipsoid::rough_radius() const { return std::sqrt(trace() * (1.0 + 
 double ErrorEllipsoid::radius() const {
     if (is_zero()) return 0.0;
     if (is_all_of_space()) return kInfinite;
-    const Vec3 squares = eigen_decomposition(matrix()).values;
-    const double largest = std::max({squares.x, squares.y, squares.z});
+    const double largest =
+        EigenSolver(as_eigen(matrix()), Eigen::EigenvaluesOnly).eigenvalues().maxCoeff();
     return std::sqrt(largest * (1.0 + kRounding));
 }
 
@@ -149,12 +125,8 @@ ErrorEllipsoid ErrorEllipsoid::hull(const ErrorEllipsoid& a, const ErrorEllipsoi
     if (a.is_zero() || b.is_all_of_space()) return b;
     if (a.contains(b)) return a;
     if (b.contains(a)) return b;
-    const auto [values, vectors] = eigen_decomposition(a.matrix() - b.matrix());
-    Mat3 both = a.matrix() + b.matrix();
-    for (int i = 0; i < 3; ++i) {
-        both += std::abs(values[i]) * glm::outerProduct(vectors[i], vectors[i]);
-    }
-    return rounded_up(0.5 * both);
+    if (b.entries_ < a.entries_) return hull(b, a);
+    return rounded_up(0.5 * (a.matrix() + b.matrix() + absolute(a.matrix() - b.matrix())));
 }
 
 }  // namespace pectin

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
 #include <limits>
 #include <string>
@@ -106,6 +107,36 @@ TEST(ErrorEllipsoid, OfAHullContainsTheMembersOfBoth) {
             ASSERT_TRUE(test::contains(hull, test::random_member(b, random)));
         }
         EXPECT_LE(hull.radius(), 1.415 * std::max(a.radius(), b.radius()));
+    });
+}
+
+// With symmetry, mirrored faces must have mirrored errors to the byte.
+TEST(ErrorEllipsoid, OfMirroredVectorsIsTheMirrorImage) {
+    for_each_case([](Random& random, double size) {
+        const auto axis = static_cast<std::size_t>(random.integer(0, 2));
+        const auto mirrored = [&](Vec3 v) {
+            v[static_cast<int>(axis)] = -v[static_cast<int>(axis)];
+            return v;
+        };
+        const auto hull_of = [](const std::array<Vec3, 4>& v) {
+            const auto sum = [](const Vec3& u, const Vec3& w) {
+                return ErrorEllipsoid::sum(ErrorEllipsoid::segment(u), ErrorEllipsoid::segment(w));
+            };
+            return ErrorEllipsoid::hull(sum(v[0], v[1]), sum(v[2], v[3]));
+        };
+        std::array<Vec3, 4> vectors, images;
+        for (std::size_t i = 0; i < vectors.size(); ++i) {
+            vectors[i] = size * random.scale(1e-2, 1.0) * random.direction();
+            images[i] = mirrored(vectors[i]);
+        }
+        const ErrorEllipsoid hull = hull_of(vectors), image = hull_of(images);
+        EXPECT_EQ(hull.radius(), image.radius());
+        // The entries xx, yy and zz, and then xy, xz and yz, whose sign changes with one axis.
+        std::array<float, 6> expected = hull.entries();
+        for (std::size_t entry = 3; entry < 6; ++entry) {
+            if (entry != 5 - axis) expected[entry] = -expected[entry];
+        }
+        EXPECT_EQ(image.entries(), expected);
     });
 }
 
