@@ -214,23 +214,27 @@ void Navigation::frame_again(std::span<const Vec3> points, const PictureArea& ar
 
 void Navigation::look_from(const Vec3& direction, const IVec2& size) {
     const Vec3 pivot = this->pivot(size);
-    camera_ = looking_from(camera_, oriented(up_axis_, direction), up_vector(up_axis_), pivot);
+    const Camera from = camera_ == outside_ ? inside_ : camera_;
+    camera_ = looking_from(from, oriented(up_axis_, direction), up_vector(up_axis_), pivot);
     leave_object(pivot);
 }
 
-// A view from another side may put the eye into the object. Then the eye moves away from the point,
-// which keeps its pixel, as far before the surface as it was before the point.
+// A view from another side may put the eye into the object. Then the camera moves back, so that the
+// point keeps its pixel, until the eye is as far before the surface as it was before the point. The
+// next view begins where the camera was, so that views can be changed to and fro.
 void Navigation::leave_object(const Vec3& point) {
+    inside_ = outside_ = camera_;
     const double distance = glm::distance(camera_.eye, point);
     if (camera_.is_orthographic() || distance == 0.0) return;
-    const Vec3 outwards = (camera_.eye - point) / distance;
-    const Vec3 outside = camera_.eye + 2.0 * object_.diagonal() * outwards;
-    const std::optional<Vec3> hit = object_.first_hit({outside, -outwards});
+    const Vec3 backwards = (camera_.eye - point) / distance;
+    const Vec3 beyond_object = camera_.eye + 2.0 * object_.diagonal() * backwards;
+    const std::optional<Vec3> hit = object_.first_hit({beyond_object, -backwards});
     if (!hit) return;
-    const double depth = glm::dot(*hit - point, outwards);
+    const double depth = glm::dot(*hit - point, backwards);
     if (depth < distance - kClosest * object_.diagonal()) return;
-    const Camera outer = zoomed(camera_, (depth + distance) / distance, point);
-    if (outer.is_valid()) camera_ = outer;
+    outside_.eye += depth * backwards;
+    outside_.target += depth * backwards;
+    if (outside_.is_valid()) camera_ = outside_;
 }
 
 void Navigation::set_up_axis(UpAxis up, const IVec2& size) {

@@ -122,6 +122,8 @@ class Navigation {
     UpAxis up_axis_ = UpAxis::y;
     std::optional<Vec3> pivot_;  // the point that was touched last
     Camera framed_;              // after the last frame()
+    // The camera of the last view by look_from() before and after it had to leave the object.
+    Camera inside_, outside_;
     std::optional<Gesture> gesture_;
 };
 

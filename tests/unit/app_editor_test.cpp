@@ -90,7 +90,8 @@ TEST_F(EditorTest, UndoAndRedoKeysRestoreTheExactMesh) {
     key(editor, Key{'Y'}, {.control = true});
     EXPECT_EQ(editor.session().mesh(), dragged);
     key(editor, Key{'Y'}, {.control = true});
-    EXPECT_TRUE(editor.workspace().message().empty()) << "nothing to redo is no error";
+    EXPECT_EQ(editor.workspace().message(), "There is nothing to redo.");
+    EXPECT_EQ(editor.workspace().command_message_kind(), Messages::Kind::information);
 }
 
 TEST_F(EditorTest, DroppedStepsStillCountAsChangesAndAreReported) {
