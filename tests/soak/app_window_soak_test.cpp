@@ -307,20 +307,21 @@ class WindowSoak : public testing::Test {
         if (!editor.document().wants_to_end()) expect_rest(window);
     }
     // Once arrays have the size that they need, redoing and undoing all steps takes no further
-    // memory, and gives back the first object each time.
+    // memory, and gives back the first object each time. What is lost in each round would show in
+    // all of them. One may grow, since a thread that has not worked before takes memory of its own.
     void expect_steady_history(Session& session) const {
-        constexpr int kRounds = 4;
+        constexpr int kRounds = 6;
         std::size_t before = 0;
+        int grown = 0;  // rounds, apart from the first two
         for (int round = 0; round < kRounds; ++round) {
             while (session.execute(command::Redo{})) continue;
             while (session.execute(command::Undo{})) continue;
             session.take_dirty();  // as a picture does
             const std::size_t now = bytes_in_use();
-            if (round == kRounds - 1) {
-                EXPECT_LE(now, before) << "after " << round << " rounds";
-            }
+            if (round > 1 && now > before) ++grown;
             before = now;
         }
+        EXPECT_LE(grown, 1);
         EXPECT_TRUE(format_obj(session.mesh()) == first_) << "the first object, again";
     }
     // A window without input takes no further memory.
