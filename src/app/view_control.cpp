@@ -165,7 +165,14 @@ std::optional<AxisEnd> ViewControl::axis_at(const Vec2& at) const {
 // --- Views.
 
 std::vector<Vec3> ViewControl::points() const {
-    return referenced_positions(workspace_.session().mesh());
+    std::vector<Vec3> all = referenced_positions(workspace_.session().mesh());
+    if (const auto& cage = workspace_.session().lattice_settings().cage) {
+        const IVec3 last = cage->deformable - 1;
+        for (int i = 0; i < 8; ++i) {
+            all.push_back(cage->rest(last * IVec3{i % 2, i / 2 % 2, i / 4}));
+        }
+    }
+    return all;
 }
 
 bool ViewControl::shows(const std::vector<Vec3>& points) const {

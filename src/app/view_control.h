@@ -59,7 +59,8 @@ class ViewControl final : private NavigatedObject {
 
     // --- Views. The object must not be in use by work in the background. Directions are those of
     // models with y up (see oriented()). Cost: O(n) where the object is framed.
-    // Shows the whole object, from its present direction or another.
+    // Shows the whole object, with all control points of a cage, from its present direction or
+    // another.
     void frame_all(const std::optional<Vec3>& direction = {});
     // Shows the whole object and these points from the direction of the first view, also after the
     // free part of the window has changed.
@@ -90,7 +91,7 @@ class ViewControl final : private NavigatedObject {
     ScreenBox free_area() const;
     PictureArea picture_area() const;
     bool shows(const std::vector<Vec3>& points) const;
-    // The positions of the object's vertices.
+    // The positions of the object's vertices, and the corners of a cage.
     std::vector<Vec3> points() const;
     std::vector<Vec3> points_to_frame() const;
 

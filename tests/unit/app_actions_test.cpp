@@ -112,6 +112,8 @@ TEST_F(ActionKeysTest, ActionsOfTheBrushSayThatACageIsInTheWay) {
     for (const ActionInfo& info : all_actions()) {
         EXPECT_TRUE(info.is_enabled(editor) || *info.needs) << info.name;
     }
+    EXPECT_NE(editor.status_hint().find("cage"), std::string_view::npos);
+    EXPECT_EQ(editor.status_hint().find("radius"), std::string_view::npos);
 }
 
 TEST_F(ActionKeysTest, PinAndRepetitionBesideTheSurfaceSayWhereTheyWork) {

@@ -239,6 +239,23 @@ TEST_F(ViewControlTest, FollowsTheFreePartUntilTheViewIsMoved) {
     expect_framed(editor, kFree);
 }
 
+TEST_F(ViewControlTest, ShowsAllControlPointsOfACage) {
+    auto editor = this->editor();
+    editor.set_free_area(kFree, 1.0);
+    const Box object = editor.workspace().box();
+    const Vec3 beyond = 0.5 * object.extent();
+    editor.set_cage(Box{object.min - beyond, object.max + beyond}, IVec3{3});
+    editor.perform(Action::frame_all);
+    const Lattice& cage = *editor.session().lattice_settings().cage;
+    const IVec3 last = cage.deformable - 1;
+    for (int i = 0; i < 8; ++i) {
+        const IVec3 corner = last * IVec3{i % 2, i / 2 % 2, i / 4};
+        const Vec2 pixel = *editor.view().project(cage.rest(corner));
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(kFree.from, pixel))) << pixel.x << ' ' << pixel.y;
+        EXPECT_TRUE(glm::all(glm::lessThanEqual(pixel, kFree.to))) << pixel.x << ' ' << pixel.y;
+    }
+}
+
 TEST_F(ViewControlTest, ADragKeepsThePictureWhenTheFreePartChangesMeanwhile) {
     auto editor = this->editor();
     editor.set_free_area(kFree, 1.0);

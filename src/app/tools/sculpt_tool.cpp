@@ -183,9 +183,12 @@ std::string_view SculptTool::status_hint(const ToolContext& context) const {
     }
     if (!context.hover()) return {};
     if (is_along_normal) return "Drag the surface to pull it along its normal.";
+    if (context.has_cage()) {
+        return "Drag the surface to pull it; the cage decides what follows. · N or Alt: along the "
+               "normal · P: pin";
+    }
     return "Drag the surface to pull it; the area around it follows. · N or Alt: along the normal "
-           "· "
-           "F: radius · P: pin";
+           "· F: radius · P: pin";
 }
 
 ShownSettings SculptTool::settings() const {

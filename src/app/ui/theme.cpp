@@ -78,7 +78,6 @@ void set_sizes(ImGuiStyle& style) {
     style.WindowTitleAlign = {0.0f, 0.5f};
     style.WindowMenuButtonPosition = ImGuiDir_Right;
     style.SelectableTextAlign = {0.0f, 0.5f};
-    style.DisabledAlpha = 0.42f;
 }
 
 // The slots of Dear ImGui's table of colours that hold those of ThemeColour. The program draws no
@@ -183,9 +182,11 @@ void apply_theme(Theme theme, float scale) {
     set_sizes(style);
     if (theme == Theme::light) {
         ImGui::StyleColorsLight(&style);
+        style.DisabledAlpha = 0.55f;
         set_light_colours(style.Colors);
     } else {
         ImGui::StyleColorsDark(&style);
+        style.DisabledAlpha = 0.42f;
         set_dark_colours(style.Colors);
     }
     style.ScaleAllSizes(scale);
