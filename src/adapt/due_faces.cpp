@@ -20,8 +20,10 @@ float rounded_up(double value) {
                : std::nextafter(rounded, std::numeric_limits<float>::infinity());
 }
 
+// In the order in which CertifiedError asks for the bound.
 DueFaces::Corners rest_corners(const ActiveSet& active, FaceId f) {
-    const auto corners = face_pairs::corners_of(active.mesh(), f);
+    auto corners = face_pairs::corners_of(active.mesh(), f);
+    std::ranges::sort(corners);
     return {active.rest_position(corners[0]), active.rest_position(corners[1]),
             active.rest_position(corners[2])};
 }

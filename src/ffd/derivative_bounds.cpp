@@ -123,8 +123,14 @@ DerivativeBounds::DerivativeBounds(std::span<const LatticeField> sum)
             add_field<Vec3>(field);
         }
         double farthest = 0.0;
-        for (const Vec3& d : field.displacements()) farthest = std::max(farthest, squared(d));
+        Box displacements;
+        displacements.include(Vec3{0.0});
+        for (const Vec3& d : field.displacements()) {
+            farthest = std::max(farthest, squared(d));
+            displacements.include(d);
+        }
         reach_ += std::sqrt(farthest);
+        range_ += displacements.diagonal() * kRoundedUp;
     }
 }
 
@@ -318,11 +324,12 @@ DerivativeBounds::Bound DerivativeBounds::bound_over(const Region& region, const
                                                      const Vec3& p, const Vec3& q,
                                                      bool only_bend) const {
     Bound bound;
+    PlaneBendBound<T> bend(p, q);
     const Vec3 direction = direction_.value_or(Vec3{0.0});
     for_each_piece<T>(
         region, pieces,
         [&](const Derivatives<T>& of) {
-            bound.bend = std::max(bound.bend, derivative_norms::squared_bend(of.second, p, q));
+            bend.add(of.second);
             if (only_bend) return;
             bound.bend_any =
                 std::max(bound.bend_any, derivative_norms::squared_bend_any(of.second));
@@ -330,7 +337,7 @@ DerivativeBounds::Bound DerivativeBounds::bound_over(const Region& region, const
                 std::max(bound.stretch, derivative_norms::stretch_over(of.first, direction));
         },
         [] {});
-    bound.bend = std::sqrt(bound.bend) * kRoundedUp;
+    bound.bend = bend.bound();
     bound.bend_any = std::sqrt(bound.bend_any) * kRoundedUp;
     return bound;
 }
@@ -339,8 +346,10 @@ DerivativeBounds::Bound DerivativeBounds::bound(const Region& region, const Vec3
                                                 bool only_bend) const {
     Pieces pieces;
     if (!divide(region, pieces)) {
+        const double most =
+            everywhere_.second * derivative_norms::squared_radius(p, q) * kRoundedUp;
         return {.stretch = (1.0 + everywhere_.gradient) * kRoundedUp,
-                .bend = everywhere_.second * derivative_norms::squared_radius(p, q) * kRoundedUp,
+                .bend = {most, PlaneForm::circular(most)},
                 .bend_any = everywhere_.second * kRoundedUp};
     }
     return direction_ ? bound_over<double>(region, pieces, p, q, only_bend)
@@ -390,10 +399,14 @@ DerivativeBounds::Transport DerivativeBounds::transport(const Region& region, co
         result.jacobian = at_centre;
         transport_over<Vec3>(region, pieces, {g[0], g[1], g[2]}, s, result);
     }
+    if (range_ < result.rest) {
+        result.jacobian = Mat3{1.0};
+        result.rest = range_;
+    }
     return result;
 }
 
-double DerivativeBounds::bend(const Region& region, const Vec3& p, const Vec3& q) const {
+PlaneBend DerivativeBounds::bend(const Region& region, const Vec3& p, const Vec3& q) const {
     return bound(region, p, q, true).bend;
 }
 

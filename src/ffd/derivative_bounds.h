@@ -9,8 +9,8 @@
 //     D²D(x) = Σ_i B_i(x) S_i,    B_i ≥ 0,  Σ_i B_i = 1,    S_i the 64 Bernstein coefficients.
 //
 // A norm is convex, so its greatest value over the coefficients bounds it over the box to which the
-// coefficients belong. The region's own box is taken, divided at knots: over the whole cells of a
-// lattice the bound would be ten times as large or more.
+// coefficients belong (see also ffd/plane_bend.h). The region's own box is taken, divided at knots:
+// over the whole cells of a lattice the bound would be ten times as large or more.
 #pragma once
 
 #include <array>
@@ -21,6 +21,7 @@
 
 #include "ffd/cubic_basis.h"
 #include "ffd/lattice_field.h"
+#include "ffd/plane_bend.h"
 #include "geometry/box.h"
 
 namespace pectin {
@@ -35,7 +36,7 @@ class DerivativeBounds {
     // Of F(x) = x + D(x). All are upper bounds over a region, in world units.
     struct Bound {
         double stretch = 1.0;   // of |J v|, for all unit vectors v
-        double bend = 0.0;      // of |D²F(u, u)|, for u = cos t · p + sin t · q and all t
+        PlaneBend bend;         // of |D²F(u, u)|, for u in the plane of p and q
         double bend_any = 0.0;  // of |D²F(u, v)|, for all unit vectors u and v
     };
 
@@ -49,26 +50,29 @@ class DerivativeBounds {
     Bound over(const Region& region, const Vec3& p, const Vec3& q) const;
     // What F makes of the ellipsoid of s, that is, of all v with v vᵀ ≼ s: for each point x of the
     // triangle F(x + v) − F(x) is jacobian · v and a vector no longer than `rest`, which is
-    // parallel to direction() if there is one. The margin has to contain the ellipsoid. at_centre:
-    // the Jacobian at a point of the triangle. Cost: twice that of over().
+    // parallel to direction() if there is one. Where the ellipsoid is so large that a Jacobian says
+    // little, F is x + D(x), and `rest` is range(). The margin has to contain the ellipsoid.
+    // at_centre: the Jacobian at a point of the triangle. Cost: twice that of over().
     struct Transport {
-        Mat3 jacobian{1.0};  // at_centre, without what is beside direction()
+        Mat3 jacobian{1.0};  // at_centre, without what is beside direction(), or the identity
         double rest = 0.0;
         double stretch = 1.0;  // see Bound
     };
     Transport transport(const Region& region, const Mat3& at_centre, const Mat3& s) const;
     // The bend alone.
-    double bend(const Region& region, const Vec3& p, const Vec3& q) const;
+    PlaneBend bend(const Region& region, const Vec3& p, const Vec3& q) const;
     // Prepares estimate(), if D is the field of one lattice that is not too large.
     // Cost: eight bounds for each cell of the influenced zone.
     void tabulate();
-    // An upper bound of bend() for a region without a margin and orthonormal p and q, from the
+    // An upper bound of bend().most for a region without a margin and orthonormal p and q, from the
     // table of bounds over the eighths of cells: several times as large, and much faster. Without a
     // table it is the bound over all of space. Cost: O(eighths that the region's box meets).
     double estimate(const std::array<Vec3, 3>& corners) const;
     // Upper bounds of |D²F(u, u)|, for unit vectors u, and of |D(x)| over all of space.
     double bend_everywhere() const { return everywhere_.second; }
     double reach() const { return reach_; }
+    // An upper bound of |D(x) − D(y)|, for all points x and y.
+    double range() const { return range_; }
     // A unit vector to which all displacements are parallel, up to 1e-13 of the longest; none if
     // there is none.
     const std::optional<Vec3>& direction() const { return direction_; }
@@ -114,7 +118,7 @@ class DerivativeBounds {
     std::vector<Field> fields_;
     std::optional<Vec3> direction_;  // a unit vector to which all displacements are parallel
     Everywhere everywhere_;
-    double reach_ = 0.0;
+    double reach_ = 0.0, range_ = 0.0;
     std::vector<float> table_;  // bend_any of the eighths of cells from (−2, −2, −2) on; or empty
     IVec3 table_size_{0};
 };

@@ -41,6 +41,9 @@ double squared_bound(const T& a, const T& b, const T& c) {
     const double largest = 0.5 * (bb + cc) + root_of_squares(0.5 * (bb - cc), bc);
     return squared(a) + 2.0 * root_of_squares(product(a, b), product(a, c)) + largest;
 }
+inline double squared_bound(double a, double b, double c) {
+    return squared(std::abs(a) + root_of_squares(b, c));
+}
 
 // The greatest singular value, by the eigenvalues of mᵀm in closed form.
 inline double spectral_norm(const Mat3& m) {
@@ -112,31 +115,6 @@ double squared_bend_within(const std::array<Cube<T>, 6>& second, const Mat3& s) 
             for (int k = 0; k < 3; ++k) sum += glm::dot(m[k], rows[k]);
         }
         greatest = std::max(greatest, sum);
-    }
-    return greatest;
-}
-
-// The square of an upper bound of |D²F(u, u)|, u = cos t · p + sin t · q, over one piece.
-template <typename T>
-double squared_bend(const std::array<Cube<T>, 6>& second, const Vec3& p, const Vec3& q) {
-    const auto form = [](const Vec3& a, const Vec3& b) {
-        return std::array{a.x * b.x,
-                          a.y * b.y,
-                          a.z * b.z,
-                          a.x * b.y + a.y * b.x,
-                          a.y * b.z + a.z * b.y,
-                          a.z * b.x + a.x * b.z};
-    };
-    const auto pp = form(p, p), pq = form(p, q), qq = form(q, q);
-    double greatest = 0.0;
-    for (std::size_t i = 0; i < 64; ++i) {
-        T a{0.0}, b{0.0}, c{0.0};
-        for (std::size_t e = 0; e < 6; ++e) {
-            a += (0.5 * (pp[e] + qq[e])) * second[e][i];
-            b += (0.5 * (pp[e] - qq[e])) * second[e][i];
-            c += pq[e] * second[e][i];
-        }
-        greatest = std::max(greatest, squared_bound(a, b, c));
     }
     return greatest;
 }

@@ -74,6 +74,20 @@ EnclosingCircle enclosing_circle(const std::array<Vec3, 3>& corners) {
     return {corners[0] + to_centre, glm::dot(to_centre, to_centre)};
 }
 
+InterpolationError::Triangle::Triangle(const Corners& corners) : plane(plane_of(corners)) {
+    const EnclosingCircle circle = enclosing_circle(corners);
+    centre = circle.centre;
+    radius = std::sqrt(circle.squared_radius) * kRadiusRoundedUp;
+    for (std::size_t i = 0; i < 3; ++i) {
+        const Vec3 side = corners[(i + 1) % 3] - corners[i];
+        sides[i] = {glm::dot(side, plane[0]), glm::dot(side, plane[1])};
+    }
+}
+
+double InterpolationError::Triangle::bulge(const PlaneBend& bend) const {
+    return 0.5 * std::min(radius * radius * bend.most, squared_enclosing_radius(bend.form, sides));
+}
+
 InterpolationError::InterpolationError(const Warp& warp) : warp_(warp) {
     for (const Deformation& step : warp.steps) steps_.push_back(bounded(step));
     if (warp.steps.empty()) return;
@@ -119,9 +133,9 @@ bool InterpolationError::moves(const Step& step, const DerivativeBounds::Region&
 }
 
 double InterpolationError::slope(const Corners& rest) const {
-    const auto [p, q] = plane_of(rest);
-    const double radius = std::sqrt(enclosing_circle(rest).squared_radius) * kRadiusRoundedUp;
-    return 0.5 * radius * radius * unit_step_->bend({rest, 0.0}, p, q) * kRoundedUp;
+    const Triangle triangle(rest);
+    const auto& [p, q] = triangle.plane;
+    return triangle.bulge(unit_step_->bend({rest, 0.0}, p, q)) * kRoundedUp;
 }
 
 double InterpolationError::slope_estimate(const Corners& rest) const {
@@ -149,24 +163,23 @@ double InterpolationError::rough_bound(const Corners& rest) const {
 double InterpolationError::walk(std::span<const Corners> before) const {
     assert(before.size() == steps_.size());
     if (steps_.empty()) return 0.0;
-    const EnclosingCircle circle = enclosing_circle(before.front());
-    const double radius = std::sqrt(circle.squared_radius) * kRadiusRoundedUp;
-    Path path{circle.centre, plane_of(before.front())};
+    const Triangle triangle(before.front());
+    Path path{.centre = triangle.centre, .plane = triangle.plane};
     for (std::size_t k = 0; k < steps_.size(); ++k) {
-        const double bulge = 0.5 * radius * radius * path.bend;
-        const DerivativeBounds::Region region{before[k], bulge + path.rounding};
+        const DerivativeBounds::Region region{before[k], triangle.bulge(path.bend) + path.rounding};
         if (!(region.margin < kMostMargin)) return kUnknown;
         if (!moves(steps_[k], region)) continue;
         const bool is_last = k + 1 == steps_.size();
-        if (is_last && path.bend == 0.0 && path.rounding == 0.0) {
+        if (is_last && path.bend.most == 0.0 && path.rounding == 0.0) {
             path.bend = steps_[k].bounds.bend(region, path.plane[0], path.plane[1]);
         } else {
-            advance(path, steps_[k].bounds.over(region, path.plane[0], path.plane[1]), radius);
+            advance(path, steps_[k].bounds.over(region, path.plane[0], path.plane[1]),
+                    triangle.radius);
         }
         path.rounding += rounding_of(k, before[k]);
         if (!is_last) move(path, warp_.steps[k]);
     }
-    return (0.5 * radius * radius * path.bend + path.rounding) * kRoundedUp;
+    return (triangle.bulge(path.bend) + path.rounding) * kRoundedUp;
 }
 
 // What a step makes of the second derivative along the plane, and of rounding.
@@ -175,9 +188,12 @@ void InterpolationError::advance(Path& path, const DerivativeBounds::Bound& over
     const auto& [p, q] = path.plane;
     const double pp = glm::dot(p, p), qq = glm::dot(q, q);
     const double length = std::sqrt(0.5 * (pp + qq) + std::hypot(0.5 * (pp - qq), glm::dot(p, q)));
-    const double deviation = radius * path.bend + path.plane_rounding;
-    path.bend = over.stretch * path.bend + over.bend +
-                over.bend_any * deviation * (2.0 * length + deviation);
+    const double deviation = radius * path.bend.most + path.plane_rounding;
+    const double rest = over.bend_any * deviation * (2.0 * length + deviation);
+    path.bend.most = over.stretch * path.bend.most + over.bend.most + rest;
+    path.bend.form = over.stretch * path.bend.form;
+    path.bend.form += over.bend.form;
+    path.bend.form += PlaneForm::circular(rest);
     path.plane_rounding = over.stretch * path.plane_rounding +
                           kJacobianRounding * (1.0 + over.stretch) * length +
                           over.bend_any * path.rounding * length;
@@ -215,20 +231,18 @@ ErrorEllipsoid InterpolationError::after_step(std::size_t k, const ErrorEllipsoi
         return error;
     }
     if (!moves(step, {corners, size})) return error;
-    const EnclosingCircle circle = enclosing_circle(corners);
-    const double radius = std::sqrt(circle.squared_radius) * kRadiusRoundedUp;
-    const auto [p, q] = plane_of(corners);
+    const Triangle triangle(corners);
+    const auto& [p, q] = triangle.plane;
     double around = rounding_of(k, corners) + kBesideDirection * step.bounds.reach();
-    double along = own_bound < kUnknown
-                       ? own_bound
-                       : 0.5 * radius * radius * step.bounds.bend({corners, 0.0}, p, q);
+    double along =
+        own_bound < kUnknown ? own_bound : triangle.bulge(step.bounds.bend({corners, 0.0}, p, q));
     ErrorEllipsoid moved = error;
     if (!error.is_zero()) {
         const auto [jacobian_there, rest, stretch] = step.bounds.transport(
-            {corners, size}, jacobian(warp_.steps[k], circle.centre), error.matrix());
+            {corners, size}, jacobian(warp_.steps[k], triangle.centre), error.matrix());
         moved = ErrorEllipsoid::image(jacobian_there, error);
         along += rest;
-        longest *= stretch * kRoundedUp;
+        longest = std::min(longest * stretch, longest + step.bounds.range()) * kRoundedUp;
     }
     const std::optional<Vec3>& direction = step.bounds.direction();
     const ErrorEllipsoid added =

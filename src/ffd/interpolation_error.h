@@ -1,23 +1,30 @@
 // How far a flat triangle with deformed corners may be from the exact image of the flat triangle at
 // rest: a proven bound.
-// Source: S. Waldron. The error in linear interpolation at the vertices of a simplex. SIAM Journal
-// on Numerical Analysis 35(3), 1998.
+// Sources: S. Waldron. The error in linear interpolation at the vertices of a simplex. SIAM Journal
+// on Numerical Analysis 35(3), 1998. E. F. D'Azevedo, R. B. Simpson. On Optimal Interpolation
+// Triangle Incidences. SIAM Journal on Scientific and Statistical Computing 10(6), 1989.
 //
-// Let Π F interpolate F linearly at the corners of a triangle T. For each x in T
+// Let Π F interpolate F linearly at the corners v_i of a triangle T, and let Q be a quadratic form
+// of its plane with |D²F(u, u)| ≤ Q(u) on T, for all vectors u in the plane. By Taylor's theorem at
+// the point x of T with barycentric coordinates λ_i, where the linear terms cancel,
 //
-//     |F(x) − Π F(x)| ≤ ½ R² M,    M ≥ |D²F(u, u)| on T, for all unit vectors u in its plane,
+//     |F(x) − Π F(x)| ≤ ½ Σ_i λ_i Q(v_i − x) = ½ Σ_{i<j} λ_i λ_j Q(v_i − v_j) ≤ ½ R²,
 //
-// where R is the radius of the smallest circle that encloses T. F is the warp, F_n ∘ … ∘ F_1. Let
-// G = F_k ∘ … ∘ F_1 be its first steps and M a bound of |D²G(u, u)|, c the centre of the circle,
-// and A = DG(c) on the plane of T. Then DG(x)u differs from A u by at most δ = M R |u|, and the
-// next step F maps to
+// where R is the radius of the smallest circle that encloses T if Q measures the squares of
+// lengths. With one bound M of |D²F(u, u)| for all unit vectors u this is Waldron's ½ M R², R as
+// usual. It is larger where F bends in one direction more than in another, but M is found more
+// exactly than Q, so both are computed and the smaller one counts.
+//
+// F is the warp, F_n ∘ … ∘ F_1. Let G = F_k ∘ … ∘ F_1 be its first steps, and M and Q such bounds
+// of D²G, c the centre of the circle, and A = DG(c) on the plane of T. Then DG(x)u differs from A u
+// by at most δ = M R |u|, and the next step F maps to
 //
 //     D²(F ∘ G)(u, u) = DF · D²G(u, u) + D²F(DG u, DG u),
-//     M' = L M + sup |D²F(A u, A u)| + K (2 |A| δ + δ²).
+//     Q'(u) = L Q(u) + sup |D²F(A u, A u)| + K (2 |A| δ + δ²),
 //
-// L bounds |DF| and K bounds |D²F| over the image G(T), which lies no farther from the flat
-// triangle of its corners than the bound up to there. So each step is bounded where the triangle
-// is, and in the directions that it has there.
+// and M' likewise. L bounds |DF| and K bounds |D²F| over the image G(T), which lies no farther from
+// the flat triangle of its corners than the bound up to there. So each step is bounded where the
+// triangle is, and in the directions that it has there.
 //
 // Corners are rounded: weights of drags are stored as floats. Each step adds its rounding to what
 // the next ones make of that of the steps before.
@@ -27,8 +34,9 @@
 //     F(p + v) − F(p) = DF(c) v + r,
 //     |r| ≤ sup |(DF(x) − DF(c)) v| over T + ½ sup |D²F(v, v)| over the points within |v| of T,
 //
-// to which it adds its own error, ½ R² M. If all displacements have one direction, r and its own
-// error have that direction, too.
+// to which it adds its own error, ½ R². Where v is so long that this r could be longer than the
+// displacements of two points differ, v + r is taken instead, with r as long as that. If all
+// displacements have one direction, r and its own error have that direction, too.
 #pragma once
 
 #include <array>
@@ -66,7 +74,7 @@ class InterpolationError {
     // whose zone the triangle is.
     double bound(std::span<const Corners> before) const;
 
-    // A bound that is some ten times as large and costs O(1), from those over all of space;
+    // A bound that is many times as large and costs O(1), from those over all of space;
     // infinite for a warp of several steps. It is never below bound().
     double rough_bound(const Corners& rest) const;
 
@@ -92,11 +100,22 @@ class InterpolationError {
         std::vector<Box> zones;
         double rounding = 0.0;  // of the displacements of corners
     };
+    // A triangle at rest.
+    struct Triangle {
+        explicit Triangle(const Corners& corners);
+        // An upper bound of the interpolation error of a function with this second derivative.
+        double bulge(const PlaneBend& bend) const;
+
+        Vec3 centre;                // of the smallest circle that encloses it
+        double radius;              // of that circle
+        std::array<Vec3, 2> plane;  // orthonormal
+        PlaneSides sides;           // along these vectors
+    };
     // What is known about a triangle before a step.
     struct Path {
         Vec3 centre;                // where the warp has taken the centre of its circle
         std::array<Vec3, 2> plane;  // the columns of A
-        double bend = 0.0;          // M
+        PlaneBend bend{};           // of D²G
         double rounding = 0.0;      // of the corners
         double plane_rounding = 0.0;
     };

@@ -8,6 +8,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <vector>
 
@@ -50,6 +51,20 @@ double median(std::vector<double> values) {
     return values[values.size() / 2];
 }
 
+void expect_same_bound_in_any_order(const InterpolationError& error, std::vector<Corners> before,
+                                    double bound, Random& random) {
+    const auto first = static_cast<std::size_t>(random.integer(0, 2));
+    const bool swaps = random.chance(0.5);
+    for (Corners& corners : before) {
+        std::rotate(corners.begin(), corners.begin() + static_cast<std::ptrdiff_t>(first),
+                    corners.end());
+        if (swaps) std::swap(corners[0], corners[1]);
+    }
+    // It may be infinite.
+    const double other = error.bound(before);
+    EXPECT_TRUE(other == bound || std::abs(other - bound) <= 1e-6 * bound) << other << ' ' << bound;
+}
+
 void expect_bounds(const Warp& warp, const TriMesh& mesh, Random& random, Ratios& ratios) {
     test::ExactImage image_of;
     image_of.add(warp);
@@ -67,6 +82,7 @@ void expect_bounds(const Warp& warp, const TriMesh& mesh, Random& random, Ratios
         const double bound = error.bound(before);
         const double farthest = test::sampled_error(image_of, rest, after, kSamples);
         ASSERT_LE(farthest, bound);
+        expect_same_bound_in_any_order(error, before, bound, random);
         if (bound > 1e-4 * size && farthest > 0.0) {
             (warp.steps.size() == 1 ? ratios.one_step : ratios.several_steps)
                 .push_back(bound / farthest);

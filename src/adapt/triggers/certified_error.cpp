@@ -19,9 +19,11 @@ constexpr double kRoundedDown = 1.0 - 1e-9;
 // Steps whose corners are kept on the stack. Longer warps are rare.
 constexpr std::size_t kFewSteps = 16;
 
-// Calls ask(the corners of a face before each step).
+// Calls ask(the corners of a face before each step). They are sorted, so that the corner at which a
+// face begins does not matter, not even by rounding.
 template <typename Ask>
-auto with_corners(const Embedding& embedding, const std::array<VertexId, 3>& face, const Ask& ask) {
+auto with_corners(const Embedding& embedding, std::array<VertexId, 3> face, const Ask& ask) {
+    std::ranges::sort(face);
     std::array<InterpolationError::Corners, kFewSteps> few;
     std::vector<InterpolationError::Corners> many;
     const std::size_t steps = embedding.step_count();
