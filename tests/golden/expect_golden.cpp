@@ -9,13 +9,14 @@
 #include <vector>
 
 #include "io/png.h"
+#include "support/paths.h"
 
 namespace pectin {
 namespace {
 
 constexpr int kSmallDifference =
     16;  // of 255; allows for antialiased borders of lines that moved slightly
-const std::string kReferences = PECTIN_SOURCE_DIR "/tests/golden/";
+const std::string kReferences = test::source_path("tests/golden/");
 
 struct Difference {
     double mean = 0.0;  // of 255, over all channels
@@ -78,8 +79,8 @@ void expect_golden(const std::string& name, const Image& image, const GoldenTole
         write_png(kReferences + name + "." + variant + ".png", image.size.x, image.size.y,
                   image.rgba);
     } else {
-        std::filesystem::create_directories(PECTIN_PICTURES);
-        const std::string path = std::string(PECTIN_PICTURES) + "/" + name + ".png";
+        std::filesystem::create_directories(test::pictures_folder());
+        const std::string path = test::pictures_folder() + "/" + name + ".png";
         write_png(path, image.size.x, image.size.y, image.rgba);
         ADD_FAILURE() << path << " differs from every reference:" << report;
     }

@@ -10,6 +10,7 @@
 #include "ffd/drag_solver.h"
 #include "golden/expect_golden.h"
 #include "support/offscreen.h"
+#include "support/paths.h"
 
 namespace pectin {
 namespace {
@@ -44,7 +45,7 @@ std::string drag(const std::string& from, const std::string& to) {
 
 // Executes a script in assets/ except for its screenshots.
 void sculpt(Session& session, const std::string& script) {
-    std::ifstream text(std::string(PECTIN_SOURCE_DIR "/assets/") + script);
+    std::ifstream text(test::source_path("assets/") + script);
     ScriptReader reader(text);
     int done = 0;
     while (const auto line = reader.next()) {

@@ -12,6 +12,7 @@
 #include "session/session.h"
 #include "support/expect_done.h"
 #include "support/intersections_by_definition.h"
+#include "support/paths.h"
 #include "support/random_mesh.h"
 #include "support/scratch_folder.h"
 #include "support/test_run.h"
@@ -154,7 +155,7 @@ TEST(ReportedIntersectionsOfAHeap, AreSaidToBeIncomplete) {
 }
 
 Subject model(const std::string& name) {
-    return {name, command::Open{.path = PECTIN_MODELS "/" + name + ".obj"}};
+    return {name, command::Open{.path = test::model_path(name)}};
 }
 
 INSTANTIATE_TEST_SUITE_P(

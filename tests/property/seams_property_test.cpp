@@ -9,6 +9,7 @@
 #include "mesh/shapes.h"
 #include "session/session.h"
 #include "support/mesh_figures.h"
+#include "support/paths.h"
 #include "support/random_mesh.h"
 #include "support/scratch_folder.h"
 #include "support/test_run.h"
@@ -96,7 +97,7 @@ TEST(UnsharedSeams, OfGeneratedFacetsNeverOpen) {
 
 TEST(UnsharedSeams, OfRealModelsNeverOpen) {
     const auto models = test::real_models();
-    if (models.empty()) GTEST_SKIP() << "no models in " << PECTIN_MODELS;
+    if (models.empty()) GTEST_SKIP() << "no models in " << test::models_folder();
     Total total;
     // A long run makes 500 drags.
     const int wanted = test::is_long() ? 500 : 12;

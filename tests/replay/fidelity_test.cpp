@@ -15,6 +15,7 @@
 #include "mesh/unshared_vertices.h"
 #include "session/session.h"
 #include "support/mesh_figures.h"
+#include "support/paths.h"
 #include "support/random_mesh.h"
 #include "support/scratch_folder.h"
 
@@ -53,7 +54,7 @@ IndexedFaceSet saved(const Session& session) {
 class Model : public testing::TestWithParam<std::string> {
   protected:
     void SetUp() override {
-        path_ = PECTIN_MODELS "/" + GetParam() + ".obj";
+        path_ = test::model_path(GetParam());
         if (!std::filesystem::exists(path_)) {
             GTEST_SKIP() << "no model " << path_ << " (CMake option PECTIN_MODELS)";
         }

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include "replay/program.h"
+#include "support/paths.h"
 #include "support/process.h"
 #include "support/test_run.h"
 
@@ -28,8 +29,8 @@ TEST(ReplayMemoryLimit, EndsWithAMessageAndNeverByASignal) {
     // that it uses.
     for (int kilobytes = 16'000; kilobytes < 2'000'000; kilobytes += 500 + kilobytes / 33) {
         std::filesystem::remove(folder.path("whole.obj"));
-        Process shell({"/bin/sh", "-c", "ulimit -v $2; exec \"$0\" replay \"$1\"", PECTIN_BINARY,
-                       script, std::to_string(kilobytes)},
+        Process shell({"/bin/sh", "-c", "ulimit -v $2; exec \"$0\" replay \"$1\"",
+                       test::program_path(), script, std::to_string(kilobytes)},
                       {}, folder.path("err"));
         const int status = shell.wait().value_or(-2);
         const std::string said = folder.read("err");

@@ -11,6 +11,7 @@
 #include "session/session.h"
 #include "support/expect_done.h"
 #include "support/mesh_figures.h"
+#include "support/paths.h"
 #include "support/random_mesh.h"
 #include "support/test_run.h"
 
@@ -27,7 +28,7 @@ struct Subject {
 void PrintTo(const Subject& subject, std::ostream* out) { *out << subject.name; }
 
 Subject model(const std::string& name, const Vec3& direction) {
-    return {name, command::Open{.path = PECTIN_MODELS "/" + name + ".obj"}, direction};
+    return {name, command::Open{.path = test::model_path(name)}, direction};
 }
 
 Subject shape(const std::string& name, command::Shape::Kind kind, int resolution, bool is_smooth) {

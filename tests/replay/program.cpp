@@ -1,4 +1,5 @@
 #include "replay/program.h"
+#include "support/paths.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -30,16 +31,17 @@ Outcome run_program(const std::vector<std::string>& arguments, const std::string
     redirect(STDOUT_FILENO, "out", O_WRONLY | O_CREAT);
     redirect(STDERR_FILENO, "err", O_WRONLY | O_CREAT);
 
-    std::vector<std::string> words{PECTIN_BINARY};
+    std::vector<std::string> words{test::program_path()};
     words.insert(words.end(), arguments.begin(), arguments.end());
     std::vector<char*> argv;
     for (std::string& word : words) argv.push_back(word.data());
     argv.push_back(nullptr);
 
     pid_t child = -1;
-    const int error = posix_spawn(&child, PECTIN_BINARY, &actions, nullptr, argv.data(), environ);
+    const int error =
+        posix_spawn(&child, words.front().c_str(), &actions, nullptr, argv.data(), environ);
     posix_spawn_file_actions_destroy(&actions);
-    if (error != 0) throw std::runtime_error(std::string("cannot run ") + PECTIN_BINARY);
+    if (error != 0) throw std::runtime_error("cannot run " + test::program_path());
     int status = 0;
     if (waitpid(child, &status, 0) != child) throw std::runtime_error("cannot wait for pectin");
     return {.exit_status = WIFEXITED(status) ? WEXITSTATUS(status) : -1,

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "replay/program.h"
+#include "support/paths.h"
 
 namespace pectin {
 namespace {
@@ -24,7 +25,7 @@ TEST(Replay, WritesTheDemoAndItsStatistics) {
     const ScratchFolder folder;
     folder.write("build/.keep", "");
     std::filesystem::create_directory(folder.path("assets"));
-    std::filesystem::copy_file(PECTIN_SOURCE_DIR "/assets/demo.jsonl",
+    std::filesystem::copy_file(test::source_path("assets/demo.jsonl"),
                                folder.path("assets/demo.jsonl"));
     expect_done(run_program({"replay", folder.path("assets/demo.jsonl")}));
     const std::string object = folder.read("build/demo.obj");

@@ -12,6 +12,7 @@
 #include "app/replay.h"
 #include "io/file_descriptor.h"
 #include "replay/program.h"
+#include "support/paths.h"
 #include "support/process.h"
 
 namespace pectin {
@@ -25,7 +26,7 @@ class WaitingReplay {
   public:
     // words: the command line of a program that replays its standard input.
     WaitingReplay(const ScratchFolder& folder, const std::vector<std::string>& lines,
-                  const std::vector<std::string>& words = {PECTIN_BINARY, "replay", "-"})
+                  const std::vector<std::string>& words = {test::program_path(), "replay", "-"})
         : folder_(&folder) {
         ::mkfifo(folder.path("pipe").c_str(), 0600);
         program_.emplace(words, Environment{}, folder.path("err"), folder.path("pipe"));
@@ -67,7 +68,7 @@ TEST(ReplaySignals, DuringASaveLeaveTheOldFileAndNoTemporaryFile) {
         write_script(folder, "s.jsonl",
                      {R"({"cmd": "shape", "kind": "sphere", "resolution": 8})",
                       R"({"cmd": "save", "path": "large.obj"})"});
-    Process program({PECTIN_BINARY, "replay", script}, {}, folder.path("err"));
+    Process program({test::program_path(), "replay", script}, {}, folder.path("err"));
     const auto writes = [&] {
         const auto files = folder.files();
         return std::any_of(files.begin(), files.end(),
@@ -126,7 +127,7 @@ TEST(ReplayStandardFiles, AreOpenEvenIfTheyWereClosedAtTheStart) {
     const ScratchFolder folder;
     const WaitingReplay replay(
         folder, {kSphere, R"({"cmd": "save", "path": ")" + folder.path("done.obj") + R"("})"},
-        {"/bin/sh", "-c", "echo $$ >\"$1\"; exec \"$0\" replay - 1>&- 2>&-", PECTIN_BINARY,
+        {"/bin/sh", "-c", "echo $$ >\"$1\"; exec \"$0\" replay - 1>&- 2>&-", test::program_path(),
          folder.path("id")});
     ASSERT_TRUE(eventually([&] { return folder.holds("done.obj"); }));
     const std::string id = folder.read("id");
@@ -154,7 +155,7 @@ TEST(ReplaySignals, FromAClosedPipeDoNotPreventLaterCommands) {
     // The reader of the pipe ends before the program prints anything.
     Process shell(
         {"/bin/sh", "-c", "(sleep 0.3; \"$0\" replay \"$1\" 2>&1; echo $? >\"$2\") | true",
-         PECTIN_BINARY, script, folder.path("status")},
+         test::program_path(), script, folder.path("status")},
         {});
     ASSERT_TRUE(
         eventually([&] { return folder.holds("status") && !folder.read("status").empty(); }));
@@ -169,8 +170,8 @@ TEST(ReplaySignals, FromAFileSizeLimitAreAnErrorOfThatFileOnly) {
                      {R"({"cmd": "shape", "kind": "sphere", "resolution": 5})",
                       R"({"cmd": "save", "path": "large.obj"})"});
     Process shell(
-        {"/bin/sh", "-c", "ulimit -f 8; exec \"$0\" replay \"$1\"", PECTIN_BINARY, script}, {},
-        folder.path("err"));
+        {"/bin/sh", "-c", "ulimit -f 8; exec \"$0\" replay \"$1\"", test::program_path(), script},
+        {}, folder.path("err"));
     EXPECT_EQ(shell.wait(), 1);
     EXPECT_NE(folder.read("err").find("larger than files may be"), std::string::npos)
         << folder.read("err");

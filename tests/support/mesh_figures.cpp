@@ -1,4 +1,5 @@
 #include "support/mesh_figures.h"
+#include "support/paths.h"
 
 #include <algorithm>
 #include <array>
@@ -23,7 +24,7 @@ TriMesh mesh_of(const std::string& obj_text, double crease_angle) {
 std::vector<std::string> real_models() {
     std::vector<std::string> paths;
     std::error_code absent;
-    for (const auto& entry : std::filesystem::directory_iterator(PECTIN_MODELS, absent)) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::models_folder(), absent)) {
         if (entry.path().extension() == ".obj") paths.push_back(entry.path().string());
     }
     std::sort(paths.begin(), paths.end());

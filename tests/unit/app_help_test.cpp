@@ -16,6 +16,7 @@
 #include "app/ui/columns.h"
 #include "app/ui/command_palette.h"
 #include "support/offscreen_window.h"
+#include "support/paths.h"
 #include "support/random_mesh.h"
 #include "support/test_run.h"
 
@@ -25,7 +26,7 @@ namespace {
 using test::OffscreenWindow;
 
 std::string readme() {
-    std::ifstream file(PECTIN_SOURCE_DIR "/README.md");
+    std::ifstream file(test::source_path("README.md"));
     return {std::istreambuf_iterator<char>(file), {}};
 }
 

@@ -22,6 +22,7 @@
 #include "mesh/shapes.h"
 #include "session/session.h"
 #include "support/expect_done.h"
+#include "support/paths.h"
 #include "support/random_mesh.h"
 #include "support/test_run.h"
 
@@ -59,7 +60,7 @@ TEST(Schema, IsWhatTheHelpOfEachCommandSays) {
 }
 
 TEST(Schema, IsTheTableInTheReadme) {
-    const std::string readme = text_of(PECTIN_SOURCE_DIR "/README.md");
+    const std::string readme = text_of(test::source_path("README.md"));
     const std::string table = reference_table();
     const std::size_t first = readme.find(table.substr(0, table.find('\n') + 1));
     ASSERT_NE(first, readme.npos) << "the README has no table of the commands";

@@ -10,12 +10,14 @@
 #include <string_view>
 #include <vector>
 
+#include "support/paths.h"
+
 namespace pectin {
 namespace {
 
 namespace fs = std::filesystem;
 
-const fs::path kRoot = PECTIN_SOURCE_DIR;
+const fs::path kRoot = test::source_path("");
 
 std::string text_of(const fs::path& path) {
     std::ifstream file(path);

@@ -12,6 +12,8 @@
 #include <string>
 #include <vector>
 
+#include "support/paths.h"
+
 namespace pectin {
 namespace {
 
@@ -114,7 +116,7 @@ bool is_source(const fs::path& path) {
 }
 
 TEST(Includes, FollowTheTable) {
-    const fs::path root = fs::path(PECTIN_SOURCE_DIR) / "src";
+    const fs::path root = test::source_path("src");
     int files = 0;
     for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root)) {
         if (!entry.is_regular_file() || !is_source(entry.path())) continue;

@@ -16,6 +16,7 @@
 #include "io/file_error.h"
 #include "io/obj_reader.h"
 #include "io/read_file.h"
+#include "support/paths.h"
 
 namespace pectin {
 namespace {
@@ -114,11 +115,11 @@ void expect_same(const std::string& text) {
 }
 
 TEST(ObjReaderAndItsPeer, ReadRealModelsAlike) {
-    if (!std::filesystem::exists(PECTIN_MODELS)) {
-        GTEST_SKIP() << "no models in " << PECTIN_MODELS << " (CMake option PECTIN_MODELS)";
+    if (!std::filesystem::exists(test::models_folder())) {
+        GTEST_SKIP() << "no models in " << test::models_folder() << " (CMake option PECTIN_MODELS)";
     }
     int models = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(PECTIN_MODELS)) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::models_folder())) {
         if (entry.path().extension() != ".obj") continue;
         SCOPED_TRACE(entry.path());
         ++models;

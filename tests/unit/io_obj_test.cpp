@@ -13,6 +13,7 @@
 #include "io/obj_writer.h"
 #include "mesh/build_mesh.h"
 #include "mesh/shapes.h"
+#include "support/paths.h"
 #include "support/scratch_folder.h"
 
 namespace pectin {
@@ -235,10 +236,11 @@ TEST(Obj, SavesTheSameBytesAgain) {
 }
 
 TEST(Obj, ReadsBackTheSameRealModels) {
-#ifdef PECTIN_MODELS
-    if (!std::filesystem::exists(PECTIN_MODELS)) GTEST_SKIP() << "no models in " PECTIN_MODELS;
+    if (!std::filesystem::exists(test::models_folder())) {
+        GTEST_SKIP() << "no models in " << test::models_folder() << " (CMake option PECTIN_MODELS)";
+    }
     int models = 0;
-    for (const auto& entry : std::filesystem::directory_iterator(PECTIN_MODELS)) {
+    for (const auto& entry : std::filesystem::directory_iterator(test::models_folder())) {
         if (entry.path().extension() != ".obj") continue;
         SCOPED_TRACE(entry.path());
         ++models;
@@ -256,9 +258,6 @@ TEST(Obj, ReadsBackTheSameRealModels) {
         EXPECT_EQ(format_obj(build_mesh(back).mesh), text);
     }
     EXPECT_GT(models, 0);
-#else
-    GTEST_SKIP() << "built without a folder of models";
-#endif
 }
 
 }  // namespace

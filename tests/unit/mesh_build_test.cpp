@@ -12,6 +12,7 @@
 #include "io/obj_reader.h"
 #include "mesh/shapes.h"
 #include "support/mesh_figures.h"
+#include "support/paths.h"
 #include "support/random_mesh.h"
 
 namespace pectin {
@@ -111,7 +112,7 @@ TEST(BuildMesh, MakesValidMeshesOfAllShapes) {
 
 TEST(BuildMesh, MakesValidMeshesOfRealModels) {
     const auto models = test::real_models();
-    if (models.empty()) GTEST_SKIP() << "no models in " << PECTIN_MODELS;
+    if (models.empty()) GTEST_SKIP() << "no models in " << test::models_folder();
     for (const std::string& path : models) {
         SCOPED_TRACE(path);
         const IndexedFaceSet input = read_obj(path);

@@ -11,6 +11,7 @@
 #include "session/session.h"
 #include "support/expect_done.h"
 #include "support/mesh_figures.h"
+#include "support/paths.h"
 #include "support/scratch_folder.h"
 
 namespace pectin {
@@ -82,7 +83,7 @@ TEST(LongDrag, WithTheRadiusOfAnotherModelSplitsFewEdges) {
                                0.004659,
                                {0.17745, 0.953646, -0.260405},
                                {0.301678322, 1.13998848, -0.136176678}}}) {
-        const std::string path = std::string(PECTIN_MODELS "/") + c.model;
+        const std::string path = test::models_folder() + "/" + c.model;
         if (!std::filesystem::exists(path)) GTEST_SKIP() << "no model " << path;
         Session session;
         expect_done(session, command::Open{.path = path});

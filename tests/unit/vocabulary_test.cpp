@@ -12,6 +12,8 @@
 #include <string_view>
 #include <vector>
 
+#include "support/paths.h"
+
 namespace pectin {
 namespace {
 
@@ -115,7 +117,7 @@ bool is_text(const fs::path& path) {
 }
 
 TEST(Vocabulary, HasNoRetiredWords) {
-    const fs::path root = PECTIN_SOURCE_DIR;
+    const fs::path root = test::source_path("");
     int files = 0;
     for (const char* folder : {"src", "tests"}) {
         for (const fs::directory_entry& entry : fs::recursive_directory_iterator(root / folder)) {

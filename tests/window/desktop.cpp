@@ -7,6 +7,7 @@
 #include <sstream>
 #include <thread>
 
+#include "support/paths.h"
 #include "support/scratch_folder.h"
 
 namespace pectin {
@@ -73,7 +74,7 @@ int Desktop::xdotool(const std::vector<std::string>& words) const {
 
 bool Desktop::drop(const std::string& path) const {
     const std::vector<std::string> words{"/usr/bin/python3",
-                                         PECTIN_SOURCE_DIR "/tests/window/drop_file.py", path};
+                                         test::source_path("tests/window/drop_file.py"), path};
     const int status = Process(words, environment_).wait().value_or(-1);
     std::this_thread::sleep_for(kMoment);
     return status == 0;
@@ -82,7 +83,7 @@ bool Desktop::drop(const std::string& path) const {
 std::string Desktop::screen_digest(int left, int top, int right, int bottom) const {
     const ScratchFolder folder;
     std::vector<std::string> words{"/usr/bin/python3",
-                                   PECTIN_SOURCE_DIR "/tests/window/screen_digest.py",
+                                   test::source_path("tests/window/screen_digest.py"),
                                    folder.path("digest")};
     for (const int number : {left, top, right, bottom}) words.push_back(std::to_string(number));
     if (Process(words, environment_).wait() != 0) return "";

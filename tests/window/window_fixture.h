@@ -13,6 +13,7 @@
 
 #include "app/ui/interface.h"
 #include "replay/program.h"
+#include "support/paths.h"
 #include "window/desktop.h"
 
 namespace pectin {
@@ -38,7 +39,8 @@ class WindowTest : public testing::Test {
         open_window_beside_record(arguments);
     }
     void open_window_beside_record(std::vector<std::string> arguments = {}) {
-        arguments.insert(arguments.begin(), {PECTIN_BINARY, "--record", path("record.jsonl")});
+        arguments.insert(arguments.begin(),
+                         {test::program_path(), "--record", path("record.jsonl")});
         Environment environment = desktop_->environment();
         environment.emplace_back("XDG_STATE_HOME", path("state"));
         environment.emplace_back("XDG_CONFIG_HOME", path("config"));

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <string>
 
+#include "support/paths.h"
 #include "window/window_fixture.h"
 
 namespace pectin {
@@ -14,7 +15,7 @@ namespace {
 // Returns the exit status and the message of the program if no window can be opened.
 Outcome open_without(const Environment& environment) {
     const ScratchFolder folder;
-    Process program({PECTIN_BINARY}, environment, folder.path("err"));
+    Process program({test::program_path()}, environment, folder.path("err"));
     const auto status = program.wait();
     return {.exit_status = status.value_or(-2), .out = "", .err = folder.read("err")};
 }
@@ -33,9 +34,9 @@ TEST_F(WindowTest, NoMessagesAreWrittenIntoTheRecordIfStandardErrorIsClosed) {
     folder().write("record.jsonl", "{\"pectin\": 1}\n{\"cmd\": \"shape\"}\n");
     Environment environment = desktop().environment();
     environment.emplace_back("XDG_STATE_HOME", path("state"));
-    start(
-        {"/bin/sh", "-c", "exec \"$0\" --record \"$1\" 2>&-", PECTIN_BINARY, path("record.jsonl")},
-        environment);
+    start({"/bin/sh", "-c", "exec \"$0\" --record \"$1\" 2>&-", test::program_path(),
+           path("record.jsonl")},
+          environment);
     ASSERT_TRUE(eventually([&] {
         return folder().holds("record-2.jsonl") &&
                folder().read("record-2.jsonl").find("\"symmetry\"") != std::string::npos;
@@ -65,7 +66,7 @@ TEST_F(WindowTest, WithoutOpenGl33OneSentenceSaysWhatToInstall) {
 }
 
 TEST_F(WindowTest, ARecordThatCannotBeWrittenOpensNoWindow) {
-    Process program({PECTIN_BINARY, "--record", path("no/such/folder.jsonl")},
+    Process program({test::program_path(), "--record", path("no/such/folder.jsonl")},
                     desktop().environment(), path("err"));
     EXPECT_EQ(program.wait(), 1);
     EXPECT_NE(folder().read("err").find("no/such/folder.jsonl: "), std::string::npos);
