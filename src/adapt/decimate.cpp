@@ -133,11 +133,11 @@ class Decimator {
 //         \|/                \ /
 //          d                  d
 std::optional<Star> removable_star(const ActiveSet& active, const Criteria& criteria, VertexId m) {
-    // Removal condition (a), connectivity: exactly four edges are incident on m. Removal condition
-    // (b): all four adjacent vertices are at the level of m or lower.
+    // Removal condition (a), connectivity: exactly four edges are incident on m, or three on a
+    // boundary. Removal condition (b): all adjacent vertices are at the level of m or lower.
     const std::optional<Star> star = active.mesh().removable(m);
-    // The rest of removal condition (a): all four edges pass decimation conditions (a) and (b). And
-    // the guards.
+    // The rest of removal condition (a): all these edges pass decimation conditions (a) and (b).
+    // And the guards.
     if (!star || !criteria.may_unsplit(active, *star)) return std::nullopt;
     return star;
 }

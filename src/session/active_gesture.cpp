@@ -87,9 +87,6 @@ void Session::State::update_frame(std::span<const Vec3> displacements) {
     // The corners of new faces may lie where nothing moves, so they are marked with their faces.
     mark_dirty(active_gesture->gesture->take_edited_faces());
     if (dirty.everything) return;
-    // There is at least one wedge for each vertex. A list that is not empty has its capacity
-    // already.
-    if (dirty.wedges.empty()) dirty.wedges.reserve(active_gesture->gesture->influenced_vertices());
     active_gesture->gesture->append_moved_wedges(dirty.wedges);
 }
 

@@ -256,7 +256,8 @@ void Session::take_dirty(DirtyElements& taken) {
     std::swap(taken, state_->dirty);
     // Slots that no longer exist have nothing to draw.
     const auto tidy = [](auto& ids, auto end) {
-        // A frame lists what it moves in order, without duplicates, and then what it has inserted.
+        // A frame without edits lists what it moves in order, without duplicates, and then what
+        // earlier frames have inserted.
         const auto last = std::adjacent_find(ids.begin(), ids.end(), std::greater_equal<>());
         if (last != ids.end()) {
             std::sort(last + 1, ids.end());
