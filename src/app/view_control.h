@@ -65,8 +65,8 @@ class ViewControl final : private NavigatedObject {
     // Shows the whole object and these points from the direction of the first view, also after the
     // free part of the window has changed.
     void frame_with(std::span<const Vec3> others);
-    // Turns the view about the point that was touched last. If the whole object was visible and
-    // would not be, it is framed.
+    // Turns the view about the point that was touched last. If the whole object, with a cage, was
+    // visible and would not be, it is framed.
     void look_from(const Vec3& direction);
     // Looks from this end of an axis, or from the other end if the view looks from this one
     // already.

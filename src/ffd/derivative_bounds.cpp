@@ -175,18 +175,18 @@ DerivativeBounds::Everywhere DerivativeBounds::everywhere(const Field& field) co
         const double cell_a = field.lattice.cell[static_cast<int>(a)];
         double slope = 0.0;
         for (std::size_t i = field.steps[a]; i < values.size(); ++i) {
-            slope = std::max(slope, squared(values[i] - values[i - field.steps[a]]));
+            slope = std::max(slope, squared((values[i] - values[i - field.steps[a]]) / cell_a));
         }
-        first += slope / (cell_a * cell_a);
+        first += slope;
         for (std::size_t b = 0; b < 3; ++b) {
             const double cell_b = field.lattice.cell[static_cast<int>(b)];
             const std::size_t p = field.steps[a], q = field.steps[b];
             double bend = 0.0;
             for (std::size_t i = p + q; i < values.size(); ++i) {
-                bend = std::max(
-                    bend, squared(values[i] - values[i - p] - values[i - q] + values[i - p - q]));
+                const T difference = values[i] - values[i - p] - values[i - q] + values[i - p - q];
+                bend = std::max(bend, squared(difference / cell_a / cell_b));
             }
-            second += bend / (cell_a * cell_a * cell_b * cell_b);
+            second += bend;
         }
     }
     return {std::sqrt(first), std::sqrt(second)};
@@ -398,10 +398,6 @@ DerivativeBounds::Transport DerivativeBounds::transport(const Region& region, co
     } else {
         result.jacobian = at_centre;
         transport_over<Vec3>(region, pieces, {g[0], g[1], g[2]}, s, result);
-    }
-    if (range_ < result.rest) {
-        result.jacobian = Mat3{1.0};
-        result.rest = range_;
     }
     return result;
 }

@@ -50,11 +50,10 @@ class DerivativeBounds {
     Bound over(const Region& region, const Vec3& p, const Vec3& q) const;
     // What F makes of the ellipsoid of s, that is, of all v with v vᵀ ≼ s: for each point x of the
     // triangle F(x + v) − F(x) is jacobian · v and a vector no longer than `rest`, which is
-    // parallel to direction() if there is one. Where the ellipsoid is so large that a Jacobian says
-    // little, F is x + D(x), and `rest` is range(). The margin has to contain the ellipsoid.
-    // at_centre: the Jacobian at a point of the triangle. Cost: twice that of over().
+    // parallel to direction() if there is one. The margin has to contain the ellipsoid. at_centre:
+    // the Jacobian at a point of the triangle. Cost: twice that of over().
     struct Transport {
-        Mat3 jacobian{1.0};  // at_centre, without what is beside direction(), or the identity
+        Mat3 jacobian{1.0};  // at_centre, without what is beside direction()
         double rest = 0.0;
         double stretch = 1.0;  // see Bound
     };
@@ -64,9 +63,10 @@ class DerivativeBounds {
     // Prepares estimate(), if D is the field of one lattice that is not too large.
     // Cost: eight bounds for each cell of the influenced zone.
     void tabulate();
-    // An upper bound of bend().most for a region without a margin and orthonormal p and q, from the
-    // table of bounds over the eighths of cells: several times as large, and much faster. Without a
-    // table it is the bound over all of space. Cost: O(eighths that the region's box meets).
+    // Bounds what bend().most bounds, for a region without a margin and orthonormal p and q, from
+    // the table of bounds over the eighths of cells: several times as large, and much faster.
+    // Without a table it is the bound over all of space. Cost: O(eighths that the region's box
+    // meets).
     double estimate(const std::array<Vec3, 3>& corners) const;
     // Upper bounds of |D²F(u, u)|, for unit vectors u, and of |D(x)| over all of space.
     double bend_everywhere() const { return everywhere_.second; }
@@ -119,7 +119,7 @@ class DerivativeBounds {
     std::optional<Vec3> direction_;  // a unit vector to which all displacements are parallel
     Everywhere everywhere_;
     double reach_ = 0.0, range_ = 0.0;
-    std::vector<float> table_;  // bend_any of the eighths of cells from (−2, −2, −2) on; or empty
+    std::vector<double> table_;  // bend_any of the eighths of cells from (−2, −2, −2) on; or empty
     IVec3 table_size_{0};
 };
 

@@ -8,9 +8,9 @@
 namespace pectin {
 namespace {
 
-// The largest table; rounding in it; and in the parameters of a region, in halves of cells.
+// The largest table, and rounding in the parameters of a region, in halves of cells.
 constexpr std::size_t kMostTabulated = 1 << 16;
-constexpr double kTableRoundedUp = 1.0 + 1e-6, kSameHalf = 1e-9;
+constexpr double kSameHalf = 1e-9;
 
 }  // namespace
 
@@ -21,7 +21,7 @@ void DerivativeBounds::tabulate() {
     const std::size_t count = static_cast<std::size_t>(size.x) * static_cast<std::size_t>(size.y) *
                               static_cast<std::size_t>(size.z);
     if (count > kMostTabulated) return;
-    std::vector<float> table;
+    std::vector<double> table;
     table.reserve(count);
     for (int k = 0; k < size.z; ++k) {
         for (int j = 0; j < size.y; ++j) {
@@ -31,7 +31,7 @@ void DerivativeBounds::tabulate() {
                 };
                 const Vec3 low = corner({i, j, k}), high = corner({i + 1, j + 1, k + 1});
                 const Bound of_part = over({{low, high, high}, 0.0}, Vec3{0.0}, Vec3{0.0});
-                table.push_back(static_cast<float>(of_part.bend_any * kTableRoundedUp));
+                table.push_back(of_part.bend_any);
             }
         }
     }
@@ -40,7 +40,7 @@ void DerivativeBounds::tabulate() {
 }
 
 double DerivativeBounds::estimate(const std::array<Vec3, 3>& corners) const {
-    if (table_.empty()) return everywhere_.second * kTableRoundedUp;
+    if (table_.empty()) return everywhere_.second;
     const Lattice& lattice = fields_.front().lattice;
     const auto& [a, b, c] = corners;
     const auto halves = [&](const Vec3& x) { return 2.0 * (lattice.parameter(x) + 2.0); };
@@ -52,7 +52,7 @@ double DerivativeBounds::estimate(const std::array<Vec3, 3>& corners) const {
         return 0.0;
     }
     const IVec3 low{glm::clamp(from, Vec3{0.0}, last)}, high{glm::clamp(to, Vec3{0.0}, last)};
-    float greatest = 0.0f;
+    double greatest = 0.0;
     for (int k = low.z; k <= high.z; ++k) {
         for (int j = low.y; j <= high.y; ++j) {
             for (int i = low.x; i <= high.x; ++i) {
@@ -61,7 +61,7 @@ double DerivativeBounds::estimate(const std::array<Vec3, 3>& corners) const {
             }
         }
     }
-    return static_cast<double>(greatest);
+    return greatest;
 }
 
 }  // namespace pectin

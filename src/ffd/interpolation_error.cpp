@@ -30,6 +30,9 @@ constexpr double kUnknown = std::numeric_limits<double>::infinity();
 // Where a triangle may be farther from its image than this, nothing is said about it.
 constexpr double kMostMargin = 1e100;
 
+// A bound that has overflowed or is not a number says nothing.
+double known_or_infinite(double bound) { return bound < kMostMargin ? bound : kUnknown; }
+
 double largest_coordinate(const InterpolationError::Corners& corners) {
     double largest = 0.0;
     for (const Vec3& corner : corners) {
@@ -50,9 +53,13 @@ std::array<Vec3, 2> plane_of(const InterpolationError::Corners& corners) {
     p = unit_or_zero(p);
     const Vec3 other = p == unit_or_zero(ab) ? ac : ab;
     Vec3 q = unit_or_zero(other - glm::dot(other, p) * p);
-    // The line of a triangle without area lies in many planes.
-    q = unit_or_zero(q - glm::dot(q, p) * p);
-    return {p, q};
+    q -= glm::dot(q, p) * p;
+    if (glm::dot(q, q) > 0.25) return {p, unit_or_zero(q)};
+    // Of a triangle without area, q was what rounding had left. Its line lies in many planes.
+    const Vec3 size = glm::abs(p);
+    Vec3 axis{0.0};
+    axis[size.x <= size.y && size.x <= size.z ? 0 : size.y <= size.z ? 1 : 2] = 1.0;
+    return {p, unit_or_zero(axis - glm::dot(axis, p) * p)};
 }
 
 }  // namespace
@@ -135,7 +142,8 @@ bool InterpolationError::moves(const Step& step, const DerivativeBounds::Region&
 double InterpolationError::slope(const Corners& rest) const {
     const Triangle triangle(rest);
     const auto& [p, q] = triangle.plane;
-    return triangle.bulge(unit_step_->bend({rest, 0.0}, p, q)) * kRoundedUp;
+    const double slope = triangle.bulge(unit_step_->bend({rest, 0.0}, p, q)) * kRoundedUp;
+    return std::min(slope, slope_estimate(rest));
 }
 
 double InterpolationError::slope_estimate(const Corners& rest) const {
@@ -149,7 +157,7 @@ double InterpolationError::bound(std::span<const Corners> before) const {
     if (!is_proportional()) return walk(before);
     const Corners& rest = before.front();
     if (!moves(steps_.front(), {rest, 0.0})) return 0.0;
-    return displacement() * slope(rest) + rounding(rest);
+    return known_or_infinite(displacement() * slope(rest) + rounding(rest));
 }
 
 double InterpolationError::rough_bound(const Corners& rest) const {
@@ -179,7 +187,7 @@ double InterpolationError::walk(std::span<const Corners> before) const {
         path.rounding += rounding_of(k, before[k]);
         if (!is_last) move(path, warp_.steps[k]);
     }
-    return (triangle.bulge(path.bend) + path.rounding) * kRoundedUp;
+    return known_or_infinite((triangle.bulge(path.bend) + path.rounding) * kRoundedUp);
 }
 
 // What a step makes of the second derivative along the plane, and of rounding.

@@ -15,12 +15,12 @@
 // usual. It is larger where F bends in one direction more than in another, but M is found more
 // exactly than Q, so both are computed and the smaller one counts.
 //
-// F is the warp, F_n ∘ … ∘ F_1. Let G = F_k ∘ … ∘ F_1 be its first steps, and M and Q such bounds
-// of D²G, c the centre of the circle, and A = DG(c) on the plane of T. Then DG(x)u differs from A u
-// by at most δ = M R |u|, and the next step F maps to
+// F is the warp, F_n ∘ … ∘ F_1. Let G = F_k ∘ … ∘ F_1 be its first steps, M and Q such bounds of
+// D²G, c the centre of the circle, and A = DG(c) on the plane of T. Then DG(x)u differs from A u by
+// at most δ|u|, δ = M R, and the next step F maps to
 //
 //     D²(F ∘ G)(u, u) = DF · D²G(u, u) + D²F(DG u, DG u),
-//     Q'(u) = L Q(u) + sup |D²F(A u, A u)| + K (2 |A| δ + δ²),
+//     Q'(u) = L Q(u) + P(u) + K (2 |A| δ + δ²) |u|²,    P(u) ≥ |D²F(A u, A u)|,
 //
 // and M' likewise. L bounds |DF| and K bounds |D²F| over the image G(T), which lies no farther from
 // the flat triangle of its corners than the bound up to there. So each step is bounded where the
@@ -34,9 +34,9 @@
 //     F(p + v) − F(p) = DF(c) v + r,
 //     |r| ≤ sup |(DF(x) − DF(c)) v| over T + ½ sup |D²F(v, v)| over the points within |v| of T,
 //
-// to which it adds its own error, ½ R². Where v is so long that this r could be longer than the
-// displacements of two points differ, v + r is taken instead, with r as long as that. If all
-// displacements have one direction, r and its own error have that direction, too.
+// to which it adds its own error, ½ R². If all displacements have one direction, r and its own
+// error have that direction, too. No error grows by more than the displacements of two points
+// differ, plus the step's own error.
 #pragma once
 
 #include <array>
@@ -100,7 +100,7 @@ class InterpolationError {
         std::vector<Box> zones;
         double rounding = 0.0;  // of the displacements of corners
     };
-    // A triangle at rest.
+    // A triangle before a step.
     struct Triangle {
         explicit Triangle(const Corners& corners);
         // An upper bound of the interpolation error of a function with this second derivative.

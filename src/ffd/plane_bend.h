@@ -1,10 +1,11 @@
 // Bounds the second derivative along the directions of a plane, from Bernstein coefficients.
 //
 // Let S_i be the coefficients of D²F, as quadratic forms of the plane, and S any form, such as
-// their mean. The form |S| whose matrix is the root of Σ_c S_c², the sum over the components c,
-// bounds S: |S(u)| ≤ |S|(u). So
+// their mean. Let |S| be the form whose matrix is the root of Σ_c S_c², the sum over the components
+// c. For unit vectors e the matrix (Σ_c e_c S_c)² is no greater than Σ_c S_c², and the root
+// preserves this order, so |S(u)| ≤ |S|(u). Hence
 //
-//     |D²F(u, u)| ≤ |S|(u) + max_i sup_v |(S_i − S)(v)|,    for all unit vectors u and v.
+//     |D²F(u, u)| ≤ |S|(u) + max_i sup_v |(S_i − S)(v)|,    |u| = |v| = 1.
 //
 // The smaller the region, the nearer this is to the derivative, direction by direction, whereas one
 // bound for all directions is that of the direction in which F bends most.

@@ -33,32 +33,32 @@ struct PlaneForm {
     }
 };
 
-// The form whose matrix is the square root of that of q.
+// The form whose matrix is the square root of that of q. Its error is at most 1e-7 of the root of
+// the trace of q.
 inline PlaneForm square_root(const PlaneForm& q) {
     const double trace = q.xx + q.yy;
     if (!(trace > 0.0)) return {};
-    const double root = std::sqrt(std::max(0.0, q.xx * q.yy - q.xy * q.xy));
-    const double scale = 1.0 / std::sqrt(trace + 2.0 * root);
-    return scale * PlaneForm{q.xx + root, q.xy, q.yy + root};
+    const PlaneForm of_trace_1{q.xx / trace, q.xy / trace, q.yy / trace};
+    const double determinant = of_trace_1.xx * of_trace_1.yy - of_trace_1.xy * of_trace_1.xy;
+    const double root = std::sqrt(std::max(0.0, determinant));
+    return std::sqrt(trace / (1.0 + 2.0 * root)) *
+           PlaneForm{of_trace_1.xx + root, of_trace_1.xy, of_trace_1.yy + root};
 }
 
 // The sides of a triangle, as vectors of the plane.
 using PlaneSides = std::array<Vec2, 3>;
 
 // The square of the radius of the smallest circle that encloses the triangle, where q measures the
-// squares of lengths. Rounded up.
+// squares of lengths. Rounded up. With the squares a ≥ b ≥ c of the sides this is a/4 where the
+// angle opposite a is not acute, otherwise abc / (4bc − (b + c − a)²), the circumscribed circle.
 inline double squared_enclosing_radius(const PlaneForm& q, const PlaneSides& sides) {
     constexpr double kRoundedUp = 1.0 + 1e-7;
-    // Where the square of 4 × area is a smaller part of the fourth power of the longest side, it is
-    // inexact. No circle is larger than that of an equilateral triangle with this side.
-    constexpr double kNeedle = 1e-7;
     std::array<double, 3> squares{q(sides[0]), q(sides[1]), q(sides[2])};
     std::sort(squares.begin(), squares.end());
     const auto [c, b, a] = squares;
     if (b + c <= a) return 0.25 * a * kRoundedUp;
-    const double area = 4.0 * b * c - (b + c - a) * (b + c - a);
-    if (!(area > kNeedle * a * a)) return a / 3.0 * kRoundedUp;
-    return std::min(a / 3.0, a * b * c / area) * kRoundedUp;
+    const double excess = b + c - a;  // at most c, so that nothing cancels below
+    return a / (4.0 - (excess / b) * (excess / c)) * kRoundedUp;
 }
 
 }  // namespace pectin

@@ -1,5 +1,4 @@
 #include "replay/program.h"
-#include "support/paths.h"
 
 #include <fcntl.h>
 #include <spawn.h>
@@ -7,6 +6,8 @@
 #include <unistd.h>
 
 #include <stdexcept>
+
+#include "support/paths.h"
 
 namespace pectin {
 

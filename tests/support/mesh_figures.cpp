@@ -1,5 +1,4 @@
 #include "support/mesh_figures.h"
-#include "support/paths.h"
 
 #include <algorithm>
 #include <array>
@@ -14,6 +13,7 @@
 #include "io/obj_reader.h"
 #include "mesh/build_mesh.h"
 #include "mesh/face_tree.h"
+#include "support/paths.h"
 
 namespace pectin::test {
 

@@ -200,11 +200,13 @@ std::vector<FaceId> due_by_definition(const ActiveSet& active, const Interpolati
                                       double tolerance) {
     std::vector<FaceId> due;
     for (FaceId f : test::live_faces(active.mesh())) {
-        test::Corners rest;
+        std::array<VertexId, 3> corners;
         for (int c = 0; c < 3; ++c) {
-            const VertexId v = active.mesh().origin(TriMesh::half_edge(f, c));
-            rest[static_cast<std::size_t>(c)] = active.rest_position(v);
+            corners[static_cast<std::size_t>(c)] = active.mesh().origin(TriMesh::half_edge(f, c));
         }
+        std::ranges::sort(corners);  // as CertifiedError takes them
+        const test::Corners rest{active.rest_position(corners[0]), active.rest_position(corners[1]),
+                                 active.rest_position(corners[2])};
         if (error.bound(std::span(&rest, 1)) > tolerance) due.push_back(f);
     }
     return due;

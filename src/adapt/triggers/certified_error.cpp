@@ -109,7 +109,7 @@ HalfEdgeId CertifiedError::needed_split(const ActiveSet& active, HalfEdgeId h) c
     const bool is_surely_fine =
         state_->error.rough_bound({active.rest_position(face[0]), active.rest_position(face[1]),
                                    active.rest_position(face[2])}) <= tolerance_;
-    if (is_surely_fine || !(bound(active, TriMesh::face(h)) > tolerance_)) {
+    if (is_surely_fine || bound(active, TriMesh::face(h)) <= tolerance_) {
         return kNone<HalfEdgeId>;
     }
     return order_->first_edge(active, h, *floor_);
