@@ -176,11 +176,11 @@ std::vector<Vec3> ViewControl::points() const {
 }
 
 bool ViewControl::shows(const std::vector<Vec3>& points) const {
-    const auto [low, high] = free_area();
-    return std::ranges::all_of(points, [&, low = low, high = high](const Vec3& point) {
+    const ScreenBox area = free_area();
+    return std::ranges::all_of(points, [&](const Vec3& point) {
         const std::optional<Vec2> pixel = camera().project(point, size_);
-        return pixel && glm::all(glm::lessThanEqual(low, *pixel)) &&
-               glm::all(glm::lessThanEqual(*pixel, high));
+        return pixel && glm::all(glm::lessThanEqual(area.from, *pixel)) &&
+               glm::all(glm::lessThanEqual(*pixel, area.to));
     });
 }
 
